@@ -1,1 +1,9 @@
-fn main(){}
+//! The command line of `curveto`.
+
+use std::process::ExitCode;
+
+mod cli;
+
+fn main() -> ExitCode {
+    cli::main()
+}

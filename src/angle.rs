@@ -1,0 +1,207 @@
+//! Angles in degrees, with the units of CSS, and the exact sines and cosines that symmetric output needs.
+
+use core::f64::consts::FRAC_1_SQRT_2;
+use core::fmt;
+use core::str::FromStr;
+
+use kurbo::Vec2;
+
+use crate::error::{Error, Result, finite};
+
+/// An angle, held in degrees so that quarters, eighths and twelfths of a turn are exact.
+///
+/// ```
+/// use curveto::Angle;
+/// let quarter: Angle = "0.25turn".parse()?;
+/// assert_eq!(quarter, Angle::from_degrees(90.0));
+/// assert_eq!(quarter.direction(), kurbo::Vec2::new(0.0, 1.0)); // no 6e-17
+/// # Ok::<(), curveto::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
+pub struct Angle {
+    degrees: f64,
+}
+
+impl Angle {
+    /// No turn at all.
+    pub const ZERO: Self = Self { degrees: 0.0 };
+    /// A full turn in the positive direction.
+    pub const TURN: Self = Self { degrees: 360.0 };
+
+    /// An angle of so many degrees.
+    #[must_use]
+    pub const fn from_degrees(degrees: f64) -> Self {
+        Self { degrees }
+    }
+
+    /// An angle of so many radians.
+    #[must_use]
+    pub fn from_radians(radians: f64) -> Self {
+        Self {
+            degrees: radians.to_degrees(),
+        }
+    }
+
+    /// The angle in degrees.
+    #[must_use]
+    pub const fn degrees(self) -> f64 {
+        self.degrees
+    }
+
+    /// The angle in radians.
+    #[must_use]
+    pub fn radians(self) -> f64 {
+        self.degrees.to_radians()
+    }
+
+    /// (cosine, sine), exact at every multiple of 30 and 45 degrees that has a rational or square-root-of-two value,
+    /// and equal to the last digit at angles that mirror one another in an axis or a diagonal.
+    #[must_use]
+    pub fn direction(self) -> Vec2 {
+        // Both the remainder and the subtraction of a whole number of quarters are exact in f64.
+        let within = self.degrees % 360.0;
+        let quarters = (within / 90.0).round();
+        quarter_turns(
+            residual_direction(within - quarters * 90.0),
+            quarters as i64,
+        )
+    }
+
+    /// The direction at `part / parts` of a full turn in the sense of `sign`, counted from this angle.
+    ///
+    /// From a multiple of a quarter turn the fraction is reduced in whole numbers, so that `part` and `parts - part` mirror exactly.
+    pub(crate) fn direction_in_turn(self, sign: f64, part: usize, parts: usize) -> Vec2 {
+        if self.degrees % 90.0 != 0.0 {
+            return Self::from_degrees(self.degrees + sign * 360.0 * (part as f64 / parts as f64))
+                .direction();
+        }
+        let quarters = (4 * part + parts / 2) / parts;
+        let rest = (4 * part) as f64 - (quarters * parts) as f64;
+        let within = residual_direction(sign * 90.0 * rest / parts as f64);
+        let start = (self.degrees % 360.0 / 90.0) as i64;
+        quarter_turns(within, start + (sign * quarters as f64) as i64)
+    }
+}
+
+/// The direction of an angle of at most 45 degrees (a little more where rounding made it so).
+fn residual_direction(degrees: f64) -> Vec2 {
+    let size = degrees.abs();
+    let (sin, cos) = if size == 45.0 {
+        (FRAC_1_SQRT_2, FRAC_1_SQRT_2)
+    } else if size == 30.0 {
+        (0.5, 0.75_f64.sqrt())
+    } else {
+        size.to_radians().sin_cos()
+    };
+    Vec2::new(cos, sin.copysign(degrees))
+}
+
+/// `v` turned by a whole number of quarters, without a rounding error and without a negative zero.
+fn quarter_turns(v: Vec2, quarters: i64) -> Vec2 {
+    let turned = match quarters.rem_euclid(4) {
+        0 => v,
+        1 => Vec2::new(-v.y, v.x),
+        2 => -v,
+        _ => Vec2::new(v.y, -v.x),
+    };
+    Vec2::new(turned.x + 0.0, turned.y + 0.0)
+}
+
+impl fmt::Display for Angle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}deg", self.degrees)
+    }
+}
+
+impl FromStr for Angle {
+    type Err = Error;
+
+    /// Reads a CSS angle: a number with `deg` (the default), `rad`, `grad` or `turn`.
+    fn from_str(text: &str) -> Result<Self> {
+        const UNITS: [(&str, f64); 4] =
+            [("grad", 0.9), ("rad", 0.0), ("turn", 360.0), ("deg", 1.0)];
+        let trimmed = text.trim();
+        let (number, unit) = UNITS
+            .iter()
+            .find_map(|&(unit, factor)| trimmed.strip_suffix(unit).map(|number| (number, factor)))
+            .unwrap_or((trimmed, 1.0));
+        let value: f64 = number.trim_end().parse().map_err(|_| Error::Syntax {
+            what: "the angle",
+            text: text.to_owned(),
+            column: 1,
+            why: "an angle is a number with deg, rad, grad or turn behind it".to_owned(),
+        })?;
+        let value = finite("angle", value)?;
+        Ok(if unit == 0.0 {
+            Self::from_radians(value)
+        } else {
+            Self::from_degrees(value * unit)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_css() {
+        for text in [
+            "90",
+            "90deg",
+            "100grad",
+            "0.25turn",
+            "1.5707963267948966rad",
+            " 90 deg ",
+        ] {
+            assert_eq!(text.parse::<Angle>().unwrap().degrees(), 90.0, "{text}");
+        }
+        assert!("".parse::<Angle>().is_err());
+        assert!("1e999".parse::<Angle>().is_err());
+        assert!("NaN".parse::<Angle>().is_err());
+        assert!("ninety".parse::<Angle>().is_err());
+    }
+
+    #[test]
+    fn quadrants_are_exact() {
+        for turn in -8..=8 {
+            let d = Angle::from_degrees(90.0 * f64::from(turn)).direction();
+            assert_eq!(d.x.abs() + d.y.abs(), 1.0);
+            assert!(d.x == 0.0 && d.x.is_sign_positive() || d.y == 0.0 && d.y.is_sign_positive());
+        }
+        assert_eq!(
+            Angle::from_degrees(60.0).direction(),
+            Vec2::new(0.5, 0.75_f64.sqrt())
+        );
+        let eighth = Angle::from_degrees(-135.0).direction();
+        assert_eq!(eighth, Vec2::new(-FRAC_1_SQRT_2, -FRAC_1_SQRT_2));
+    }
+
+    #[test]
+    fn parts_of_a_turn_mirror_to_the_last_digit() {
+        for start in [0.0, 90.0, 180.0, -90.0] {
+            let start = Angle::from_degrees(start);
+            for parts in 1..60 {
+                for part in 0..=parts {
+                    let a = start.direction_in_turn(1.0, part, parts);
+                    let b = start.direction_in_turn(1.0, parts - part, parts);
+                    let c = start.direction_in_turn(-1.0, part, parts);
+                    assert_eq!(b, c);
+                    let axis = start.direction();
+                    assert_eq!(a.dot(axis), b.dot(axis));
+                    assert_eq!(a.cross(axis), -b.cross(axis));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn directions_agree_with_the_standard_library() {
+        for i in -2000..2000 {
+            let angle = Angle::from_degrees(f64::from(i) * 0.37);
+            let d = angle.direction();
+            assert!((d.x - angle.radians().cos()).abs() < 3e-15);
+            assert!((d.y - angle.radians().sin()).abs() < 3e-15);
+        }
+    }
+}

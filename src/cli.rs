@@ -1,0 +1,43 @@
+//! The command line: words to library calls, results to bytes, errors to messages and exit codes.
+
+mod args;
+mod draw;
+mod failure;
+mod output;
+mod procset;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Cli, Command};
+use failure::Failure;
+
+/// What every command ends with: an exit code, 0 where all went well.
+type Outcome = Result<ExitCode, Failure>;
+
+/// Parses the command line, runs it and tells how it went.
+pub(crate) fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return failure::usage(&error),
+    };
+    match run(cli.command) {
+        Ok(code) => code,
+        Err(failure) => {
+            // Where standard error is gone, nobody is left to tell.
+            let _ = write!(std::io::stderr().lock(), "{failure}");
+            failure.exit_code()
+        }
+    }
+}
+
+fn run(command: Command) -> Outcome {
+    match command {
+        Command::Circle(args) => draw::circle(&args),
+        Command::Ellipse(args) => draw::ellipse(&args),
+        Command::Arc(args) => draw::arc(&args),
+        Command::Procset(args) => procset::run(&args),
+    }
+}

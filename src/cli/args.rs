@@ -1,0 +1,62 @@
+//! The words of the command line, as clap reads them; nothing is computed here.
+
+mod approximation;
+mod output;
+pub(crate) mod shape;
+mod values;
+
+pub(crate) use approximation::ApproximationArgs;
+pub(crate) use output::OutputArgs;
+pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+use curveto::Method;
+
+/// Draw circles, ellipses and arcs as Bézier curves, and say how far they stray.
+#[derive(Debug, Parser)]
+#[command(
+    version,
+    about,
+    propagate_version = true,
+    arg_required_else_help = true,
+    max_term_width = 100
+)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Draw a circle
+    Circle(Draw<CircleShape>),
+    /// Draw an ellipse
+    Ellipse(Draw<EllipseShape>),
+    /// Draw an arc of a circle or an ellipse
+    Arc(Draw<ArcShape>),
+    /// Print PostScript procedures that draw ellipses and circles, after Lancaster
+    Procset(ProcsetArgs),
+}
+
+/// A shape, how it is approximated and how it is written.
+#[derive(Debug, Args)]
+pub(crate) struct Draw<S: Args> {
+    #[command(flatten)]
+    pub(crate) shape: S,
+    #[command(flatten)]
+    pub(crate) approximation: ApproximationArgs,
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ProcsetArgs {
+    /// The method whose quarter-circle handle the procedures use
+    #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::method)]
+    pub(crate) method: Method,
+    /// Write to FILE, atomically; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}

@@ -1,0 +1,81 @@
+//! The words for how a shape is approximated.
+
+use clap::{Args, ValueEnum};
+use curveto::{Angle, Cut, Method, Rule, Tolerance};
+
+use super::values;
+use crate::cli::failure::Failure;
+
+/// How arc length is integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum Quadrature {
+    /// Until it no longer changes
+    #[default]
+    Adaptive,
+    /// Chen's two-point Gauss quadrature
+    Gauss2,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "How it is approximated")]
+pub(crate) struct ApproximationArgs {
+    /// A method by id or alias; 'curveto methods' lists them [default: minimax]
+    #[arg(short, long, value_name = "ID", value_parser = values::method)]
+    method: Option<Method>,
+    /// Exactly N segments, of equal parametric angle
+    #[arg(short = 'n', long, value_name = "N", conflicts_with_all = ["tolerance", "joints"])]
+    segments: Option<usize>,
+    /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
+    #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true, conflicts_with = "joints")]
+    tolerance: Option<Tolerance>,
+    /// Joints at these angles instead; for an arc, inside its sweep
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',', value_parser = values::angle, allow_hyphen_values = true)]
+    joints: Vec<Angle>,
+    /// A literal handle length on the unit circle in place of a method
+    #[arg(long, value_name = "K", value_parser = values::number, allow_hyphen_values = true, conflicts_with = "method")]
+    handle: Option<f64>,
+    /// With -n on an ellipse: joints that equalise the true error instead of equal angles
+    #[arg(long, requires = "segments")]
+    adaptive: bool,
+    /// How chen-2 integrates arc length
+    #[arg(long, value_enum, value_name = "RULE", default_value_t)]
+    quadrature: Quadrature,
+}
+
+impl ApproximationArgs {
+    /// What gives the control points.
+    pub(crate) fn rule(&self) -> Result<Rule, Failure> {
+        if let Some(k) = self.handle {
+            return if k.is_finite() {
+                Ok(Rule::Handle(k))
+            } else {
+                Err(Failure::request(format!(
+                    "a handle is a finite number, not {k}"
+                )))
+            };
+        }
+        let method = self.method.unwrap_or_default();
+        Ok(match (self.quadrature, method) {
+            (Quadrature::Gauss2, Method::Chen2) => Rule::Chen2Gauss2,
+            (Quadrature::Gauss2, _) => {
+                return Err(Failure::request_with_hint(
+                    format!(
+                        "{method} integrates no arc length, so that --quadrature has nothing to say"
+                    ),
+                    "--quadrature gauss2 goes with -m chen-2",
+                ));
+            }
+            (Quadrature::Adaptive, _) => Rule::Method(method),
+        })
+    }
+
+    /// Where the sweep is cut.
+    pub(crate) fn cut(&self) -> Cut {
+        match (self.segments, self.tolerance) {
+            (Some(count), _) => Cut::Count(count),
+            (None, Some(tolerance)) => Cut::Tolerance(tolerance),
+            (None, None) if self.joints.is_empty() => Cut::Quarters,
+            (None, None) => Cut::At(self.joints.clone()),
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! The words for output.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use curveto::write::Format;
+use kurbo::Affine;
+
+use super::values;
+use crate::cli::failure::Failure;
+use crate::cli::output::Target;
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Output")]
+pub(crate) struct OutputArgs {
+    /// The format [default: by the extension of -o, else path] [possible values: path, svg, ps, eps, json, png]
+    #[arg(short, long, value_name = "F", value_parser = |text: &str| text.parse::<Format>())]
+    format: Option<Format>,
+    /// Write to FILE, atomically; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error
+    #[arg(short, long, value_name = "P", value_parser = values::precision, default_value = "auto")]
+    precision: PrecisionArg,
+    /// An SVG transform list, applied to the control points
+    #[arg(long, value_name = "LIST", value_parser = values::transform, allow_hyphen_values = true)]
+    transform: Option<Affine>,
+    /// Relative path commands (path, svg)
+    #[arg(long)]
+    pub(crate) relative: bool,
+}
+
+/// Decimals, or `None` for auto.
+type PrecisionArg = Option<u8>;
+
+impl OutputArgs {
+    /// Where output goes.
+    pub(crate) fn target(&self) -> Target {
+        Target::new(self.output.as_deref())
+    }
+
+    /// The format that was asked for, or that the extension of the output file tells.
+    pub(crate) fn format(&self) -> Result<Format, Failure> {
+        if let Some(format) = self.format {
+            return Ok(format);
+        }
+        let extension = self
+            .output
+            .as_deref()
+            .and_then(Path::extension)
+            .and_then(|extension| extension.to_str());
+        let Some(extension) = extension.map(str::to_ascii_lowercase) else {
+            return Ok(Format::default());
+        };
+        if [
+            "jpg", "jpeg", "gif", "webp", "pdf", "tif", "tiff", "bmp", "avif", "svgz",
+        ]
+        .contains(&extension.as_str())
+        {
+            return Err(Failure::request_with_hint(
+                format!("no format of ours has the extension .{extension}"),
+                "the formats are path, svg, ps, eps, json and png; -f says which, whatever the name",
+            ));
+        }
+        Ok(extension.parse().unwrap_or_default())
+    }
+
+    /// The decimals that were asked for.
+    pub(crate) fn decimals(&self) -> Option<u8> {
+        self.precision
+    }
+
+    /// The transform, or the identity.
+    pub(crate) fn transform(&self) -> Affine {
+        self.transform.unwrap_or_default()
+    }
+}

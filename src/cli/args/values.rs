@@ -1,0 +1,90 @@
+//! Readers of single values, with messages that say what is expected.
+
+use curveto::{Angle, Method, Tolerance};
+use kurbo::{Affine, Point, Vec2};
+
+/// Readers give clap the message; it adds the argument's name and the value.
+type Read<T> = Result<T, String>;
+
+/// The message of a library error, with its hint.
+fn told(error: &curveto::Error) -> String {
+    error.hint().map_or_else(
+        || error.to_string(),
+        |hint| format!("{error}\nhint: {hint}"),
+    )
+}
+
+pub(super) fn method(text: &str) -> Read<Method> {
+    text.parse().map_err(|error| told(&error))
+}
+
+pub(super) fn angle(text: &str) -> Read<Angle> {
+    text.parse().map_err(|error| told(&error))
+}
+
+pub(super) fn number(text: &str) -> Read<f64> {
+    text.trim()
+        .parse()
+        .map_err(|_| format!("'{text}' is not a number"))
+}
+
+fn pair(text: &str) -> Read<[f64; 2]> {
+    let (x, y) = text
+        .split_once(',')
+        .ok_or_else(|| format!("'{text}' is not two numbers with a comma between them"))?;
+    Ok([number(x)?, number(y)?])
+}
+
+pub(super) fn point(text: &str) -> Read<Point> {
+    pair(text).map(|[x, y]| Point::new(x, y))
+}
+
+pub(super) fn size(text: &str) -> Read<Vec2> {
+    pair(text).map(|[x, y]| Vec2::new(x, y))
+}
+
+pub(super) fn pixels(text: &str) -> Read<[f64; 2]> {
+    let (width, height) = text
+        .split_once(['x', 'X', '×'])
+        .ok_or_else(|| format!("'{text}' is not a width and a height, like 640x480"))?;
+    let side = |text: &str| match number(text) {
+        Ok(side) if side.is_finite() && side > 0.0 => Ok(side),
+        _ => Err(format!("'{text}' is not a positive number of pixels")),
+    };
+    Ok([side(width)?, side(height)?])
+}
+
+pub(super) fn tolerance(text: &str) -> Read<Tolerance> {
+    let tolerance = match text.trim().strip_suffix('%') {
+        Some(percent) => Tolerance::Relative(number(percent)? / 100.0),
+        None => Tolerance::Absolute(number(text)?),
+    };
+    let (Tolerance::Absolute(size) | Tolerance::Relative(size)) = tolerance;
+    if size.is_finite() && size > 0.0 {
+        return Ok(tolerance);
+    }
+    Err("a tolerance is a positive, finite distance in user units, or a percentage of the larger radius like 0.01%".to_owned())
+}
+
+/// Decimals, or `None` for `auto`.
+pub(super) fn precision(text: &str) -> Read<Option<u8>> {
+    match text {
+        "auto" => Ok(None),
+        _ => match text.parse() {
+            Ok(decimals @ 0..=30) => Ok(Some(decimals)),
+            _ => Err("a precision is a number of decimals from 0 to 30, or auto".to_owned()),
+        },
+    }
+}
+
+pub(super) fn transform(text: &str) -> Read<Affine> {
+    let read: svgtypes::Transform = text
+        .parse()
+        .map_err(|error| format!("not an SVG transform list: {error}"))?;
+    let map = Affine::new([read.a, read.b, read.c, read.d, read.e, read.f]);
+    if map.is_finite() {
+        Ok(map)
+    } else {
+        Err("the transform is not finite".to_owned())
+    }
+}

@@ -1,0 +1,85 @@
+//! `circle`, `ellipse` and `arc`.
+
+use std::process::ExitCode;
+
+use curveto::approximate::{Drawing, Options, approximate};
+use curveto::write::number::Precision;
+use curveto::write::{Figure, Format, json, path, postscript};
+use curveto::{Angle, Cut};
+
+use super::Outcome;
+use super::args::shape::{Direction, ShapeWords};
+use super::args::{ApproximationArgs, ArcShape, CircleShape, Draw, EllipseShape, OutputArgs};
+use super::failure::Failure;
+
+pub(super) fn circle(args: &Draw<CircleShape>) -> Outcome {
+    draw(&args.shape, &args.approximation, &args.output)
+}
+
+pub(super) fn ellipse(args: &Draw<EllipseShape>) -> Outcome {
+    draw(&args.shape, &args.approximation, &args.output)
+}
+
+pub(super) fn arc(args: &Draw<ArcShape>) -> Outcome {
+    draw(&args.shape, &args.approximation, &args.output)
+}
+
+fn draw(
+    shape: &impl ShapeWords,
+    approximation: &ApproximationArgs,
+    output: &OutputArgs,
+) -> Outcome {
+    let format = output.format()?;
+    let default = if format.runs_as_drawellipse() {
+        Direction {
+            start: Angle::from_degrees(180.0),
+            reverse: true,
+        }
+    } else {
+        Direction::default()
+    };
+    let precision = match output.decimals() {
+        Some(decimals) => Some(Precision::Fixed(decimals)),
+        None => (format == Format::Json).then_some(Precision::Full),
+    };
+    let options = Options {
+        rule: approximation.rule()?,
+        cut: cut(shape, approximation)?,
+        precision,
+        transform: output.transform(),
+    };
+    let mut drawing = approximate(&shape.shape(default)?, &options)?;
+    if shape.open() {
+        drawing.curve.closed = false;
+    }
+    output.target().write(&bytes(&drawing, format, output)?)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The cut, in which joints that were asked for begin where the shape was asked to start.
+fn cut(shape: &impl ShapeWords, approximation: &ApproximationArgs) -> Result<Cut, Failure> {
+    let mut cut = approximation.cut();
+    if let (Cut::At(joints), Some(start)) = (&mut cut, shape.start()) {
+        let same = |joint: &Angle| (joint.degrees() - start.degrees()).rem_euclid(360.0) == 0.0;
+        let Some(first) = joints.iter().position(same) else {
+            return Err(Failure::request_with_hint(
+                format!("--start {} is not one of the joints", start.degrees()),
+                "with --joints a closed shape starts at the first of them; --start may name another of them",
+            ));
+        };
+        joints.rotate_left(first);
+    }
+    Ok(cut)
+}
+
+/// The drawing in its format.
+fn bytes(drawing: &Drawing, format: Format, output: &OutputArgs) -> Result<Vec<u8>, Failure> {
+    let text = match format {
+        Format::Path => path::data([&drawing.curve], output.relative) + "\n",
+        Format::Ps => postscript::operators([&drawing.curve]),
+        Format::Eps => postscript::encapsulated(&Figure::from(drawing), 1.0),
+        Format::Json => json::to_string(&json::DrawingDocument::from(drawing))? + "\n",
+        _ => return Err(Failure::request("not yet")),
+    };
+    Ok(text.into_bytes())
+}

@@ -1,0 +1,119 @@
+//! Failures: a message, a hint, an exit code.
+
+use core::fmt;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+/// Why a command ended, and how the process is to end.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// A wrong or impossible request: exit code 2.
+    Request {
+        /// What was asked and why it cannot be.
+        message: String,
+        /// What can be done instead.
+        hint: Option<String>,
+    },
+    /// A failure while running: exit code 1.
+    Running(anyhow::Error),
+    /// The reader of our output is gone, which is its right: exit code 0.
+    ClosedPipe,
+}
+
+impl Failure {
+    /// A wrong request without a hint.
+    pub(crate) fn request(message: impl Into<String>) -> Self {
+        Self::Request {
+            message: message.into(),
+            hint: None,
+        }
+    }
+
+    /// A wrong request and what to do about it.
+    pub(crate) fn request_with_hint(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::Request {
+            message: message.into(),
+            hint: Some(hint.into()),
+        }
+    }
+
+    pub(crate) fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Request { .. } => ExitCode::from(2),
+            Self::Running(_) => ExitCode::from(1),
+            Self::ClosedPipe => ExitCode::SUCCESS,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Request { message, hint } => {
+                writeln!(f, "error: {message}")?;
+                hint.iter().try_for_each(|hint| writeln!(f, "hint: {hint}"))
+            }
+            Self::Running(error) => writeln!(f, "error: {error:#}"),
+            Self::ClosedPipe => Ok(()),
+        }
+    }
+}
+
+impl From<curveto::Error> for Failure {
+    fn from(error: curveto::Error) -> Self {
+        Self::Request {
+            hint: error.hint(),
+            message: error.to_string(),
+        }
+    }
+}
+
+impl From<anyhow::Error> for Failure {
+    fn from(error: anyhow::Error) -> Self {
+        let closed = error
+            .chain()
+            .filter_map(|cause| cause.downcast_ref::<io::Error>())
+            .any(is_closed_pipe);
+        if closed {
+            Self::ClosedPipe
+        } else {
+            Self::Running(error)
+        }
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        anyhow::Error::from(error).into()
+    }
+}
+
+impl From<serde_json::Error> for Failure {
+    fn from(error: serde_json::Error) -> Self {
+        Self::Running(error.into())
+    }
+}
+
+fn is_closed_pipe(error: &io::Error) -> bool {
+    error.kind() == io::ErrorKind::BrokenPipe
+}
+
+/// Tells what the parser of the command line has to say: help and version on standard output, errors on standard error.
+pub(crate) fn usage(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        let _ = error.print();
+        return ExitCode::SUCCESS;
+    }
+    let styled = error.render();
+    let text = if anstream_is_terminal() {
+        styled.ansi().to_string()
+    } else {
+        styled.to_string()
+    };
+    let _ = write!(io::stderr().lock(), "{}", text.replace("  tip: ", "hint: "));
+    ExitCode::from(2)
+}
+
+fn anstream_is_terminal() -> bool {
+    io::IsTerminal::is_terminal(&io::stderr()) && std::env::var_os("NO_COLOR").is_none()
+}

@@ -1,0 +1,137 @@
+//! The library's errors: each says what was asked and why it cannot be; [`Error::hint`] says what can.
+
+use thiserror::Error;
+
+/// A specialised result.
+pub type Result<T, E = Error> = core::result::Result<T, E>;
+
+/// Why a request cannot be met.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A length that has to be positive and finite is not.
+    #[error("the {what} must be a positive, finite number, but it is {value}")]
+    NotPositive {
+        /// The name of the length.
+        what: &'static str,
+        /// The value that was given.
+        value: f64,
+    },
+    /// A number that has to be finite is not.
+    #[error("the {what} must be a finite number, but it is {value}")]
+    NotFinite {
+        /// The name of the number.
+        what: &'static str,
+        /// The value that was given.
+        value: f64,
+    },
+    /// The coordinates leave the range in which `f64` geometry stays finite.
+    #[error("the {what} {value:e} is too large: coordinates must stay below 1e150")]
+    TooLarge {
+        /// The name of the number.
+        what: &'static str,
+        /// The value that was given.
+        value: f64,
+    },
+    /// No method of that name.
+    #[error("unknown method '{name}'")]
+    UnknownMethod {
+        /// The name that was asked for.
+        name: String,
+        /// The nearest ids of the catalogue, best first.
+        nearest: Vec<&'static str>,
+    },
+    /// The method cannot do what was asked of it.
+    #[error("{method} cannot do this: {why}")]
+    Impossible {
+        /// The id of the method.
+        method: &'static str,
+        /// The reason.
+        why: String,
+        /// What can be done instead.
+        remedy: String,
+    },
+    /// No number of segments meets the tolerance.
+    #[error("no number of segments brings {method} within {tolerance} of the true shape: {why}")]
+    ToleranceOutOfReach {
+        /// The id of the method.
+        method: &'static str,
+        /// The tolerance in user units.
+        tolerance: f64,
+        /// The reason.
+        why: String,
+        /// What can be done instead.
+        remedy: String,
+    },
+    /// A text that does not parse.
+    #[error("cannot read {what} '{text}': {why}, at column {column}")]
+    Syntax {
+        /// What the text should have been.
+        what: &'static str,
+        /// The text.
+        text: String,
+        /// Counted in characters, from 1.
+        column: usize,
+        /// What is wrong there.
+        why: String,
+    },
+    /// The joints that were asked for cannot be used.
+    #[error("the joints cannot be used: {0}")]
+    Joints(String),
+    /// The shape is not defined by what was given.
+    #[error("{0}")]
+    Shape(String),
+    /// The picture that was asked for cannot be made.
+    #[error("{0}")]
+    Picture(String),
+}
+
+impl Error {
+    /// What the user can do about it, where there is something to say.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::UnknownMethod { nearest, .. } => Some(if nearest.is_empty() {
+                "'curveto methods' lists them all".to_owned()
+            } else {
+                format!(
+                    "did you mean {}? 'curveto methods' lists them all",
+                    nearest.join(", ")
+                )
+            }),
+            Self::Impossible { remedy, .. } | Self::ToleranceOutOfReach { remedy, .. } => {
+                (!remedy.is_empty()).then(|| remedy.clone())
+            }
+            _ => None,
+        }
+    }
+}
+
+/// `value` if it is positive and finite and small enough that its square is finite.
+pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64> {
+    if value.is_finite() && value > 0.0 {
+        bounded(what, value)
+    } else {
+        Err(Error::NotPositive { what, value })
+    }
+}
+
+/// `value` if it is finite and small enough that its square is finite.
+pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64> {
+    if value.is_finite() {
+        bounded(what, value)
+    } else {
+        Err(Error::NotFinite { what, value })
+    }
+}
+
+/// The largest coordinate that the geometry takes: squares and cubes of ratios stay finite below it.
+const LARGEST: f64 = 1e150;
+
+fn bounded(what: &'static str, value: f64) -> Result<f64> {
+    if value.abs() < LARGEST {
+        Ok(value)
+    } else {
+        Err(Error::TooLarge { what, value })
+    }
+}

@@ -1,0 +1,187 @@
+//! Where the sweep is cut.
+
+use kurbo::Vec2;
+
+use crate::angle::Angle;
+use crate::error::{Error, Result};
+use crate::method::Span;
+use crate::shape::UnitArc;
+
+/// The largest number of segments that anything is cut into.
+pub const MOST_SEGMENTS: usize = 1_000_000;
+
+/// How much of a quarter turn may exceed the quarters before it needs a segment of its own: float noise and the near-quarter
+/// arcs that drawing programs write do not add one.
+const QUARTER_SLACK: f64 = 0.05;
+
+/// How to cut.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub enum Cut {
+    /// One segment for every quarter turn, an excess of up to 5 % of a quarter not counted.
+    #[default]
+    Quarters,
+    /// So many segments of equal parametric angle.
+    Count(usize),
+    /// The fewest segments within this distance of the true shape.
+    Tolerance(Tolerance),
+    /// Joints at these angles: all of a closed shape's, the inner ones of an arc.
+    At(Vec<Angle>),
+}
+
+/// A largest distance from the true shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Tolerance {
+    /// In user units.
+    Absolute(f64),
+    /// As a part of the larger radius: 0.0001 for 0.01 %.
+    Relative(f64),
+}
+
+impl Tolerance {
+    /// The distance in user units for a shape of this larger radius.
+    #[must_use]
+    pub fn for_radius(self, radius: f64) -> f64 {
+        match self {
+            Self::Absolute(distance) => distance,
+            Self::Relative(part) => part * radius,
+        }
+    }
+}
+
+/// The joints of a piece of the unit circle, both its ends included.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joints {
+    /// The angle of each joint in degrees, one more than there are segments.
+    pub angles: Vec<f64>,
+    /// The point of the unit circle at each joint; the last of a closed shape is the first.
+    pub directions: Vec<Vec2>,
+    /// The angle of each segment.
+    pub spans: Vec<Span>,
+    /// Whether the last joint is the first.
+    pub closed: bool,
+    /// 1 where angles grow along the segments, else -1.
+    pub sign: f64,
+}
+
+/// One segment for every quarter turn, an excess of up to 5 % of a quarter not counted.
+#[must_use]
+pub fn quarters(sweep: Angle) -> usize {
+    let quarters = (sweep.degrees().abs() - 90.0 * QUARTER_SLACK) / 90.0;
+    (quarters.ceil() as usize).max(1)
+}
+
+impl Joints {
+    /// Joints at equal angles.
+    ///
+    /// # Errors
+    ///
+    /// Where the count is 0 or beyond [`MOST_SEGMENTS`].
+    pub fn equal(arc: &UnitArc, count: usize) -> Result<Self> {
+        if count == 0 || count > MOST_SEGMENTS {
+            return Err(Error::Joints(format!(
+                "{count} segments are not between 1 and {MOST_SEGMENTS}"
+            )));
+        }
+        let (start, sweep) = (arc.start.degrees(), arc.sweep.degrees());
+        let sign = 1.0_f64.copysign(sweep);
+        let end = start + sweep;
+        // Counted from the nearer end, so that both halves round alike.
+        let angle = |i: usize| {
+            if 2 * i <= count {
+                start + sweep * (i as f64 / count as f64)
+            } else {
+                end - sweep * ((count - i) as f64 / count as f64)
+            }
+        };
+        let angles: Vec<f64> = (0..=count).map(angle).collect();
+        let mut directions: Vec<Vec2> = if sweep.abs() == 360.0 {
+            (0..=count)
+                .map(|i| arc.start.direction_in_turn(sign, i, count))
+                .collect()
+        } else {
+            angles
+                .iter()
+                .map(|&degrees| Angle::from_degrees(degrees).direction())
+                .collect()
+        };
+        if arc.closed {
+            directions[count] = directions[0];
+        }
+        let span = Span::from_degrees(sweep / count as f64);
+        Ok(Self {
+            angles,
+            directions,
+            spans: vec![span; count],
+            closed: arc.closed,
+            sign,
+        })
+    }
+
+    /// Joints at these angles: all of a closed shape's, of which the first is where it starts; the inner ones of an arc.
+    ///
+    /// # Errors
+    ///
+    /// Where two joints coincide, or one does not lie inside the arc's sweep.
+    pub fn at(arc: &UnitArc, joints: &[Angle]) -> Result<Self> {
+        let sign = 1.0_f64.copysign(arc.sweep.degrees());
+        let first = if arc.closed {
+            joints
+                .first()
+                .copied()
+                .ok_or_else(|| Error::Joints("a closed shape needs at least one".to_owned()))?
+        } else {
+            arc.start
+        };
+        let size = arc.sweep.degrees().abs();
+        let mut ways = vec![0.0, size];
+        for joint in joints.iter().skip(usize::from(arc.closed)) {
+            let way = (sign * (joint.degrees() - first.degrees())).rem_euclid(360.0);
+            if !arc.closed && (way >= size || way == 0.0) {
+                return Err(Error::Joints(format!(
+                    "{} degrees is not inside the sweep from {} to {} degrees",
+                    joint.degrees(),
+                    first.degrees(),
+                    first.degrees() + arc.sweep.degrees()
+                )));
+            }
+            ways.push(way);
+        }
+        ways.sort_by(f64::total_cmp);
+        if let Some(pair) = ways.windows(2).find(|pair| pair[1] - pair[0] < 1e-9) {
+            return Err(Error::Joints(format!(
+                "two of them lie at {} degrees",
+                first.degrees() + sign * pair[0]
+            )));
+        }
+        let angles: Vec<f64> = ways
+            .iter()
+            .map(|way| first.degrees() + sign * way)
+            .collect();
+        let mut directions: Vec<Vec2> = angles
+            .iter()
+            .map(|&degrees| Angle::from_degrees(degrees).direction())
+            .collect();
+        if arc.closed {
+            let last = directions.len() - 1;
+            directions[last] = directions[0];
+        }
+        let spans = ways
+            .windows(2)
+            .map(|pair| Span::from_degrees(pair[1] - pair[0]))
+            .collect();
+        Ok(Self {
+            angles,
+            directions,
+            spans,
+            closed: arc.closed,
+            sign,
+        })
+    }
+
+    /// The number of segments.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.spans.len()
+    }
+}

@@ -1,0 +1,48 @@
+//! How far a finished curve strays from the exact shape. It reads points and nothing of the method that made them, so that it
+//! judges any method, rounded output, and curves that others made.
+
+pub(crate) mod exact;
+pub mod radial;
+
+use serde::Serialize;
+
+/// The largest distances of a curve from the true shape, both at least 0.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct RadialError {
+    /// The largest distance outside.
+    pub outward: f64,
+    /// The largest distance inside.
+    pub inward: f64,
+}
+
+impl RadialError {
+    /// The larger of the two.
+    #[must_use]
+    pub fn peak(&self) -> f64 {
+        self.outward.max(self.inward)
+    }
+
+    /// The same distance on both sides.
+    #[must_use]
+    pub(crate) const fn balanced(distance: f64) -> Self {
+        Self {
+            outward: distance,
+            inward: distance,
+        }
+    }
+
+    /// The range of signed distances, positive outside.
+    pub(crate) fn of_range(signed: impl IntoIterator<Item = f64>) -> Self {
+        let mut range = Self::default();
+        range.take_in_all(signed);
+        range
+    }
+
+    /// Widens the range by signed distances, positive outside.
+    pub(crate) fn take_in_all(&mut self, signed: impl IntoIterator<Item = f64>) {
+        for distance in signed {
+            self.outward = self.outward.max(distance);
+            self.inward = self.inward.max(-distance);
+        }
+    }
+}

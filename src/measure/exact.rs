@@ -1,0 +1,69 @@
+//! Twice the digits of `f64`, for the one difference that needs them: |p|² - r² of points that lie almost on the circle.
+
+/// An unevaluated sum of two `f64`, the second at most half a unit in the last place of the first.
+///
+/// The sums and products without rounding error are Knuth's and Dekker's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Double {
+    high: f64,
+    low: f64,
+}
+
+impl Double {
+    /// a - b without rounding error.
+    pub(crate) fn difference(a: f64, b: f64) -> Self {
+        let high = a - b;
+        let virtual_b = a - high;
+        Self {
+            high,
+            low: (a - (high + virtual_b)) + (virtual_b - b),
+        }
+    }
+
+    fn sum(a: f64, b: f64) -> Self {
+        Self::difference(a, -b)
+    }
+
+    pub(crate) fn plus(self, other: Self) -> Self {
+        let high = Self::sum(self.high, other.high);
+        let low = Self::sum(self.low, other.low);
+        let first = Self::sum(high.high, high.low + low.high);
+        Self::sum(first.high, first.low + low.low)
+    }
+
+    pub(crate) fn times(self, other: Self) -> Self {
+        let product = self.high * other.high;
+        let error = self.high.mul_add(other.high, -product);
+        Self::sum(
+            product,
+            error + (self.high * other.low + self.low * other.high),
+        )
+    }
+
+    /// The product with a small whole number or a power of two.
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        self.times(Self {
+            high: factor,
+            low: 0.0,
+        })
+    }
+
+    /// The nearest `f64`.
+    pub(crate) fn value(self) -> f64 {
+        self.high + self.low
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn differences_of_squares_keep_their_digits() {
+        // (1 + e)² - 1 = 2e + e²
+        let e = 2.0_f64.powi(-40);
+        let x = Double::difference(1.0, -e);
+        let square = x.times(x).plus(Double::difference(0.0, 1.0));
+        assert_eq!(square.value(), 2.0 * e + e * e);
+    }
+}

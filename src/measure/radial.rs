@@ -1,0 +1,253 @@
+//! The signed distance of a curve from a circle or an ellipse: its extremes, from roots and never from sampling alone.
+//!
+//! On a circle |p(t)|² - r² is a polynomial of degree 6 (4 for a quadratic); its coefficients are formed in twice the digits of
+//! `f64`, so that errors far below 1e-16 of the radius are told as what they are, and the extremes are the roots of its
+//! derivative. On an ellipse the true distance along the normal is taken, from the nearest point; its extremes are roots of the
+//! derivative of the distance, bracketed on a grid.
+
+use kurbo::{ParamCurve, ParamCurveDeriv, PathSeg, Point, Vec2};
+
+use super::RadialError;
+use super::exact::Double;
+use crate::method::numeric::root;
+use crate::shape::Truth;
+
+/// How many brackets the search on an ellipse divides a segment into; a cubic's distance has at most six extremes.
+const BRACKETS: u32 = 32;
+
+/// The largest distances of these segments from the true shape.
+#[must_use]
+pub fn error<'a>(segments: impl IntoIterator<Item = &'a PathSeg>, truth: &Truth) -> RadialError {
+    let mut range = RadialError::default();
+    for segment in segments {
+        visit_extremes(segment, truth, |_, distance| range.take_in_all([distance]));
+    }
+    range
+}
+
+/// Visits the ends and every extreme of the signed distance as (t, distance), positive outside.
+pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f64, f64)) {
+    if truth.is_circle() {
+        let excess = Excess::new(segment, truth.center, truth.radii.x);
+        excess.visit_extremes(|t, excess| visit(t, excess_to_distance(excess, truth.radii.x)));
+        return;
+    }
+    let slope = |t: f64| {
+        let (p, derivative) = eval(segment, t);
+        derivative.dot(nearest(truth, p).outward)
+    };
+    let mut before = (0.0, slope(0.0));
+    visit(0.0, distance(truth, eval(segment, 0.0).0));
+    for i in 1..=BRACKETS {
+        let t = f64::from(i) / f64::from(BRACKETS);
+        let after = (t, slope(t));
+        if (before.1 > 0.0) != (after.1 > 0.0) {
+            let t = root(slope, before.0, after.0);
+            visit(t, distance(truth, eval(segment, t).0));
+        }
+        before = after;
+    }
+    visit(1.0, distance(truth, eval(segment, 1.0).0));
+}
+
+/// The signed distance of a point from the true shape, positive outside.
+#[must_use]
+pub fn distance(truth: &Truth, p: Point) -> f64 {
+    nearest(truth, p).distance
+}
+
+/// The point and the derivative at t.
+fn eval(segment: &PathSeg, t: f64) -> (Point, Vec2) {
+    match segment {
+        PathSeg::Line(line) => (line.eval(t), line.p1 - line.p0),
+        PathSeg::Quad(quad) => (quad.eval(t), quad.deriv().eval(t).to_vec2()),
+        PathSeg::Cubic(cubic) => (cubic.eval(t), cubic.deriv().eval(t).to_vec2()),
+    }
+}
+
+/// sqrt(r² + excess) - r without cancellation.
+fn excess_to_distance(excess: f64, radius: f64) -> f64 {
+    let square = radius * radius + excess;
+    excess / (radius + square.max(0.0).sqrt())
+}
+
+/// |p(t) - center|² - radius² in Bernstein form.
+struct Excess {
+    coefficients: [f64; 7],
+    degree: usize,
+}
+
+impl Excess {
+    fn new(segment: &PathSeg, center: Point, radius: f64) -> Self {
+        let (points, count) = match *segment {
+            PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
+            PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
+            PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
+        };
+        let points = points.map(|p| {
+            [
+                Double::difference(p.x, center.x),
+                Double::difference(p.y, center.y),
+            ]
+        });
+        let degree = count - 1;
+        let radius = Double::difference(radius, 0.0);
+        let minus_square = radius.times(radius).scaled(-1.0);
+        let mut coefficients = [0.0; 7];
+        for (k, coefficient) in coefficients.iter_mut().enumerate().take(2 * degree + 1) {
+            let mut sum = minus_square.scaled(binomial(2 * degree, k));
+            for i in k.saturating_sub(degree)..=k.min(degree) {
+                let (p, q) = (points[i], points[k - i]);
+                let dot = p[0].times(q[0]).plus(p[1].times(q[1]));
+                sum = sum.plus(dot.scaled(binomial(degree, i) * binomial(degree, k - i)));
+            }
+            *coefficient = sum.value() / binomial(2 * degree, k);
+        }
+        Self {
+            coefficients,
+            degree: 2 * degree,
+        }
+    }
+
+    fn visit_extremes(&self, mut visit: impl FnMut(f64, f64)) {
+        let coefficients = &self.coefficients[..=self.degree];
+        let mut slope = [0.0; 7];
+        for (slope, pair) in slope.iter_mut().zip(coefficients.windows(2)) {
+            *slope = pair[1] - pair[0];
+        }
+        visit(0.0, coefficients[0]);
+        for t in sign_changes(&slope[..self.degree]).iter() {
+            visit(t, bernstein(coefficients, t));
+        }
+        visit(1.0, coefficients[self.degree]);
+    }
+}
+
+/// n over k for n up to 6.
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
+}
+
+/// The value of a polynomial in Bernstein form, by de Casteljau's algorithm.
+fn bernstein(coefficients: &[f64], t: f64) -> f64 {
+    let mut work = [0.0; 7];
+    let count = coefficients.len();
+    work[..count].copy_from_slice(coefficients);
+    for last in (1..count).rev() {
+        for i in 0..last {
+            work[i] += t * (work[i + 1] - work[i]);
+        }
+    }
+    work[0]
+}
+
+/// A handful of parameters in ascending order.
+#[derive(Default)]
+struct Parameters {
+    values: [f64; 6],
+    count: usize,
+}
+
+impl Parameters {
+    fn push(&mut self, t: f64) {
+        self.values[self.count] = t;
+        self.count += 1;
+    }
+
+    fn iter(&self) -> impl Iterator<Item = f64> + '_ {
+        self.values[..self.count].iter().copied()
+    }
+}
+
+/// Where a polynomial in Bernstein form changes its sign in (0, 1): between the roots of its derivative it is monotone.
+fn sign_changes(coefficients: &[f64]) -> Parameters {
+    let mut found = Parameters::default();
+    let same_sign =
+        coefficients.iter().all(|&c| c >= 0.0) || coefficients.iter().all(|&c| c <= 0.0);
+    if coefficients.len() < 2 || same_sign {
+        return found;
+    }
+    let mut slope = [0.0; 7];
+    for (slope, pair) in slope.iter_mut().zip(coefficients.windows(2)) {
+        *slope = pair[1] - pair[0];
+    }
+    let turning = sign_changes(&slope[..coefficients.len() - 1]);
+    let mut from = 0.0;
+    for to in turning.iter().chain(core::iter::once(1.0)) {
+        let (low, high) = (bernstein(coefficients, from), bernstein(coefficients, to));
+        if (low > 0.0 && high < 0.0) || (low < 0.0 && high > 0.0) {
+            found.push(root(|t| bernstein(coefficients, t), from, to));
+        }
+        from = to;
+    }
+    found
+}
+
+/// The nearest point of an ellipse, told by what is needed of it.
+struct Nearest {
+    /// Positive outside.
+    distance: f64,
+    /// The unit normal there, outward.
+    outward: Vec2,
+}
+
+/// The nearest point of the ellipse x²/a² + y²/b² = 1, by the root of (ax/(a²+s))² + (by/(b²+s))² = 1, at which the nearest
+/// point is (a²x/(a²+s), b²y/(b²+s)) (Eberly, "Distance from a point to an ellipse"): the left side falls and is convex, so that
+/// Newton's method converges from its left for every point.
+fn nearest(truth: &Truth, p: Point) -> Nearest {
+    let offset = p - truth.center;
+    let axis = truth.axis;
+    let own = Vec2::new(offset.dot(axis), axis.cross(offset));
+    let scale = truth.larger_radius();
+    let (a, b) = (truth.radii.x / scale, truth.radii.y / scale);
+    let (x, y) = (own.x.abs() / scale, own.y.abs() / scale);
+    let (aa, bb) = (a * a, b * b);
+    let least = (a * x - aa).max(b * y - bb);
+    let mut s = least;
+    let gap = |s: f64| (a * x / (aa + s)).powi(2) + (b * y / (bb + s)).powi(2) - 1.0;
+    // From 0, where a nearby point's root is, one step leads to the left of the root or beyond `least`.
+    let mut candidate = 0.0_f64.max(least);
+    for _ in 0..64 {
+        let (u, v) = (aa + candidate, bb + candidate);
+        if u <= 0.0 || v <= 0.0 {
+            break;
+        }
+        let slope = -2.0 * ((a * x).powi(2) / (u * u * u) + (b * y).powi(2) / (v * v * v));
+        let next = (candidate - gap(candidate) / slope).max(least);
+        let done = (next - candidate).abs() <= f64::EPSILON * next.abs().max(f64::MIN_POSITIVE);
+        candidate = next;
+        s = candidate;
+        if done || slope == 0.0 {
+            break;
+        }
+    }
+    let direction = if aa + s > 0.0 && bb + s > 0.0 {
+        Vec2::new(x / (aa + s), y / (bb + s))
+    } else {
+        on_the_evolute(aa, bb, x, y, s)
+    };
+    let length = direction.hypot();
+    let unit = direction / length;
+    let outward = Vec2::new(unit.x.copysign(own.x), unit.y.copysign(own.y));
+    let outward = Vec2::new(
+        outward.x * axis.x - outward.y * axis.y,
+        outward.x * axis.y + outward.y * axis.x,
+    );
+    Nearest {
+        distance: s * length * scale,
+        outward,
+    }
+}
+
+/// The normal's direction, times 1/|s| of the distance, for a point on an axis so far inside that two points are nearest.
+fn on_the_evolute(aa: f64, bb: f64, x: f64, y: f64, s: f64) -> Vec2 {
+    // On the long axis the foot is (aa x/(aa-bb), ...), on the short one it is the mirror case; in the centre the near vertex.
+    let long = if aa > bb { x * aa / (aa - bb) } else { 0.0 };
+    let short = if bb > aa { y * bb / (bb - aa) } else { 0.0 };
+    let foot = if aa > bb {
+        Vec2::new(long, (bb * (1.0 - long * long / aa).max(0.0)).sqrt())
+    } else {
+        Vec2::new((aa * (1.0 - short * short / bb).max(0.0)).sqrt(), short)
+    };
+    (foot - Vec2::new(x, y)) / -s
+}

@@ -1,0 +1,413 @@
+//! The methods: how one piece of the unit circle's arc becomes control points.
+//!
+//! A method sees an angle and nothing else: no ellipse, no file, no rounding. Each family stands in a file of its own,
+//! its formula and source at the head; [`Method::card`] tells what is known of each, and that one table drives help,
+//! error messages, documentation and tests.
+
+mod apprich;
+mod catalogue;
+mod chen;
+mod equioscillating;
+mod integral;
+mod lancaster;
+mod minimax;
+pub(crate) mod numeric;
+mod quadratic;
+mod span;
+mod tangent;
+
+pub use catalogue::{Card, Continuity, Degree, Ends};
+pub use span::Span;
+
+use core::fmt;
+use core::str::FromStr;
+
+use kurbo::Vec2;
+
+use crate::error::{Error, Result};
+use crate::measure::RadialError;
+
+/// A method of the catalogue.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+#[expect(
+    missing_docs,
+    reason = "the catalogue says what each one is: Method::card"
+)]
+pub enum Method {
+    Midpoint,
+    Minimax,
+    Goldapp,
+    Curvature,
+    Apprich,
+    ApprichPlus,
+    Area,
+    Length,
+    Mean,
+    MeanAngle,
+    Rms,
+    Chen1,
+    Chen2,
+    Chen3,
+    LancasterBest,
+    LancasterDrawellipse,
+    MinimaxG0,
+    MinimaxFree,
+    ApprichScaled,
+    CurvatureScaled,
+    MinimaxG0Free,
+    QuadraticTangent,
+    QuadraticMidpoint,
+    QuadraticArea,
+    QuadraticMinimax,
+    QuadraticMinimaxFree,
+}
+
+impl Default for Method {
+    /// The least peak error of all that join smoothly with both ends on the circle.
+    fn default() -> Self {
+        Self::Minimax
+    }
+}
+
+/// The control points of one piece, in the frames of its own ends, so that one value serves every position and both senses.
+///
+/// The frame of an end has its first axis along the radius through that end and its second along the tangent into the
+/// piece; the piece is the same seen from either end. A cubic's first inner control point is `handle` in the frame of the
+/// start, its second is `handle` in the frame of the end. A quadratic's only inner point is `handle` in both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    /// The degree of the curve.
+    pub degree: Degree,
+    /// The distance of both ends from the centre; 1 where they lie on the circle.
+    pub end_radius: f64,
+    /// (along the radius, along the tangent).
+    pub handle: Vec2,
+}
+
+impl Piece {
+    /// A cubic with its ends on the circle and its handles, of length `k`, along the tangents.
+    pub(crate) const fn tangent(k: f64) -> Self {
+        Self {
+            degree: Degree::Cubic,
+            end_radius: 1.0,
+            handle: Vec2::new(1.0, k),
+        }
+    }
+
+    /// The piece with all its control points farther from the centre by this factor.
+    pub(crate) fn scaled(self, factor: f64) -> Self {
+        Self {
+            end_radius: self.end_radius * factor,
+            handle: self.handle * factor,
+            ..self
+        }
+    }
+
+    /// The length of the handle: how far the first inner control point lies from the end.
+    #[must_use]
+    pub fn handle_length(&self) -> f64 {
+        (self.handle.x - self.end_radius).hypot(self.handle.y)
+    }
+
+    /// How far the tangent at an end leaves the circle's tangent outward, in degrees: half the corner at a joint of equal pieces.
+    #[must_use]
+    pub fn tangent_lift(&self) -> f64 {
+        (self.handle.x - self.end_radius)
+            .atan2(self.handle.y)
+            .to_degrees()
+    }
+}
+
+impl Method {
+    /// The piece of the unit circle's arc of angle `span`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Impossible`] where the method has no such piece: the angle is beyond its largest, or not one of its table.
+    pub fn piece(self, span: &Span) -> Result<Piece> {
+        self.check_angle(span)?;
+        Ok(match self {
+            Self::Midpoint => Piece::tangent(tangent::midpoint(span)),
+            Self::Minimax => Piece::tangent(minimax::handle(span)),
+            Self::Goldapp => Piece::tangent(tangent::goldapp(span)),
+            Self::Curvature => Piece::tangent(tangent::curvature(span)),
+            Self::Apprich => Piece::tangent(apprich::minus(span)),
+            Self::ApprichPlus => Piece::tangent(apprich::plus(span)),
+            Self::Area => Piece::tangent(integral::area(span)),
+            Self::Length => Piece::tangent(integral::length(span)),
+            Self::Mean => Piece::tangent(integral::mean(span)),
+            Self::MeanAngle => Piece::tangent(integral::mean_angle(span)),
+            Self::Rms => Piece::tangent(integral::rms(span)),
+            Self::Chen1 => Piece::tangent(chen::formulation_1(span)),
+            Self::Chen2 => Piece::tangent(chen::formulation_2(span)),
+            Self::Chen3 => Piece::tangent(chen::formulation_3(span)),
+            Self::LancasterBest => Piece::tangent(lancaster::best(span)?),
+            Self::LancasterDrawellipse => Piece::tangent(lancaster::DRAWELLIPSE),
+            Self::MinimaxG0 => equioscillating::on_circle(span),
+            Self::MinimaxG0Free => equioscillating::free(span),
+            Self::MinimaxFree => tangent::minimax_free(span),
+            Self::ApprichScaled => apprich::scaled(span),
+            Self::CurvatureScaled => tangent::curvature_scaled(span),
+            Self::QuadraticTangent => quadratic::tangent(span),
+            Self::QuadraticMidpoint => quadratic::midpoint(span),
+            Self::QuadraticArea => quadratic::area(span),
+            Self::QuadraticMinimax => quadratic::minimax(span),
+            Self::QuadraticMinimaxFree => quadratic::minimax_free(span),
+        })
+    }
+
+    /// The largest radial distances of the piece from the unit circle, outside and inside, both at least 0.
+    ///
+    /// These are the distances of the piece in exact arithmetic, right to at least eight digits at every angle, however small;
+    /// control points in `f64` add a few 1e-16.
+    ///
+    /// # Errors
+    ///
+    /// As [`Method::piece`].
+    pub fn radial_error(self, span: &Span) -> Result<RadialError> {
+        self.check_angle(span)?;
+        Ok(match self {
+            Self::Midpoint => tangent::family_error(span, tangent::midpoint(span), 1.0),
+            Self::Minimax => minimax::error(span),
+            Self::Goldapp => {
+                tangent::family_error(span, tangent::goldapp(span), tangent::goldapp_zero())
+            }
+            Self::Curvature => tangent::family_error(span, tangent::curvature(span), 0.0),
+            Self::Area => integral::area_error(span),
+            Self::Length => integral::error(span, integral::length_zero(span)),
+            Self::Mean => integral::error(span, integral::mean_zero(span)),
+            Self::MeanAngle => integral::error(span, integral::mean_angle_zero(span)),
+            Self::Rms => integral::error(span, integral::rms_zero(span)),
+            Self::Apprich => apprich::minus_error(span),
+            Self::ApprichScaled => apprich::scaled_error(span),
+            Self::ApprichPlus | Self::LancasterBest | Self::LancasterDrawellipse => {
+                tangent::error(span, self.piece(span)?.handle.y)
+            }
+            Self::Chen1 | Self::Chen2 | Self::Chen3 => {
+                chen::error(span, self.piece(span)?.handle.y)
+            }
+            Self::CurvatureScaled => tangent::curvature_scaled_error(span),
+            Self::MinimaxFree => tangent::minimax_free_error(span),
+            Self::MinimaxG0 => equioscillating::on_circle_error(span),
+            Self::MinimaxG0Free => equioscillating::free_error(span),
+            Self::QuadraticTangent => quadratic::tangent_error(span),
+            Self::QuadraticMidpoint => quadratic::midpoint_error(span),
+            Self::QuadraticArea => quadratic::area_error(span),
+            Self::QuadraticMinimax => quadratic::minimax_error(span),
+            Self::QuadraticMinimaxFree => quadratic::minimax_free_error(span),
+        })
+    }
+
+    /// The id of the catalogue.
+    #[must_use]
+    pub fn id(self) -> &'static str {
+        self.card().id
+    }
+
+    /// Refuses an angle that the method does not serve, and says what would do.
+    fn check_angle(self, span: &Span) -> Result<()> {
+        let card = self.card();
+        let degrees = span.degrees();
+        if degrees > card.largest_angle {
+            let largest = card.largest_angle;
+            return Err(self.refuse(
+                format!(
+                    "a segment of {degrees:.6} degrees is beyond its largest, {largest} degrees"
+                ),
+                format!("take more segments, at least one for every {largest} degrees"),
+            ));
+        }
+        if self == Self::LancasterDrawellipse && !span.is_about(90.0) {
+            return Err(self.refuse(
+                format!(
+                    "its one number serves quarters only, not segments of {degrees:.6} degrees"
+                ),
+                "take -n 4 for a full turn, or -m midpoint, minimax, which serve every angle"
+                    .to_owned(),
+            ));
+        }
+        Ok(())
+    }
+
+    /// The error that says why this method cannot do something.
+    pub(crate) fn refuse(self, why: String, remedy: String) -> Error {
+        Error::Impossible {
+            method: self.id(),
+            why,
+            remedy,
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+impl FromStr for Method {
+    type Err = Error;
+
+    /// Finds a method by its id or one of its aliases.
+    fn from_str(name: &str) -> Result<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|method| method.names().any(|n| n == name))
+            .ok_or_else(|| Error::UnknownMethod {
+                name: name.to_owned(),
+                nearest: catalogue::nearest(name),
+            })
+    }
+}
+
+/// What gives the control points: a method of the catalogue or a number of the user's own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rule {
+    /// A method of the catalogue.
+    Method(Method),
+    /// Chen's Formulation II with arc length from his two-point Gauss quadrature instead of an adaptive one.
+    Chen2Gauss2,
+    /// A literal handle length on the unit circle, for every segment.
+    Handle(f64),
+}
+
+impl Default for Rule {
+    fn default() -> Self {
+        Self::Method(Method::default())
+    }
+}
+
+impl From<Method> for Rule {
+    fn from(method: Method) -> Self {
+        Self::Method(method)
+    }
+}
+
+impl Rule {
+    /// The name that output states: the method's id, or `handle`.
+    #[must_use]
+    pub fn id(self) -> &'static str {
+        self.method().map_or("handle", Method::id)
+    }
+
+    /// The method of the catalogue behind it, if any.
+    #[must_use]
+    pub const fn method(self) -> Option<Method> {
+        match self {
+            Self::Method(method) => Some(method),
+            Self::Chen2Gauss2 => Some(Method::Chen2),
+            Self::Handle(_) => None,
+        }
+    }
+
+    /// The piece of the unit circle's arc of angle `span`; see [`Method::piece`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Method::piece`].
+    pub fn piece(self, span: &Span) -> Result<Piece> {
+        match self {
+            Self::Method(method) => method.piece(span),
+            Self::Chen2Gauss2 => Method::Chen2
+                .check_angle(span)
+                .map(|()| Piece::tangent(chen::formulation_2_gauss(span))),
+            Self::Handle(k) => check_half_turn(span).map(|()| Piece::tangent(k)),
+        }
+    }
+
+    /// The largest radial distances of the piece from the unit circle; see [`Method::radial_error`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Method::piece`].
+    pub fn radial_error(self, span: &Span) -> Result<RadialError> {
+        match self {
+            Self::Method(method) => method.radial_error(span),
+            Self::Chen2Gauss2 => Ok(chen::error(span, self.piece(span)?.handle.y)),
+            Self::Handle(k) => check_half_turn(span).map(|()| tangent::error(span, k)),
+        }
+    }
+
+    /// The pieces of a chain of arcs of these angles.
+    ///
+    /// Every rule but Formulation I takes each piece on its own. That one solves for all nodal derivatives at once, so that
+    /// the two ends of a piece can differ: each piece comes as (the piece seen from its start, the piece seen from its end).
+    ///
+    /// # Errors
+    ///
+    /// As [`Method::piece`], and [`Error::Impossible`] where the ends leave the circle and the angles differ or the chain is open.
+    pub fn pieces(self, spans: &[Span], closed: bool) -> Result<Vec<[Piece; 2]>> {
+        let equal = spans
+            .windows(2)
+            .all(|pair| pair[0].degrees() == pair[1].degrees());
+        if let Some(method) = self.method() {
+            method.check_chain(spans.len(), equal, closed)?;
+            if method == Method::Chen1 && !(closed && equal) {
+                return Ok(chen::chain(spans, closed));
+            }
+        }
+        if equal && let Some(first) = spans.first() {
+            let piece = self.piece(first)?;
+            return Ok(vec![[piece, piece]; spans.len()]);
+        }
+        spans
+            .iter()
+            .map(|span| self.piece(span).map(|piece| [piece, piece]))
+            .collect()
+    }
+}
+
+impl Method {
+    /// Refuses what the method cannot do with a whole chain of pieces.
+    fn check_chain(self, count: usize, equal: bool, closed: bool) -> Result<()> {
+        let free = self.card().ends == Ends::OffCircle;
+        if free && !(closed && equal) {
+            let why = if closed {
+                "with uneven joints its segments do not meet"
+            } else {
+                "the ends of an open arc would miss it"
+            };
+            return Err(self.refuse(
+                format!("its segments end off the circle, and {why}"),
+                format!(
+                    "take -m {}, whose ends lie on the circle",
+                    self.on_circle_instead()
+                ),
+            ));
+        }
+        if self == Self::Chen1 && closed && count < 3 {
+            return Err(self.refuse(
+                format!("his cyclic system (11) through {count} opposite points gives handles of length 0"),
+                "take at least three segments, or -m chen-3, minimax".to_owned(),
+            ));
+        }
+        Ok(())
+    }
+
+    /// The method that does the same with its ends on the circle.
+    fn on_circle_instead(self) -> &'static str {
+        match self {
+            Self::ApprichScaled => "apprich, minimax",
+            Self::CurvatureScaled => "curvature, minimax",
+            Self::MinimaxG0Free => "minimax-g0, minimax",
+            Self::QuadraticMinimaxFree => "quadratic-minimax, quadratic-tangent",
+            _ => "minimax, midpoint",
+        }
+    }
+}
+
+/// A literal handle serves up to half a turn: beyond, one cubic is no arc any more.
+fn check_half_turn(span: &Span) -> Result<()> {
+    if span.degrees() <= 180.0 {
+        return Ok(());
+    }
+    Err(Error::Impossible {
+        method: "--handle",
+        why: format!(
+            "a segment of {:.6} degrees is more than half a turn",
+            span.degrees()
+        ),
+        remedy: "take more segments".to_owned(),
+    })
+}

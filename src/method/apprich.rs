@@ -1,0 +1,63 @@
+//! `apprich`, `apprich-plus`, `apprich-scaled`: four times continuously differentiable at joints of equal pieces.
+//!
+//! Apprich, Dietrich, Höllig et al., "Approximating a circle ... C4": with f the graph x = f(y) of the curve near the joint,
+//! f''' = 0 is a quadratic equation for the handle,
+//!
+//! ```text
+//! k = (1-c) / (3s(3+2c)) (2(4+3c) ∓ sqrt(2(5+3c)))
+//! ```
+//!
+//! δ-minus (`apprich`) has order 6, lies inside the circle and errs most at t = 1/2, where 1 - r² = E; δ-plus has order 2.
+//! `apprich-scaled` is the paper's p* = 2/(1 + sqrt(1-E)) p, which balances the error of δ-minus.
+
+use crate::measure::RadialError;
+
+use super::tangent::root_minus_1;
+use super::{Piece, Span};
+
+/// δ-minus.
+pub(super) fn minus(span: &Span) -> f64 {
+    handle(span, -1.0)
+}
+
+/// δ-plus.
+pub(super) fn plus(span: &Span) -> f64 {
+    handle(span, 1.0)
+}
+
+fn handle(span: &Span, sign: f64) -> f64 {
+    let c = span.c;
+    let half_tangent = span.sh / span.ch; // (1-c)/s
+    half_tangent / (3.0 * (3.0 + 2.0 * c))
+        * (2.0 * (4.0 + 3.0 * c) + sign * (2.0 * (5.0 + 3.0 * c)).sqrt())
+}
+
+/// E, the largest value of 1 - r²; its limit is (3/4096) a⁶.
+fn big_e(span: &Span) -> f64 {
+    if span.a < 0.02 {
+        return 3.0 / 4096.0 * span.a.powi(6);
+    }
+    let k = minus(span);
+    // (H + G/4)/16 with G = 4(3k cos h - 2 sin h)², each rid of what cancels.
+    let (h, g) = (
+        12.0 * span.sh * span.sh - 12.0 * k * span.sh * span.ch - 9.0 * k * k,
+        4.0 * (3.0 * k * span.ch - 2.0 * span.sh).powi(2),
+    );
+    (h + g / 4.0) / 16.0
+}
+
+pub(super) fn minus_error(span: &Span) -> RadialError {
+    RadialError {
+        outward: 0.0,
+        inward: -root_minus_1(-big_e(span)),
+    }
+}
+
+pub(super) fn scaled(span: &Span) -> Piece {
+    Piece::tangent(minus(span)).scaled(2.0 / (2.0 - minus_error(span).inward))
+}
+
+pub(super) fn scaled_error(span: &Span) -> RadialError {
+    let inward = minus_error(span).inward;
+    RadialError::balanced(inward / (2.0 - inward))
+}

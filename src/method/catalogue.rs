@@ -1,0 +1,621 @@
+//! The catalogue: what is known of each method, in one table.
+
+use core::fmt;
+
+use serde::Serialize;
+
+use super::Method;
+
+/// The degree of a method's curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Degree {
+    /// Three control points a piece.
+    Quadratic,
+    /// Four control points a piece.
+    Cubic,
+}
+
+/// Where the ends of each piece lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ends {
+    /// On the circle.
+    OnCircle,
+    /// A little off the circle: for closed shapes with equal segments only.
+    OffCircle,
+}
+
+/// How two pieces join.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub enum Continuity {
+    /// They do not meet.
+    #[serde(rename = "none")]
+    Apart,
+    /// They meet at an angle.
+    G0,
+    /// They share a tangent.
+    G1,
+    /// They share the curvature too.
+    G2,
+    /// They share the curvature's first two derivatives by arc length too.
+    G4,
+}
+
+impl fmt::Display for Continuity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Apart => "none",
+            Self::G0 => "G0",
+            Self::G1 => "G1",
+            Self::G2 => "G2",
+            Self::G4 => "G4",
+        })
+    }
+}
+
+/// What is known of a method.
+#[derive(Debug, Clone, Copy)]
+pub struct Card {
+    /// The name by which it is asked for.
+    pub id: &'static str,
+    /// Other names for it.
+    pub aliases: &'static [&'static str],
+    /// A few words.
+    pub title: &'static str,
+    /// The degree of its curves.
+    pub degree: Degree,
+    /// Where the ends of each piece lie.
+    pub ends: Ends,
+    /// How pieces of equal angles join.
+    pub continuity_equal: Continuity,
+    /// How pieces of different angles join.
+    pub continuity_uneven: Continuity,
+    /// The power of the angle with which the error falls; 0 for numbers found by trial.
+    pub order: u8,
+    /// The factor before that power, as a formula.
+    pub leading: &'static str,
+    /// The same as a number; NaN for numbers found by trial.
+    pub leading_constant: f64,
+    /// The largest angle of one piece, in degrees.
+    pub largest_angle: f64,
+    /// What singles it out.
+    pub criterion: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+    /// How its control points are found, in the notation of docs/methods.md.
+    pub formula: &'static str,
+    /// When to use it.
+    pub advice: &'static str,
+}
+
+impl Method {
+    /// All methods, in the order of the catalogue.
+    pub const ALL: [Self; 26] = [
+        Self::Midpoint,
+        Self::Minimax,
+        Self::Goldapp,
+        Self::Curvature,
+        Self::Apprich,
+        Self::ApprichPlus,
+        Self::Area,
+        Self::Length,
+        Self::Mean,
+        Self::MeanAngle,
+        Self::Rms,
+        Self::Chen1,
+        Self::Chen2,
+        Self::Chen3,
+        Self::LancasterBest,
+        Self::LancasterDrawellipse,
+        Self::MinimaxG0,
+        Self::MinimaxFree,
+        Self::ApprichScaled,
+        Self::CurvatureScaled,
+        Self::MinimaxG0Free,
+        Self::QuadraticTangent,
+        Self::QuadraticMidpoint,
+        Self::QuadraticArea,
+        Self::QuadraticMinimax,
+        Self::QuadraticMinimaxFree,
+    ];
+
+    /// What is known of the method.
+    #[must_use]
+    pub const fn card(self) -> &'static Card {
+        &CARDS[self as usize]
+    }
+
+    /// The id and the aliases.
+    pub fn names(self) -> impl Iterator<Item = &'static str> {
+        let card = self.card();
+        core::iter::once(card.id).chain(card.aliases.iter().copied())
+    }
+}
+
+/// The ids of the catalogue nearest to a name that it lacks, best first; none where nothing is near.
+pub(super) fn nearest(name: &str) -> Vec<&'static str> {
+    let mut scored: Vec<(f64, &str)> = Method::ALL
+        .into_iter()
+        .filter_map(|method| {
+            let score = method
+                .names()
+                .map(|known| strsim::jaro_winkler(name, known))
+                .fold(0.0, f64::max);
+            (score > 0.75).then_some((score, method.id()))
+        })
+        .collect();
+    scored.sort_by(|a, b| b.0.total_cmp(&a.0));
+    scored.into_iter().take(3).map(|(_, id)| id).collect()
+}
+
+/// In the order of [`Method`].
+static CARDS: [Card; 26] = [
+    Card {
+        id: "midpoint",
+        aliases: &["standard", "lancaster-normal", "mortenson-1"],
+        title: "the standard handle",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "1/55296",
+        leading_constant: 1.0 / 55296.0,
+        largest_angle: 180.0,
+        criterion: "the midpoint lies on the circle",
+        source: "Lancaster, Approximating a Circle or an Ellipse Using Four Bezier Cubic Splines, 2005 (his normal number); Mortenson's first, as Chen 1996 tells it; Dokken, Dæhlen, Lyche, Mørken, Good approximation of circles by curvature continuous Bezier curves, 1990",
+        formula: "k = (4/3) tan(a/4)",
+        advice: "where others use it too, or where the curve must nowhere lie inside the circle",
+    },
+    Card {
+        id: "minimax",
+        aliases: &["mortenson-2", "best"],
+        title: "the least peak error",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "1.29263358e-5",
+        leading_constant: 1.292_633_581_840_6e-5,
+        largest_angle: 180.0,
+        criterion: "the least peak error with both ends and tangents on the circle",
+        source: "Mortenson's second, as Chen 1996 tells it",
+        formula: "k = root of r_out + r_mid = 2, r_out = sqrt(1 - 4H³/(27G²)), r_mid = cos(a/2) + (3/4) k sin(a/2)",
+        advice: "always, unless one of the others says why not",
+    },
+    Card {
+        id: "goldapp",
+        aliases: &[],
+        title: "the least peak of r² - 1",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "1.29263358e-5",
+        leading_constant: 1.292_633_581_840_6e-5,
+        largest_angle: 180.0,
+        criterion: "the least peak of |r² - 1|",
+        source: "Goldapp, Approximation of circular arcs by cubic polynomials, 1991",
+        formula: "k = k(a, w0), w0 = (3/2)(cbrt(√2+1) - cbrt(√2-1))",
+        advice: "where a closed form is wanted: within 2e-4 of minimax's error",
+    },
+    Card {
+        id: "curvature",
+        aliases: &["de-boor"],
+        title: "the circle's curvature at the ends",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G2,
+        order: 6,
+        leading: "1/8192",
+        leading_constant: 1.0 / 8192.0,
+        largest_angle: 180.0,
+        criterion: "the curvature at both ends is the circle's",
+        source: "de Boor, Höllig, Sabin, High accuracy geometric Hermite interpolation, 1987; in Apprich et al. as curvature = 1",
+        formula: "k = (sqrt(s² + 6(1-c)) - s)/3",
+        advice: "where pieces of different angles must join with continuous curvature",
+    },
+    Card {
+        id: "apprich",
+        aliases: &["c4"],
+        title: "four times continuously differentiable",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G4,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "3/8192",
+        leading_constant: 3.0 / 8192.0,
+        largest_angle: 120.0,
+        criterion: "the third derivative of the graph vanishes at the joints",
+        source: "Apprich, Dietrich, Höllig et al. (the C4 spline), delta-minus",
+        formula: "k = (1-c)/(3s(3+2c)) (2(4+3c) - sqrt(2(5+3c)))",
+        advice: "where reflections or accelerations must be smooth: curvature and its first two derivatives are continuous",
+    },
+    Card {
+        id: "apprich-plus",
+        aliases: &[],
+        title: "the other C4 solution",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G4,
+        continuity_uneven: Continuity::G1,
+        order: 2,
+        leading: "1/10",
+        leading_constant: 0.1,
+        largest_angle: 120.0,
+        criterion: "the third derivative of the graph vanishes at the joints",
+        source: "Apprich, Dietrich, Höllig et al. (the C4 spline), delta-plus",
+        formula: "k = (1-c)/(3s(3+2c)) (2(4+3c) + sqrt(2(5+3c)))",
+        advice: "never for drawing: it is here because the paper has it, and errs by a third of the radius on a quarter",
+    },
+    Card {
+        id: "area",
+        aliases: &[],
+        title: "the circle's area",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "1/57344",
+        leading_constant: 1.0 / 57344.0,
+        largest_angle: 180.0,
+        criterion: "the sector has the area of the circle's",
+        source: "derived: equal sector area",
+        formula: "k = 10(a-s)/(6(1-c) + sqrt(36(1-c)² - 30s(a-s)))",
+        advice: "where what is enclosed must be right: cutting, filling, weighing",
+    },
+    Card {
+        id: "length",
+        aliases: &[],
+        title: "the circle's arc length",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "1/57344",
+        leading_constant: 1.0 / 57344.0,
+        largest_angle: 180.0,
+        criterion: "the curve has the arc length of the circle's",
+        source: "derived",
+        formula: "k = root of (arc length of the curve) = a",
+        advice: "where the way along the curve must be right: dashes, text on a path, feed rates",
+    },
+    Card {
+        id: "mean",
+        aliases: &[],
+        title: "the least mean error by parameter",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "1.41266e-5",
+        leading_constant: 1.412_663_810_8e-5,
+        largest_angle: 180.0,
+        criterion: "the least integral of |r-1| dt",
+        source: "derived",
+        formula: "k = argmin ∫ |r-1| dt",
+        advice: "where the average stray counts rather than the peak",
+    },
+    Card {
+        id: "mean-angle",
+        aliases: &[],
+        title: "the least mean error by angle",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "1.41266e-5",
+        leading_constant: 1.412_663_810_8e-5,
+        largest_angle: 180.0,
+        criterion: "the least integral of |r-1| dθ",
+        source: "derived",
+        formula: "k = argmin ∫ |r-1| dθ",
+        advice: "where the average stray along the circle counts",
+    },
+    Card {
+        id: "rms",
+        aliases: &[],
+        title: "the least squares",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "(4/27)(10/11)³/8192",
+        leading_constant: 1.358_714_556_022_9e-5,
+        largest_angle: 180.0,
+        criterion: "the least integral of (r-1)² dt",
+        source: "derived",
+        formula: "k = argmin ∫ (r-1)² dt",
+        advice: "where errors add up as squares",
+    },
+    Card {
+        id: "chen-1",
+        aliases: &[],
+        title: "Formulation I",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G0,
+        order: 4,
+        leading: "1/384",
+        leading_constant: 1.0 / 384.0,
+        largest_angle: 120.0,
+        criterion: "the C2 spline through the joints with every segment's parameter from 0 to 1",
+        source: "Chen, Formulations of composite parametric cubic curves and circle approximations, 1996, Formulation I",
+        formula: "k = s/(2+c) for equal segments of a circle; else his cyclic system (11), or fixed ends on an open arc",
+        advice: "to reproduce the paper, or a spline program's circle",
+    },
+    Card {
+        id: "chen-2",
+        aliases: &[],
+        title: "Formulation II",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 4,
+        leading: "1/384",
+        leading_constant: 1.0 / 384.0,
+        largest_angle: 180.0,
+        criterion: "the parameter is the curve's own arc length",
+        source: "Chen, Formulations of composite parametric cubic curves and circle approximations, 1996, Formulation II",
+        formula: "k = t/3, t = L(t/3), L the length of the curve",
+        advice: "to reproduce the paper; --quadrature gauss2 gives the 0.01903 that it prints, adaptive quadrature the exact 0.0176957",
+    },
+    Card {
+        id: "chen-3",
+        aliases: &[],
+        title: "Formulation III",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 4,
+        leading: "1/384",
+        leading_constant: 1.0 / 384.0,
+        largest_angle: 180.0,
+        criterion: "the parameter is the circle's arc length",
+        source: "Chen, Formulations of composite parametric cubic curves and circle approximations, 1996, Formulation III",
+        formula: "k = a/3",
+        advice: "where the speed at the joints must be the circle's",
+    },
+    Card {
+        id: "lancaster-best",
+        aliases: &[],
+        title: "Lancaster's best magic numbers",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 0,
+        leading: "none: a table",
+        leading_constant: f64::NAN,
+        largest_angle: 180.0,
+        criterion: "found by trial",
+        source: "Lancaster, Approximating a Circle or an Ellipse Using Four Bezier Cubic Splines, 2005",
+        formula: "2 segments 1.333333, 3 .7698112, 4 .551784, 5 .433072, 6 .3572045, 8 .2652031",
+        advice: "to reproduce the paper",
+    },
+    Card {
+        id: "lancaster-drawellipse",
+        aliases: &[],
+        title: "the number of his PostScript procedure",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 0,
+        leading: "none: quarters only",
+        leading_constant: f64::NAN,
+        largest_angle: 90.0,
+        criterion: "found by trial",
+        source: "Lancaster, Approximating a Circle or an Ellipse Using Four Bezier Cubic Splines, 2005, PostScript",
+        formula: "k = .55228475 - .00045, quarters only",
+        advice: "where output must match his drawellipse and drawcircle",
+    },
+    Card {
+        id: "minimax-g0",
+        aliases: &[],
+        title: "the least peak error with corners",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G0,
+        continuity_uneven: Continuity::G0,
+        order: 6,
+        leading: "1/(262144 cos⁶(π/12))",
+        leading_constant: 4.696_749_625_7e-6,
+        largest_angle: 180.0,
+        criterion: "the least peak error with both ends on the circle, tangents free",
+        source: "derived; class of Vavpetič & Žagar 2020",
+        formula: "|p|² = 1 + R² + 2R T6(λτ), λ = cos(acos(-R/2)/6)",
+        advice: "where corners of a fraction of a degree do no harm: a third of minimax's error",
+    },
+    Card {
+        id: "minimax-free",
+        aliases: &[],
+        title: "midpoint, centred",
+        degree: Degree::Cubic,
+        ends: Ends::OffCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::Apart,
+        order: 6,
+        leading: "1/110592",
+        leading_constant: 1.0 / 110_592.0,
+        largest_angle: 180.0,
+        criterion: "the least peak error of all scaled midpoint circles",
+        source: "derived",
+        formula: "all control points of midpoint times 2/(1 + sqrt(1+E)), E = (4/27) sin⁶(a/4)/cos²(a/4)",
+        advice: "whole circles and ellipses that may miss the quadrant points: two thirds of minimax's error, no corners",
+    },
+    Card {
+        id: "apprich-scaled",
+        aliases: &[],
+        title: "the C4 spline, centred",
+        degree: Degree::Cubic,
+        ends: Ends::OffCircle,
+        continuity_equal: Continuity::G4,
+        continuity_uneven: Continuity::Apart,
+        order: 6,
+        leading: "3/16384",
+        leading_constant: 3.0 / 16384.0,
+        largest_angle: 120.0,
+        criterion: "the C4 spline with its error balanced",
+        source: "Apprich, Dietrich, Höllig et al. (the C4 spline), p-star",
+        formula: "all control points of apprich times 2/(1 + sqrt(1-E)), E = (9/32)(c-1)k² - (3/4)ks + (1-c)/2",
+        advice: "as apprich, for whole circles that may miss the quadrant points",
+    },
+    Card {
+        id: "curvature-scaled",
+        aliases: &[],
+        title: "curvature, centred",
+        degree: Degree::Cubic,
+        ends: Ends::OffCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::Apart,
+        order: 6,
+        leading: "1/16384",
+        leading_constant: 1.0 / 16384.0,
+        largest_angle: 180.0,
+        criterion: "the curvature handle with its error balanced",
+        source: "derived",
+        formula: "all control points of curvature times 2/(1 + r_mid)",
+        advice: "as curvature, with half the error, for whole circles",
+    },
+    Card {
+        id: "minimax-g0-free",
+        aliases: &[],
+        title: "the least peak error of all cubics",
+        degree: Degree::Cubic,
+        ends: Ends::OffCircle,
+        continuity_equal: Continuity::G0,
+        continuity_uneven: Continuity::Apart,
+        order: 6,
+        leading: "2^-18",
+        leading_constant: 1.0 / 262_144.0,
+        largest_angle: 180.0,
+        criterion: "the least peak error of all symmetric cubics",
+        source: "derived",
+        formula: "|p|² = 1 + R² + 2R T6(2t-1)",
+        advice: "to know how far a cubic can get; it has corners and misses the quadrant points",
+    },
+    Card {
+        id: "quadratic-tangent",
+        aliases: &[],
+        title: "the tangents' crossing",
+        degree: Degree::Quadratic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 4,
+        leading: "1/128",
+        leading_constant: 1.0 / 128.0,
+        largest_angle: 175.0,
+        criterion: "the tangents are the circle's",
+        source: "derived",
+        formula: "P1 at radius 1/cos h on the bisector",
+        advice: "quadratics without corners",
+    },
+    Card {
+        id: "quadratic-midpoint",
+        aliases: &[],
+        title: "the midpoint on the circle",
+        degree: Degree::Quadratic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G0,
+        continuity_uneven: Continuity::G0,
+        order: 4,
+        leading: "1/512",
+        leading_constant: 1.0 / 512.0,
+        largest_angle: 180.0,
+        criterion: "the midpoint lies on the circle",
+        source: "derived",
+        formula: "P1 at radius 2 - cos h on the bisector",
+        advice: "quadratics that must nowhere lie outside the circle",
+    },
+    Card {
+        id: "quadratic-area",
+        aliases: &[],
+        title: "the circle's area",
+        degree: Degree::Quadratic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G0,
+        continuity_uneven: Continuity::G0,
+        order: 4,
+        leading: "1/640",
+        leading_constant: 1.0 / 640.0,
+        largest_angle: 180.0,
+        criterion: "the sector has the area of the circle's",
+        source: "derived",
+        formula: "P1 at radius (3a - s)/(4 sin h) on the bisector",
+        advice: "quadratics that enclose the right area",
+    },
+    Card {
+        id: "quadratic-minimax",
+        aliases: &[],
+        title: "the least peak error of a quadratic",
+        degree: Degree::Quadratic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G0,
+        continuity_uneven: Continuity::G0,
+        order: 4,
+        leading: "1/(1024 cos⁴(π/8))",
+        leading_constant: 1.340_413_087_9e-3,
+        largest_angle: 180.0,
+        criterion: "the least peak error with both ends on the circle",
+        source: "derived",
+        formula: "P1 at the radius m for which (cos h + m)/2 - 1 = 1 - sqrt(1 - B²/(4A))",
+        advice: "TrueType and other quadratic formats: a sixth of quadratic-tangent's error, with corners",
+    },
+    Card {
+        id: "quadratic-minimax-free",
+        aliases: &[],
+        title: "the least peak error of all quadratics",
+        degree: Degree::Quadratic,
+        ends: Ends::OffCircle,
+        continuity_equal: Continuity::G0,
+        continuity_uneven: Continuity::Apart,
+        order: 4,
+        leading: "1/1024",
+        leading_constant: 1.0 / 1024.0,
+        largest_angle: 180.0,
+        criterion: "the least peak error of all symmetric quadratics",
+        source: "derived",
+        formula: "|p|² = 1 + R² + 2R T4(2t-1), R = q², tan h (1 - 4q + q²) = (1-q) sqrt(8q)",
+        advice: "whole circles in quadratics, the best of them",
+    },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_method_has_its_own_card_and_names() {
+        let mut names: Vec<&str> = Method::ALL.into_iter().flat_map(Method::names).collect();
+        for method in Method::ALL {
+            assert_eq!(method.id().parse::<Method>().unwrap(), method);
+            assert_eq!(Method::ALL[method as usize], method);
+        }
+        names.sort_unstable();
+        let count = names.len();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+
+    #[test]
+    fn near_names_are_offered() {
+        assert_eq!(nearest("minmax")[0], "minimax");
+        assert_eq!(nearest("midpont")[0], "midpoint");
+        assert!(nearest("xyzzy").is_empty());
+    }
+}

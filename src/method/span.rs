@@ -1,0 +1,61 @@
+//! The angle of one piece with its sines and cosines, computed once.
+
+use crate::angle::Angle;
+
+/// The angle of one piece, positive, with the sines and cosines that the formulas ask for.
+///
+/// In the notation of the sources the angle is a, its half is h, and s = sin a, c = cos a.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    degrees: f64,
+    /// The angle a in radians.
+    pub a: f64,
+    /// sin a.
+    pub s: f64,
+    /// cos a.
+    pub c: f64,
+    /// sin h.
+    pub sh: f64,
+    /// cos h.
+    pub ch: f64,
+}
+
+impl Span {
+    /// The size of `angle`, whatever its sign.
+    #[must_use]
+    pub fn new(angle: Angle) -> Self {
+        let degrees = angle.degrees().abs();
+        let half = Angle::from_degrees(degrees / 2.0).direction();
+        let full = Angle::from_degrees(degrees).direction();
+        Self {
+            degrees,
+            a: degrees.to_radians(),
+            s: full.y,
+            c: full.x,
+            sh: half.y,
+            ch: half.x,
+        }
+    }
+
+    /// A span of so many degrees.
+    #[must_use]
+    pub fn from_degrees(degrees: f64) -> Self {
+        Self::new(Angle::from_degrees(degrees))
+    }
+
+    /// The angle in degrees.
+    #[must_use]
+    pub const fn degrees(&self) -> f64 {
+        self.degrees
+    }
+
+    /// 1 - cos a without cancellation.
+    pub(crate) fn versine(&self) -> f64 {
+        2.0 * self.sh * self.sh
+    }
+
+    /// Whether the angle is this one, up to the rounding of an angle that was computed.
+    pub(crate) fn is_about(&self, degrees: f64) -> bool {
+        (self.degrees - degrees).abs() < 1e-9
+    }
+}

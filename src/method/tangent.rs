@@ -1,0 +1,117 @@
+//! Cubics that touch the circle at both ends: `midpoint`, `goldapp`, `curvature`, and the family that they belong to.
+//!
+//! Control points (1,0), (1,k), (c+ks, s-kc), (c,s). With u = t(1-t),
+//!
+//! ```text
+//! r² - 1 = -u² (H + G u),   H = 6(1-c) - 6ks - 9k²,   G = 8(1-c) - 24ks + 18(1+c)k² = 4 (3k cos h - 2 sin h)²
+//! ```
+//!
+//! so that the radius errs at most at t = 1/2 and at u = -2H/(3G). The whole family has one parameter w0, the value of
+//! v = 4t(1-t) at which the error vanishes, H = -G w0/4:
+//!
+//! ```text
+//! A = 9 - 4.5 w0 (1+c),  B = 6s(1+w0),  K = 2(3+w0)(1-c),   k(a, w0) = 2K / (B + sqrt(B² + 4AK))
+//! ```
+//!
+//! w0 = 1 is `midpoint`, k = (4/3) tan(a/4) (Lancaster 2005; Mortenson's first, as Chen 1996 tells it; Dokken et al. 1990);
+//! w0 = 0 is `curvature` (de Boor, Höllig, Sabin 1987; Apprich et al. tell it as curvature = 1 at the ends);
+//! w0 = (3/2)(cbrt(√2+1) - cbrt(√2-1)), the root of 4w0³ + 27w0 = 27, balances r² - 1: `goldapp` (Goldapp 1991).
+
+use crate::measure::RadialError;
+
+use super::{Piece, Span};
+
+/// The handle k(a, w0).
+pub(super) fn family(span: &Span, w0: f64) -> f64 {
+    let a = 9.0 - 9.0 * w0 * span.ch * span.ch;
+    let b = 6.0 * span.s * (1.0 + w0);
+    let k = 2.0 * (3.0 + w0) * span.versine();
+    2.0 * k / (b + (b * b + 4.0 * a * k).sqrt())
+}
+
+/// G of the handle k, kept from cancelling at tiny angles by its limit a⁶/64.
+pub(super) fn big_g(span: &Span, k: f64) -> f64 {
+    if span.a < 1e-3 {
+        span.a.powi(6) / 64.0
+    } else {
+        4.0 * (3.0 * k * span.ch - 2.0 * span.sh).powi(2)
+    }
+}
+
+/// The error of the family's member with the zero w0 and handle k: extremes of r² - 1 at v = 2 w0/3 and v = 1.
+pub(super) fn family_error(span: &Span, k: f64, w0: f64) -> RadialError {
+    let g = big_g(span, k);
+    RadialError {
+        outward: root_minus_1(g * w0.powi(3) / 432.0),
+        inward: -root_minus_1(-g * (1.0 - w0) / 64.0),
+    }
+}
+
+/// The error of any handle k, from H and G; beside a family member's own w0 it cancels below about half a degree.
+pub(super) fn error(span: &Span, k: f64) -> RadialError {
+    let h = 6.0 * span.versine() - 6.0 * k * span.s - 9.0 * k * k;
+    let g = 4.0 * (3.0 * k * span.ch - 2.0 * span.sh).powi(2);
+    let squared_at = |u: f64| -u * u * (h + g * u);
+    let turning = -2.0 * h / (3.0 * g);
+    let inner = if turning > 0.0 && turning < 0.25 {
+        squared_at(turning)
+    } else {
+        0.0
+    };
+    RadialError::of_range([0.0, root_minus_1(squared_at(0.25)), root_minus_1(inner)])
+}
+
+/// sqrt(1 + x) - 1 without cancellation.
+pub(super) fn root_minus_1(x: f64) -> f64 {
+    x / ((1.0 + x).max(0.0).sqrt() + 1.0)
+}
+
+/// (4/3) tan(a/4), with tan(a/4) = sin h / (1 + cos h).
+pub(super) fn midpoint(span: &Span) -> f64 {
+    4.0 / 3.0 * span.sh / (1.0 + span.ch)
+}
+
+/// The zero of v that balances r² - 1.
+pub(super) fn goldapp_zero() -> f64 {
+    let root2 = core::f64::consts::SQRT_2;
+    1.5 * ((root2 + 1.0).cbrt() - (root2 - 1.0).cbrt())
+}
+
+pub(super) fn goldapp(span: &Span) -> f64 {
+    family(span, goldapp_zero())
+}
+
+/// (sqrt(s² + 6(1-c)) - s)/3, rid of its cancellation.
+pub(super) fn curvature(span: &Span) -> f64 {
+    family(span, 0.0)
+}
+
+/// All control points of `midpoint` times 2/(1 + sqrt(1+E)), E = (4/27) sin⁶(a/4)/cos²(a/4), which centres its one-sided error.
+pub(super) fn minimax_free(span: &Span) -> Piece {
+    let outward = midpoint_error(span);
+    Piece::tangent(midpoint(span)).scaled(2.0 / (2.0 + outward))
+}
+
+pub(super) fn minimax_free_error(span: &Span) -> RadialError {
+    let outward = midpoint_error(span);
+    RadialError::balanced(outward / (2.0 + outward))
+}
+
+/// sqrt(1 + E) - 1.
+fn midpoint_error(span: &Span) -> f64 {
+    family_error(span, midpoint(span), 1.0).outward
+}
+
+/// All control points of `curvature` times 2/(1 + r(1/2)).
+pub(super) fn curvature_scaled(span: &Span) -> Piece {
+    Piece::tangent(curvature(span)).scaled(2.0 / (2.0 - curvature_error(span)))
+}
+
+pub(super) fn curvature_scaled_error(span: &Span) -> RadialError {
+    let inward = curvature_error(span);
+    RadialError::balanced(inward / (2.0 - inward))
+}
+
+fn curvature_error(span: &Span) -> f64 {
+    family_error(span, curvature(span), 0.0).inward
+}

@@ -1,0 +1,339 @@
+//! What is asked for: a circle, an ellipse or an arc, each a piece of the unit circle under an affine map.
+
+pub mod endpoint;
+
+use kurbo::{Affine, Point, Vec2};
+
+use crate::angle::Angle;
+use crate::error::{Error, Result, finite, positive};
+
+/// A shape that can be drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// A whole circle.
+    Circle(Circle),
+    /// A whole ellipse.
+    Ellipse(Ellipse),
+    /// A part of a circle's or an ellipse's outline.
+    Arc(Arc),
+    /// What an arc becomes that has no radius, or that runs through points on a line.
+    Line(Line),
+    /// Nothing: an arc whose ends coincide, or without a sweep.
+    Empty,
+}
+
+/// A whole circle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Circle {
+    /// Its centre.
+    pub center: Point,
+    /// Its radius, positive.
+    pub radius: f64,
+    /// Where it starts and ends.
+    pub start: Angle,
+    /// Whether it runs from +y towards +x.
+    pub reverse: bool,
+}
+
+/// A whole ellipse.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ellipse {
+    /// Its centre.
+    pub center: Point,
+    /// Its radii along its own axes, positive.
+    pub radii: Vec2,
+    /// The angle from the x axis to the axis of the first radius.
+    pub rotation: Angle,
+    /// Where it starts and ends, a parametric angle: the point at angle A is (rx cos A, ry sin A), then rotated.
+    pub start: Angle,
+    /// Whether it runs against growing angles.
+    pub reverse: bool,
+}
+
+/// A part of an ellipse's outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    /// The centre of the ellipse.
+    pub center: Point,
+    /// Its radii along its own axes, positive.
+    pub radii: Vec2,
+    /// The angle from the x axis to the axis of the first radius.
+    pub rotation: Angle,
+    /// The parametric angle of the first point.
+    pub start: Angle,
+    /// How far it runs, at most one turn; negative against growing angles.
+    pub sweep: Angle,
+    /// The end points, where they are what was given: they are kept to the last digit.
+    pub ends: Option<[Point; 2]>,
+}
+
+/// A straight line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Line {
+    /// Its first point.
+    pub from: Point,
+    /// Its last point.
+    pub to: Point,
+}
+
+/// A piece of the unit circle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnitArc {
+    /// Where it starts.
+    pub start: Angle,
+    /// How far it runs.
+    pub sweep: Angle,
+    /// Whether its end is its start.
+    pub closed: bool,
+}
+
+/// A piece of the unit circle and where it lies in user space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outline {
+    /// The piece.
+    pub unit: UnitArc,
+    /// The map from the unit circle to user space.
+    pub placement: Affine,
+    /// The ellipse that the unit circle becomes.
+    pub truth: Truth,
+    /// End points to be kept to the last digit.
+    pub ends: Option<[Point; 2]>,
+}
+
+/// The true ellipse that a curve is measured against.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Truth {
+    /// Its centre.
+    pub center: Point,
+    /// Its radii along its own axes.
+    pub radii: Vec2,
+    /// (cosine, sine) of the angle from the x axis to the axis of the first radius.
+    pub axis: Vec2,
+}
+
+impl Truth {
+    /// A circle.
+    #[must_use]
+    pub const fn circle(center: Point, radius: f64) -> Self {
+        Self {
+            center,
+            radii: Vec2::new(radius, radius),
+            axis: Vec2::new(1.0, 0.0),
+        }
+    }
+
+    /// The larger radius.
+    #[must_use]
+    pub fn larger_radius(&self) -> f64 {
+        self.radii.x.max(self.radii.y)
+    }
+
+    /// Whether both radii are the same.
+    #[must_use]
+    pub fn is_circle(&self) -> bool {
+        self.radii.x == self.radii.y
+    }
+
+    /// The map from the unit circle.
+    #[must_use]
+    pub fn placement(&self) -> Affine {
+        let (u, v) = (
+            self.axis * self.radii.x,
+            Vec2::new(-self.axis.y, self.axis.x) * self.radii.y,
+        );
+        Affine::new([u.x, u.y, v.x, v.y, self.center.x, self.center.y])
+    }
+
+    /// The ellipse that an affine map makes of the unit circle.
+    fn of(placement: Affine) -> Result<Self> {
+        let [a, b, c, d, e, f] = placement.as_coeffs();
+        for (what, value) in [
+            ("x coordinate of the transform", e),
+            ("y coordinate of the transform", f),
+        ] {
+            finite(what, value)?;
+        }
+        let center = Point::new(e, f);
+        if (a == d && b == -c) || (a == -d && b == c) {
+            return Ok(Self::circle(
+                center,
+                positive("scale of the transform", a.hypot(b))?,
+            ));
+        }
+        let (radii, rotation) = kurbo::Ellipse::from_affine(placement).radii_and_rotation();
+        let flat = Error::Shape(
+            "the transform flattens the shape to a line: nothing is left to draw".to_owned(),
+        );
+        if radii.y <= f64::EPSILON * radii.x {
+            return Err(flat);
+        }
+        positive("scale of the transform", radii.x)?;
+        positive("scale of the transform", radii.y)?;
+        Ok(Self {
+            center,
+            radii,
+            axis: Vec2::from_angle(rotation),
+        })
+    }
+}
+
+impl Outline {
+    /// The outline under a further affine map of user space.
+    ///
+    /// # Errors
+    ///
+    /// Where the map is not finite or flattens the plane.
+    pub fn transformed(self, map: Affine) -> Result<Self> {
+        if map == Affine::IDENTITY {
+            return Ok(self);
+        }
+        let placement = map * self.placement;
+        let ends = self.ends.map(|ends| ends.map(|end| map * end));
+        Ok(Self {
+            placement,
+            truth: Truth::of(placement)?,
+            ends,
+            ..self
+        })
+    }
+}
+
+impl Circle {
+    /// A circle that starts at angle 0 and runs in the positive direction.
+    ///
+    /// # Errors
+    ///
+    /// Where a number is not finite or the radius is not positive.
+    pub fn new(center: impl Into<Point>, radius: f64) -> Result<Self> {
+        let center = finite_point("centre", center.into())?;
+        Ok(Self {
+            center,
+            radius: positive("radius", radius)?,
+            start: Angle::ZERO,
+            reverse: false,
+        })
+    }
+}
+
+impl Ellipse {
+    /// An ellipse that starts at angle 0 and runs in the positive direction.
+    ///
+    /// # Errors
+    ///
+    /// Where a number is not finite or a radius is not positive.
+    pub fn new(center: impl Into<Point>, radii: impl Into<Vec2>, rotation: Angle) -> Result<Self> {
+        let center = finite_point("centre", center.into())?;
+        Ok(Self {
+            center,
+            radii: positive_radii(radii.into())?,
+            rotation,
+            start: Angle::ZERO,
+            reverse: false,
+        })
+    }
+}
+
+impl Arc {
+    /// The arc in centre form.
+    ///
+    /// # Errors
+    ///
+    /// Where a number is not finite, a radius is not positive, or the sweep is more than a turn.
+    pub fn new(
+        center: impl Into<Point>,
+        radii: impl Into<Vec2>,
+        rotation: Angle,
+        start: Angle,
+        sweep: Angle,
+    ) -> Result<Self> {
+        let center = finite_point("centre", center.into())?;
+        let radii = positive_radii(radii.into())?;
+        finite("start angle", start.degrees())?;
+        finite("sweep", sweep.degrees())?;
+        if sweep.degrees().abs() > 360.0 {
+            return Err(Error::Shape(format!(
+                "the sweep of an arc is at most one turn, 360 degrees, but it is {} degrees",
+                sweep.degrees()
+            )));
+        }
+        Ok(Self {
+            center,
+            radii,
+            rotation,
+            start,
+            sweep,
+            ends: None,
+        })
+    }
+}
+
+impl Shape {
+    /// The piece of the unit circle and where it lies; `None` for a line and for nothing.
+    #[must_use]
+    pub fn outline(&self) -> Option<Outline> {
+        let turn = |start, reverse| {
+            let sweep = if reverse {
+                Angle::from_degrees(-360.0)
+            } else {
+                Angle::TURN
+            };
+            UnitArc {
+                start,
+                sweep,
+                closed: true,
+            }
+        };
+        let (unit, center, radii, rotation, ends) = match *self {
+            Self::Circle(c) => (
+                turn(c.start, c.reverse),
+                c.center,
+                Vec2::new(c.radius, c.radius),
+                Angle::ZERO,
+                None,
+            ),
+            Self::Ellipse(e) => (
+                turn(e.start, e.reverse),
+                e.center,
+                e.radii,
+                e.rotation,
+                None,
+            ),
+            Self::Arc(a) => {
+                let unit = UnitArc {
+                    start: a.start,
+                    sweep: a.sweep,
+                    closed: false,
+                };
+                (unit, a.center, a.radii, a.rotation, a.ends)
+            }
+            Self::Line(_) | Self::Empty => return None,
+        };
+        let truth = Truth {
+            center,
+            radii,
+            axis: rotation.direction(),
+        };
+        Some(Outline {
+            unit,
+            placement: truth.placement(),
+            truth,
+            ends,
+        })
+    }
+}
+
+fn finite_point(what: &'static str, p: Point) -> Result<Point> {
+    Ok(Point::new(finite(what, p.x)?, finite(what, p.y)?))
+}
+
+fn positive_radii(radii: Vec2) -> Result<Vec2> {
+    let what = if radii.x == radii.y {
+        "radius"
+    } else {
+        "radii"
+    };
+    Ok(Vec2::new(
+        positive(what, radii.x)?,
+        positive(what, radii.y)?,
+    ))
+}

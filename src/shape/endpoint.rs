@@ -1,0 +1,250 @@
+//! Arcs given by their end points: the SVG form (SVG 2, appendix B.2, whose equation numbers are cited), three points, the DXF bulge.
+
+use kurbo::{Point, Vec2};
+use svgtypes::{PathParser, PathSegment};
+
+use super::{Arc, Line, Shape, finite_point};
+use crate::angle::Angle;
+use crate::error::{Error, Result, finite};
+use crate::write::number::{decimals_of, round};
+
+/// An arc as SVG path data gives it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SvgArc {
+    /// The current point.
+    pub from: Point,
+    /// The radii, of any sign; zero makes it a line.
+    pub radii: Vec2,
+    /// The angle from the x axis to the axis of the first radius.
+    pub rotation: Angle,
+    /// Whether it takes the longer way.
+    pub large_arc: bool,
+    /// Whether it runs in the direction of growing angles.
+    pub sweep: bool,
+    /// The last point.
+    pub to: Point,
+}
+
+impl SvgArc {
+    /// The arc in centre form, by the rules for parameters out of range: equal ends are nothing, a zero radius is a line,
+    /// negative radii count as positive, radii too small are scaled up.
+    ///
+    /// # Errors
+    ///
+    /// Where a number is not finite or too large.
+    pub fn shape(&self) -> Result<Shape> {
+        let from = finite_point("start point", self.from)?;
+        let to = finite_point("end point", self.to)?;
+        let radii = Vec2::new(
+            finite("radius", self.radii.x)?.abs(),
+            finite("radius", self.radii.y)?.abs(),
+        );
+        finite("rotation", self.rotation.degrees())?;
+        if from == to {
+            return Ok(Shape::Empty);
+        }
+        if radii.x == 0.0 || radii.y == 0.0 {
+            return Ok(Shape::Line(Line { from, to }));
+        }
+        let axis = self.rotation.direction();
+        // (5.1) in the frame of the ellipse's axes, (6.1) divided by the radii: half the chord on the unit circle.
+        let half = (from - to) / 2.0;
+        let unit = Vec2::new(
+            (axis.x * half.x + axis.y * half.y) / radii.x,
+            (axis.x * half.y - axis.y * half.x) / radii.y,
+        );
+        let size = unit.hypot();
+        let sign = if self.sweep { 1.0 } else { -1.0 };
+        // (6.2), (6.3): radii too small are scaled up, and the centre is the middle of the chord.
+        let too_small = size >= 1.0;
+        let radii = if too_small { radii * size } else { radii };
+        let depth = if too_small {
+            0.0
+        } else {
+            ((1.0 - size) * (1.0 + size)).sqrt()
+        };
+        let side = if self.large_arc == self.sweep {
+            -1.0
+        } else {
+            1.0
+        };
+        // (5.2): the centre, on the perpendicular through the middle of the chord.
+        let along = unit / size;
+        let across = Vec2::new(along.y, -along.x) * (side * depth);
+        let offset = Vec2::new(across.x * radii.x, across.y * radii.y);
+        let center = from.midpoint(to)
+            + Vec2::new(
+                axis.x * offset.x - axis.y * offset.y,
+                axis.y * offset.x + axis.x * offset.y,
+            );
+        // (5.5), (5.6): the start on the unit circle, and twice the angle whose sine is half the chord.
+        let start = along * size.min(1.0) - across;
+        let short = 2.0 * size.min(1.0).atan2(depth).to_degrees();
+        let sweep = if too_small {
+            180.0
+        } else if self.large_arc {
+            360.0 - short
+        } else {
+            short
+        };
+        Ok(Shape::Arc(Arc {
+            center,
+            radii,
+            rotation: self.rotation,
+            start: Angle::from_radians(start.y.atan2(start.x)),
+            sweep: Angle::from_degrees(sign * sweep),
+            ends: Some([from, to]),
+        }))
+    }
+}
+
+/// The arc of path data `M x y A rx ry rotation large sweep x y`, in any form that the grammar of SVG allows.
+///
+/// # Errors
+///
+/// [`Error::Syntax`] with the column where it does not parse, and where it is not one moveto and one arc.
+pub fn parse_svg_arc(text: &str) -> Result<SvgArc> {
+    let wrong = |column: usize, why: String| Error::Syntax {
+        what: "the SVG arc",
+        text: text.to_owned(),
+        column,
+        why,
+    };
+    let end = text.chars().count() + 1;
+    let mut segments = PathParser::from(text);
+    let mut next = |expected: &str| match segments.next() {
+        Some(Ok(segment)) => Ok(Some(segment)),
+        None => Ok(None),
+        Some(Err(error)) => Err(match error {
+            svgtypes::Error::UnexpectedEndOfStream => {
+                wrong(end, format!("it ends where {expected} should go on"))
+            }
+            svgtypes::Error::UnexpectedData(at)
+            | svgtypes::Error::InvalidNumber(at)
+            | svgtypes::Error::InvalidChar(_, at)
+            | svgtypes::Error::InvalidString(_, at) => wrong(at, format!("expected {expected}")),
+            _ => wrong(1, format!("expected {expected}")),
+        }),
+    };
+    let from = match next("a moveto 'M x y'")? {
+        Some(PathSegment::MoveTo { x, y, .. }) => Point::new(x, y),
+        _ => return Err(wrong(1, "expected a moveto 'M x y'".to_owned())),
+    };
+    let arc = match next("an arc 'A rx ry rotation large sweep x y'")? {
+        Some(PathSegment::EllipticalArc {
+            abs,
+            rx,
+            ry,
+            x_axis_rotation,
+            large_arc,
+            sweep,
+            x,
+            y,
+        }) => SvgArc {
+            from,
+            radii: Vec2::new(rx, ry),
+            rotation: Angle::from_degrees(x_axis_rotation),
+            large_arc,
+            sweep,
+            to: if abs {
+                Point::new(x, y)
+            } else {
+                Point::new(decimal_sum(from.x, x), decimal_sum(from.y, y))
+            },
+        },
+        _ => {
+            return Err(wrong(
+                1,
+                "expected one arc 'A rx ry rotation large sweep x y' after the moveto".to_owned(),
+            ));
+        }
+    };
+    match next("the end")? {
+        None => Ok(arc),
+        Some(_) => Err(wrong(
+            1,
+            "expected one arc and nothing behind it".to_owned(),
+        )),
+    }
+}
+
+/// The sum of two decimals as a person would write it: 0.1 and 0.2 make 0.3.
+pub(crate) fn decimal_sum(a: f64, b: f64) -> f64 {
+    let decimals = decimals_of(a).max(decimals_of(b));
+    if decimals <= 15 {
+        round(a + b, decimals)
+    } else {
+        a + b
+    }
+}
+
+/// The arc from `from` through `on` to `to`; a line where the three lie on one, in that order.
+///
+/// # Errors
+///
+/// Where two of the points coincide, and where they lie on a line with `on` outside.
+pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
+    for p in [from, on, to] {
+        finite_point("point", p)?;
+    }
+    if from == on || on == to || from == to {
+        let which = if from == on && on == to {
+            "three points are the same"
+        } else {
+            "two of the three points are the same"
+        };
+        return Err(Error::Shape(format!("no arc is determined: {which}")));
+    }
+    let (u, v) = (from - on, to - on);
+    let (cross, dot) = (u.cross(v), u.dot(v));
+    // What rounding alone can make of the cross product of points on a line.
+    let largest = [from, on, to]
+        .iter()
+        .flat_map(|p| [p.x.abs(), p.y.abs()])
+        .fold(0.0, f64::max);
+    if cross.abs() <= 4.0 * f64::EPSILON * largest * (u.hypot() + v.hypot()) {
+        if dot > 0.0 {
+            return Err(Error::Shape(
+                "no arc is determined: the three points lie on a line, and the second is not between the others".to_owned(),
+            ));
+        }
+        return Ok(Shape::Line(Line { from, to }));
+    }
+    // The inscribed angle at `on` is half of what the arc leaves of the turn; the bulge is tan(sweep/4).
+    let bulge = (cross.abs().atan2(-dot) / 2.0).tan();
+    from_bulge(from, to, if cross > 0.0 { -bulge } else { bulge })
+}
+
+/// The arc from `from` to `to` with the DXF bulge tan(sweep/4), positive in the direction of growing angles; a line where it is 0.
+///
+/// # Errors
+///
+/// Where a number is not finite or too large.
+pub fn from_bulge(from: Point, to: Point, bulge: f64) -> Result<Shape> {
+    let (from, to) = (
+        finite_point("start point", from)?,
+        finite_point("end point", to)?,
+    );
+    finite("bulge", bulge)?;
+    if from == to {
+        return Ok(Shape::Empty);
+    }
+    let chord = to - from;
+    let square = bulge * bulge;
+    let radius = chord.hypot() * (1.0 + square) / (4.0 * bulge.abs());
+    if bulge == 0.0 || !radius.is_finite() {
+        return Ok(Shape::Line(Line { from, to }));
+    }
+    let depth = (1.0 - square) / (4.0 * bulge);
+    let center = from.midpoint(to) + Vec2::new(-chord.y, chord.x) * depth;
+    let center = finite_point("centre", center)?;
+    let start = from - center;
+    Ok(Shape::Arc(Arc {
+        center,
+        radii: Vec2::new(finite("radius", radius)?, radius),
+        rotation: Angle::ZERO,
+        start: Angle::from_radians(start.y.atan2(start.x)),
+        sweep: Angle::from_radians(4.0 * bulge.atan()),
+        ends: Some([from, to]),
+    }))
+}

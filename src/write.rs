@@ -1,0 +1,191 @@
+//! The writers: the only place that knows a format.
+//!
+//! A writer sees a [`Figure`], whose points are already rounded, and knows no method.
+
+pub mod json;
+pub mod number;
+pub mod path;
+pub mod postscript;
+
+use core::fmt;
+use core::str::FromStr;
+
+use kurbo::Rect;
+
+use crate::approximate::Drawing;
+use crate::curve::{Curve, control_points};
+use crate::error::{Error, Result};
+use crate::shape::{Outline, Shape};
+
+/// An output format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Format {
+    /// SVG path data, one line.
+    #[default]
+    Path,
+    /// An SVG document.
+    Svg,
+    /// PostScript path operators, one a line.
+    Ps,
+    /// An Encapsulated PostScript file.
+    Eps,
+    /// JSON.
+    Json,
+    /// A raster preview.
+    Png,
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Self; 6] = [
+        Self::Path,
+        Self::Svg,
+        Self::Ps,
+        Self::Eps,
+        Self::Json,
+        Self::Png,
+    ];
+
+    /// The name, which is also the file extension.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Path => "path",
+            Self::Svg => "svg",
+            Self::Ps => "ps",
+            Self::Eps => "eps",
+            Self::Json => "json",
+            Self::Png => "png",
+        }
+    }
+
+    /// Whether closed shapes start at 180 degrees and run in the negative direction, as Lancaster's `drawellipse` does.
+    #[must_use]
+    pub const fn runs_as_drawellipse(self) -> bool {
+        matches!(self, Self::Ps | Self::Eps)
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Format {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|format| format.name() == name)
+            .ok_or_else(|| Error::Syntax {
+                what: "the format",
+                text: name.to_owned(),
+                column: 1,
+                why: format!("the formats are {}", Self::ALL.map(Self::name).join(", ")),
+            })
+    }
+}
+
+/// What a writer sees.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Figure {
+    /// A few words.
+    pub title: String,
+    /// A sentence: the shape, the method, the stated error.
+    pub description: String,
+    /// The curves, those beneath first.
+    pub layers: Vec<Layer>,
+    /// The true shapes that the curves approximate.
+    pub truths: Vec<Outline>,
+}
+
+/// Curves that are drawn alike.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Layer {
+    /// The class of its group in SVG; without one its paths stand alone.
+    pub class: Option<&'static str>,
+    /// Whether it is drawn dashed.
+    pub dashed: bool,
+    /// The curves, as they are written.
+    pub curves: Vec<Curve>,
+}
+
+impl Figure {
+    /// All curves in the order in which they are drawn.
+    pub fn curves(&self) -> impl Iterator<Item = &Curve> {
+        self.layers.iter().flat_map(|layer| &layer.curves)
+    }
+
+    /// The smallest rectangle around the curves, and around their control points too where those are shown.
+    #[must_use]
+    pub fn bounding_box(&self, with_handles: bool) -> Option<Rect> {
+        let own = self
+            .curves()
+            .filter_map(Curve::bounding_box)
+            .reduce(|a, b| a.union(b))?;
+        if !with_handles {
+            return Some(own);
+        }
+        let points = self
+            .curves()
+            .flat_map(|curve| &curve.segments)
+            .flat_map(control_points);
+        Some(points.fold(own, |bounds, p| bounds.union_pt(p)))
+    }
+}
+
+impl From<&Drawing> for Figure {
+    fn from(drawing: &Drawing) -> Self {
+        let title = describe(&drawing.shape);
+        let description = if drawing.outline.is_some() {
+            format!(
+                "{title}; {count} segments by {method}; within {peak} of the true shape ({relative} of the larger radius)",
+                count = drawing.curve.segments.len(),
+                method = drawing.rule.id(),
+                peak = number::significant(drawing.error.peak(), 3),
+                relative = number::significant(drawing.relative_peak(), 3),
+            )
+        } else {
+            format!("{title}; exact")
+        };
+        Self {
+            title,
+            description,
+            layers: vec![Layer {
+                class: None,
+                dashed: false,
+                curves: vec![drawing.curve.clone()],
+            }],
+            truths: drawing.outline.into_iter().collect(),
+        }
+    }
+}
+
+/// A shape in a few words.
+fn describe(shape: &Shape) -> String {
+    let n = number::text;
+    match shape {
+        Shape::Circle(c) => format!("Circle of radius {}", n(c.radius)),
+        Shape::Ellipse(e) => format!("Ellipse with radii {} and {}", n(e.radii.x), n(e.radii.y)),
+        Shape::Arc(a) if a.radii.x == a.radii.y => {
+            format!(
+                "Arc of radius {} over {} degrees",
+                n(a.radii.x),
+                n(a.sweep.degrees())
+            )
+        }
+        Shape::Arc(a) => {
+            format!(
+                "Arc with radii {} and {} over {} degrees",
+                n(a.radii.x),
+                n(a.radii.y),
+                n(a.sweep.degrees())
+            )
+        }
+        Shape::Line(_) => "Line".to_owned(),
+        Shape::Empty => "Empty path".to_owned(),
+    }
+}

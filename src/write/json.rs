@@ -1,0 +1,320 @@
+//! JSON, with the one formatter of numbers.
+
+use std::io::{self, Write};
+
+use kurbo::{Affine, PathSeg, Point};
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde_json::ser::{Formatter, Serializer};
+
+use super::number::{decimals_of, push_shortest, round};
+use super::path;
+use crate::approximate::Drawing;
+use crate::curve::control_points;
+use crate::method::{Continuity, Rule};
+use crate::shape::Shape;
+
+/// The JSON of a drawing.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct DrawingDocument {
+    /// The version of this form.
+    pub version: u32,
+    /// What was asked for.
+    pub shape: ShapeDocument,
+    /// The id of the method, or `handle`.
+    pub method: String,
+    /// The literal handle, with the method `handle`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub handle: Option<f64>,
+    /// How arc length was integrated, where it was Chen's two-point Gauss quadrature.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quadrature: Option<String>,
+    /// Whether the path is closed.
+    pub closed: bool,
+    /// The segments in their order.
+    pub segments: Vec<SegmentDocument>,
+    /// The error of the points as printed.
+    pub error: ErrorDocument,
+    /// The largest corner at a joint, in degrees, where the method's pieces do not share tangents.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner: Option<f64>,
+    /// SVG path data.
+    pub path: String,
+}
+
+/// The shape of a drawing.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum ShapeDocument {
+    /// A whole circle.
+    Circle(RoundDocument),
+    /// A whole ellipse.
+    Ellipse(RoundDocument),
+    /// An arc.
+    Arc(RoundDocument),
+    /// A straight line.
+    Line {
+        /// Its first point.
+        from: [f64; 2],
+        /// Its last point.
+        to: [f64; 2],
+    },
+    /// Nothing.
+    Empty,
+}
+
+/// A circle, an ellipse or an arc; angles in degrees.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct RoundDocument {
+    /// The centre.
+    pub center: [f64; 2],
+    /// The radii along the shape's own axes.
+    pub radii: [f64; 2],
+    /// The angle from the x axis to the axis of the first radius.
+    pub rotation: f64,
+    /// The parametric angle of the first point.
+    pub start: f64,
+    /// How far it runs.
+    pub sweep: f64,
+    /// The affine map applied to it, as SVG's matrix(a b c d e f), where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transform: Option<[f64; 6]>,
+}
+
+/// One segment.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct SegmentDocument {
+    /// Its control points: two of a line, three of a quadratic, four of a cubic.
+    pub points: Vec<[f64; 2]>,
+    /// The parametric angles of its ends, in degrees, where the shape has angles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angles: Option<[f64; 2]>,
+    /// Lancaster's equation space.
+    pub power: PowerDocument,
+}
+
+/// Lancaster's equation-space coefficients: x = At³+Bt²+Ct+D and y = Et³+Ft²+Gt+H.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PowerDocument {
+    /// [A, B, C, D].
+    pub x: [f64; 4],
+    /// [E, F, G, H].
+    pub y: [f64; 4],
+}
+
+/// The largest distances from the true shape, in user units, both at least 0.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ErrorDocument {
+    /// Outside the true shape.
+    pub outward: f64,
+    /// Inside the true shape.
+    pub inward: f64,
+    /// The larger of the two.
+    pub peak: f64,
+    /// The larger of the two over the larger radius.
+    pub relative_peak: f64,
+}
+
+impl From<&Drawing> for DrawingDocument {
+    fn from(drawing: &Drawing) -> Self {
+        let segments = drawing
+            .curve
+            .segments
+            .iter()
+            .enumerate()
+            .map(|(i, segment)| {
+                let angles = drawing
+                    .angles
+                    .get(i)
+                    .zip(drawing.angles.get(i + 1))
+                    .map(|(&from, &to)| [from, to]);
+                segment_document(segment, angles)
+            });
+        let corners = drawing
+            .rule
+            .method()
+            .is_some_and(|method| method.card().continuity_equal == Continuity::G0);
+        Self {
+            version: 1,
+            shape: shape_document(&drawing.shape, drawing.transform),
+            method: drawing.rule.id().to_owned(),
+            handle: if let Rule::Handle(k) = drawing.rule {
+                Some(k)
+            } else {
+                None
+            },
+            quadrature: (drawing.rule == Rule::Chen2Gauss2).then(|| "gauss2".to_owned()),
+            closed: drawing.curve.closed,
+            segments: segments.collect(),
+            error: ErrorDocument {
+                outward: drawing.error.outward,
+                inward: drawing.error.inward,
+                peak: drawing.error.peak(),
+                relative_peak: drawing.relative_peak(),
+            },
+            corner: corners.then(|| drawing.largest_corner()),
+            path: path::data([&drawing.curve], false),
+        }
+    }
+}
+
+fn pair(p: Point) -> [f64; 2] {
+    [p.x, p.y]
+}
+
+fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
+    let round = |outline: Option<crate::shape::Outline>, rotation: f64| {
+        let (unit, truth) = outline.map_or_else(Default::default, |o| {
+            (
+                (o.unit.start.degrees(), o.unit.sweep.degrees()),
+                (pair(o.truth.center), [o.truth.radii.x, o.truth.radii.y]),
+            )
+        });
+        RoundDocument {
+            center: truth.0,
+            radii: truth.1,
+            rotation,
+            start: unit.0,
+            sweep: unit.1,
+            transform: (transform != Affine::IDENTITY).then(|| transform.as_coeffs()),
+        }
+    };
+    match shape {
+        Shape::Circle(_) => ShapeDocument::Circle(round(shape.outline(), 0.0)),
+        Shape::Ellipse(e) => ShapeDocument::Ellipse(round(shape.outline(), e.rotation.degrees())),
+        Shape::Arc(a) => ShapeDocument::Arc(round(shape.outline(), a.rotation.degrees())),
+        Shape::Line(l) => ShapeDocument::Line {
+            from: pair(l.from),
+            to: pair(l.to),
+        },
+        Shape::Empty => ShapeDocument::Empty,
+    }
+}
+
+/// The JSON of one segment.
+#[must_use]
+pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentDocument {
+    let cubic = segment.to_cubic();
+    let power = |p: [f64; 4]| {
+        // Whole multiples of decimals are decimals: no noise in the last digits.
+        let decimals = p.iter().map(|&x| decimals_of(x)).max().unwrap_or(0);
+        crate::power::coefficients(p).map(|c| {
+            if decimals <= 12 && matches!(segment, PathSeg::Cubic(_)) {
+                round(c, decimals)
+            } else {
+                c
+            }
+        })
+    };
+    let [p0, p1, p2, p3] = [cubic.p0, cubic.p1, cubic.p2, cubic.p3];
+    SegmentDocument {
+        points: control_points(segment).into_iter().map(pair).collect(),
+        angles,
+        power: PowerDocument {
+            x: power([p0.x, p1.x, p2.x, p3.x]),
+            y: power([p0.y, p1.y, p2.y, p3.y]),
+        },
+    }
+}
+
+/// Any value as JSON for people and programs: the outermost object a line a key, the objects of an array a line each.
+///
+/// # Errors
+///
+/// Where the value cannot be JSON.
+pub fn to_string(value: &impl Serialize) -> Result<String, serde_json::Error> {
+    serialize(value, Layout::default())
+}
+
+/// Any value as one line of JSON.
+///
+/// # Errors
+///
+/// Where the value cannot be JSON.
+pub fn to_line(value: &impl Serialize) -> Result<String, serde_json::Error> {
+    serialize(
+        value,
+        Layout {
+            one_line: true,
+            ..Layout::default()
+        },
+    )
+}
+
+fn serialize(value: &impl Serialize, layout: Layout) -> Result<String, serde_json::Error> {
+    let mut out = Vec::new();
+    value.serialize(&mut Serializer::with_formatter(&mut out, layout))?;
+    Ok(String::from_utf8_lossy(&out).into_owned())
+}
+
+/// The layout of our JSON, and our numbers in it.
+#[derive(Default)]
+struct Layout {
+    one_line: bool,
+    objects: usize,
+    arrays: usize,
+    holds_objects: bool,
+}
+
+impl Layout {
+    /// Whether the innermost object is the outermost one and gets a line for each key.
+    fn is_outermost(&self) -> bool {
+        self.objects == 1 && !self.one_line
+    }
+}
+
+impl Formatter for Layout {
+    fn write_f64<W: ?Sized + Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
+        let mut digits = Vec::with_capacity(24);
+        push_shortest(&mut digits, value);
+        writer.write_all(&digits)
+    }
+
+    fn begin_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        if self.arrays == 1 && self.is_outermost() {
+            self.holds_objects = true;
+            writer.write_all(b"\n    ")?;
+        }
+        self.objects += 1;
+        writer.write_all(b"{")
+    }
+
+    fn end_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        if self.is_outermost() {
+            writer.write_all(b"\n")?;
+        }
+        self.objects -= 1;
+        writer.write_all(b"}")
+    }
+
+    fn begin_object_key<W: ?Sized + Write>(
+        &mut self,
+        writer: &mut W,
+        first: bool,
+    ) -> io::Result<()> {
+        writer.write_all(match (self.is_outermost(), first) {
+            (true, true) => b"\n  ",
+            (true, false) => b",\n  ",
+            (false, true) => b"",
+            (false, false) if self.one_line => b",",
+            (false, false) => b", ",
+        })
+    }
+
+    fn begin_object_value<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        writer.write_all(if self.one_line { b":" } else { b": " })
+    }
+
+    fn begin_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        self.arrays += 1;
+        writer.write_all(b"[")
+    }
+
+    fn end_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        self.arrays -= 1;
+        if self.arrays == 0 && self.is_outermost() && core::mem::take(&mut self.holds_objects) {
+            writer.write_all(b"\n  ")?;
+        }
+        writer.write_all(b"]")
+    }
+}

@@ -1,0 +1,105 @@
+//! SVG path data: no redundant separator, no exponent, the last point of a closed shape digit for digit the first.
+
+use kurbo::{PathSeg, Point, Vec2};
+
+use super::number::{decimals_of, push_shortest, round};
+use crate::curve::Curve;
+
+/// The path data of one or more curves.
+#[must_use]
+pub fn data<'a>(curves: impl IntoIterator<Item = &'a Curve>, relative: bool) -> String {
+    let mut out = Vec::new();
+    for curve in curves {
+        push_curve(&mut out, curve, relative);
+    }
+    // The formatter writes digits, points and signs only.
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+/// Appends the path data of a curve; a relative one must start a path or follow a closed or finished one.
+pub fn push_curve(out: &mut Vec<u8>, curve: &Curve, relative: bool) {
+    let Some(start) = curve.start() else { return };
+    out.push(b'M');
+    push_numbers(out, &[start.x, start.y]);
+    let mut current = start;
+    for segment in &curve.segments {
+        let (letter, points): (u8, &[Point]) = match segment {
+            PathSeg::Line(l) => (b'L', &[l.p1]),
+            PathSeg::Quad(q) => (b'Q', &[q.p1, q.p2]),
+            PathSeg::Cubic(c) => (b'C', &[c.p1, c.p2, c.p3]),
+        };
+        out.push(if relative {
+            letter.to_ascii_lowercase()
+        } else {
+            letter
+        });
+        let mut numbers = [0.0; 6];
+        for (pair, &p) in numbers.chunks_exact_mut(2).zip(points) {
+            let v = if relative {
+                decimal_difference(p, current)
+            } else {
+                p.to_vec2()
+            };
+            (pair[0], pair[1]) = (v.x, v.y);
+        }
+        push_numbers(out, &numbers[..2 * points.len()]);
+        current = points[points.len() - 1];
+    }
+    if curve.closed {
+        out.push(if relative { b'z' } else { b'Z' });
+    }
+}
+
+/// Numbers with a space between two only where the second has no sign.
+fn push_numbers(out: &mut Vec<u8>, numbers: &[f64]) {
+    for (i, &number) in numbers.iter().enumerate() {
+        let at = out.len();
+        push_shortest(out, number);
+        if i > 0 && out[at] != b'-' {
+            out.insert(at, b' ');
+        }
+    }
+}
+
+/// The difference of two points as the decimals that they are written as, so that relative coordinates add up to the absolute ones.
+fn decimal_difference(p: Point, q: Point) -> Vec2 {
+    let difference = |a: f64, b: f64| {
+        let decimals = decimals_of(a).max(decimals_of(b));
+        if decimals <= 15 {
+            round(a - b, decimals)
+        } else {
+            a - b
+        }
+    };
+    Vec2::new(difference(p.x, q.x), difference(p.y, q.y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Circle, Options, Shape, approximate};
+
+    fn circle(relative: bool) -> String {
+        let shape = Shape::Circle(Circle::new((0.0, 0.0), 50.0).unwrap());
+        data(
+            [&approximate(&shape, &Options::default()).unwrap().curve],
+            relative,
+        )
+    }
+
+    #[test]
+    fn a_circle_has_no_redundant_separator() {
+        assert_eq!(
+            circle(false),
+            "M50 0C50 27.596 27.596 50 0 50C-27.596 50-50 27.596-50 0C-50-27.596-27.596-50 0-50C27.596-50 50-27.596 50 0Z"
+        );
+    }
+
+    #[test]
+    fn relative_coordinates_add_up_in_decimals() {
+        assert_eq!(
+            circle(true),
+            "M50 0c0 27.596-22.404 50-50 50c-27.596 0-50-22.404-50-50c0-27.596 22.404-50 50-50c27.596 0 50 22.404 50 50z"
+        );
+    }
+}
