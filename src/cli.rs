@@ -5,6 +5,7 @@ mod draw;
 mod failure;
 mod output;
 mod procset;
+mod shell;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -39,5 +40,7 @@ fn run(command: Command) -> Outcome {
         Command::Ellipse(args) => draw::ellipse(&args),
         Command::Arc(args) => draw::arc(&args),
         Command::Procset(args) => procset::run(&args),
+        Command::Completions(args) => shell::completions(&args),
+        Command::Man(args) => shell::man(&args),
     }
 }

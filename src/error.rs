@@ -75,6 +75,14 @@ pub enum Error {
         /// What is wrong there.
         why: String,
     },
+    /// A number of segments that nothing is cut into.
+    #[error("the number of segments must be from 1 to {most}, but it is {count}")]
+    Count {
+        /// The number that was given.
+        count: usize,
+        /// The largest that is served.
+        most: usize,
+    },
     /// The joints that were asked for cannot be used.
     #[error("the joints cannot be used: {0}")]
     Joints(String),

@@ -76,12 +76,13 @@ impl Joints {
     ///
     /// # Errors
     ///
-    /// Where the count is 0 or beyond [`MOST_SEGMENTS`].
+    /// [`Error::Count`] where the count is 0 or beyond [`MOST_SEGMENTS`].
     pub fn equal(arc: &UnitArc, count: usize) -> Result<Self> {
         if count == 0 || count > MOST_SEGMENTS {
-            return Err(Error::Joints(format!(
-                "{count} segments are not between 1 and {MOST_SEGMENTS}"
-            )));
+            return Err(Error::Count {
+                count,
+                most: MOST_SEGMENTS,
+            });
         }
         let (start, sweep) = (arc.start.degrees(), arc.sweep.degrees());
         let sign = 1.0_f64.copysign(sweep);

@@ -142,8 +142,13 @@ impl From<&Drawing> for Figure {
         let title = describe(&drawing.shape);
         let description = if drawing.outline.is_some() {
             format!(
-                "{title}; {count} segments by {method}; within {peak} of the true shape ({relative} of the larger radius)",
+                "{title}; {count} segment{s} by {method}; within {peak} of the true shape ({relative} of the larger radius)",
                 count = drawing.curve.segments.len(),
+                s = if drawing.curve.segments.len() == 1 {
+                    ""
+                } else {
+                    "s"
+                },
                 method = drawing.rule.id(),
                 peak = number::significant(drawing.error.peak(), 3),
                 relative = number::significant(drawing.relative_peak(), 3),
@@ -166,7 +171,7 @@ impl From<&Drawing> for Figure {
 
 /// A shape in a few words.
 fn describe(shape: &Shape) -> String {
-    let n = number::text;
+    let n = |x| number::significant(x, 9);
     match shape {
         Shape::Circle(c) => format!("Circle of radius {}", n(c.radius)),
         Shape::Ellipse(e) => format!("Ellipse with radii {} and {}", n(e.radii.x), n(e.radii.y)),

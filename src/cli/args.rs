@@ -38,6 +38,10 @@ pub(crate) enum Command {
     Arc(Draw<ArcShape>),
     /// Print PostScript procedures that draw ellipses and circles, after Lancaster
     Procset(ProcsetArgs),
+    /// Print a completion script for a shell
+    Completions(CompletionsArgs),
+    /// Print the manual page, or write those of all commands
+    Man(ManArgs),
 }
 
 /// A shape, how it is approximated and how it is written.
@@ -59,4 +63,18 @@ pub(crate) struct ProcsetArgs {
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_name = "SHELL", value_enum)]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ManArgs {
+    /// Write curveto.1 and a page for every command into DIR
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out_dir: Option<PathBuf>,
 }

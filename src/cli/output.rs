@@ -53,13 +53,17 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
+    // Asked first for its plain message: the error of the file that is made there names a file that nobody knows.
+    fs::metadata(folder)?;
     let mut builder = tempfile::Builder::new();
     builder.prefix(".curveto-");
     let mode = existing.map_or_else(new_file_mode, |data| Some(data.permissions()));
     if let Some(mode) = &mode {
         builder.permissions(mode.clone());
     }
-    let mut file = builder.tempfile_in(folder)?;
+    let mut file = builder
+        .tempfile_in(folder)
+        .map_err(|error| io::Error::from(error.kind()))?;
     file.write_all(bytes)?;
     if let Some(mode) = mode.filter(|_| path.exists()) {
         // The mask of the process does not apply to a mode that was there.

@@ -12,6 +12,7 @@ use super::path;
 use crate::approximate::Drawing;
 use crate::curve::control_points;
 use crate::method::{Continuity, Rule};
+use crate::power;
 use crate::shape::Shape;
 
 /// The JSON of a drawing.
@@ -194,26 +195,30 @@ fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
 /// The JSON of one segment.
 #[must_use]
 pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentDocument {
-    let cubic = segment.to_cubic();
-    let power = |p: [f64; 4]| {
+    let points: Vec<[f64; 2]> = control_points(segment).into_iter().map(pair).collect();
+    let power = |axis: usize| {
+        let coordinates: Vec<f64> = points.iter().map(|p| p[axis]).collect();
         // Whole multiples of decimals are decimals: no noise in the last digits.
-        let decimals = p.iter().map(|&x| decimals_of(x)).max().unwrap_or(0);
-        crate::power::coefficients(p).map(|c| {
-            if decimals <= 12 && matches!(segment, PathSeg::Cubic(_)) {
+        let decimals = coordinates
+            .iter()
+            .map(|&x| decimals_of(x))
+            .max()
+            .unwrap_or(0);
+        power::coefficients(&coordinates).map(|c| {
+            if decimals <= 12 {
                 round(c, decimals)
             } else {
                 c
             }
         })
     };
-    let [p0, p1, p2, p3] = [cubic.p0, cubic.p1, cubic.p2, cubic.p3];
     SegmentDocument {
-        points: control_points(segment).into_iter().map(pair).collect(),
-        angles,
         power: PowerDocument {
-            x: power([p0.x, p1.x, p2.x, p3.x]),
-            y: power([p0.y, p1.y, p2.y, p3.y]),
+            x: power(0),
+            y: power(1),
         },
+        points,
+        angles,
     }
 }
 

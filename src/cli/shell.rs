@@ -1,0 +1,58 @@
+//! `completions` and `man`.
+
+use std::fs;
+use std::path::Path;
+use std::process::ExitCode;
+
+use anyhow::Context;
+use clap::{Command, CommandFactory};
+
+use super::Outcome;
+use super::args::{Cli, CompletionsArgs, ManArgs};
+use super::failure::Failure;
+use super::output::{Target, write_file};
+
+pub(super) fn completions(args: &CompletionsArgs) -> Outcome {
+    let mut command = Cli::command();
+    let name = command.get_name().to_owned();
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut command, name, &mut script);
+    Target::Stdout.write(&script)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+pub(super) fn man(args: &ManArgs) -> Outcome {
+    let mut command = Cli::command();
+    command.build();
+    match &args.out_dir {
+        Some(folder) => write_pages(&command, folder)?,
+        None => Target::Stdout.write(&page(&command)?)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Writes a page for the program and one for every command.
+fn write_pages(program: &Command, folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder)
+        .with_context(|| format!("cannot make the folder {}", folder.display()))?;
+    for command in std::iter::once(program).chain(
+        program
+            .get_subcommands()
+            .filter(|command| command.get_name() != "help"),
+    ) {
+        let name = command
+            .get_display_name()
+            .unwrap_or(command.get_name())
+            .to_owned();
+        let path = folder.join(format!("{name}.1"));
+        write_file(&path, &page(command)?)
+            .with_context(|| format!("cannot write {}", path.display()))?;
+    }
+    Ok(())
+}
+
+fn page(command: &Command) -> Result<Vec<u8>, Failure> {
+    let mut page = Vec::new();
+    clap_mangen::Man::new(command.clone()).render(&mut page)?;
+    Ok(page)
+}
