@@ -161,14 +161,14 @@ impl Truth {
             ));
         }
         let (radii, rotation) = kurbo::Ellipse::from_affine(placement).radii_and_rotation();
-        let flat = Error::Shape(
-            "the transform flattens the shape to a line: nothing is left to draw".to_owned(),
-        );
-        if radii.y <= f64::EPSILON * radii.x {
-            return Err(flat);
+        let larger = positive("scale of the transform", radii.x.max(radii.y))?;
+        // By the area, because the singular values' own formula cancels for flat ellipses.
+        let smaller = placement.determinant().abs() / larger;
+        if smaller <= f64::EPSILON * larger {
+            let message = "the transform flattens the shape to a line: nothing is left to draw";
+            return Err(Error::Shape(message.to_owned()));
         }
-        positive("scale of the transform", radii.x)?;
-        positive("scale of the transform", radii.y)?;
+        let radii = positive_radii(Vec2::new(larger, smaller))?;
         Ok(Self {
             center,
             radii,
@@ -326,14 +326,23 @@ fn finite_point(what: &'static str, p: Point) -> Result<Point> {
     Ok(Point::new(finite(what, p.x)?, finite(what, p.y)?))
 }
 
+/// How many times one radius may be the other: beyond, an ellipse in double precision is a line.
+const FLATTEST: f64 = 1e12;
+
 fn positive_radii(radii: Vec2) -> Result<Vec2> {
     let what = if radii.x == radii.y {
         "radius"
     } else {
         "radii"
     };
-    Ok(Vec2::new(
-        positive(what, radii.x)?,
-        positive(what, radii.y)?,
-    ))
+    let radii = Vec2::new(positive(what, radii.x)?, positive(what, radii.y)?);
+    let (small, large) = (radii.x.min(radii.y), radii.x.max(radii.y));
+    if large > FLATTEST * small {
+        let message = format!(
+            "an ellipse with the radii {} and {} is too flat: one radius may be up to {FLATTEST:e} of the other",
+            radii.x, radii.y
+        );
+        return Err(Error::Shape(message));
+    }
+    Ok(radii)
 }

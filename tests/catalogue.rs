@@ -39,9 +39,9 @@ fn every_method_gives_its_reference_values() {
             let piece = method.piece(&span).unwrap();
             let error = method.radial_error(&span).unwrap();
             let close = |ours: f64, theirs: f64, what: &str| {
-                let off = (ours - theirs).abs() / theirs.abs();
+                let off = (ours - theirs).abs();
                 assert!(
-                    off <= 2e-15,
+                    off <= 2e-15 * theirs.abs(),
                     "{id} at {angle}: {what} {ours} against {theirs}"
                 );
             };

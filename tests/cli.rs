@@ -56,7 +56,7 @@ fn the_default_circle() {
     let peak = json(&["circle", "1"])["error"]["relative_peak"]
         .as_f64()
         .unwrap();
-    assert!((peak - 1.9607647e-4).abs() < 1e-9 * 1.9607647e-4 + 5e-12);
+    assert!((peak - 1.960_764_7e-4).abs() < 1e-9 * 1.960_764_7e-4 + 5e-12);
 }
 
 #[test]

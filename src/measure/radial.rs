@@ -191,63 +191,49 @@ struct Nearest {
     outward: Vec2,
 }
 
-/// The nearest point of the ellipse x²/a² + y²/b² = 1, by the root of (ax/(a²+s))² + (by/(b²+s))² = 1, at which the nearest
-/// point is (a²x/(a²+s), b²y/(b²+s)) (Eberly, "Distance from a point to an ellipse"): the left side falls and is convex, so that
-/// Newton's method converges from its left for every point.
+/// The most steps of Newton's method; beside the evolute's cusp the start may be off by a factor of 1e8, and each step gains half.
+const MOST_STEPS: usize = 100;
+
+/// The nearest point of the ellipse x²/a² + y²/b² = 1 with a >= b. It is (a²x/(a²+s), b²y/(b²+s)) with s the largest root of
+/// (ax/(a²+s))² + (by/(b²+s))² = 1 (Eberly, "Distance from a Point to an Ellipse"), and the arm from there to the point is s times
+/// (x/(a²+s), y/(b²+s)). The left side falls and is convex, so that Newton's method converges from the left of the root.
+/// The unknown here is w = b² + s, which keeps its digits where s nears the pole, close to the long axis.
 fn nearest(truth: &Truth, p: Point) -> Nearest {
     let offset = p - truth.center;
     let axis = truth.axis;
     let own = Vec2::new(offset.dot(axis), axis.cross(offset));
     let scale = truth.larger_radius();
-    let (a, b) = (truth.radii.x / scale, truth.radii.y / scale);
-    let (x, y) = (own.x.abs() / scale, own.y.abs() / scale);
-    let (aa, bb) = (a * a, b * b);
-    let least = (a * x - aa).max(b * y - bb);
-    let mut s = least;
-    let gap = |s: f64| (a * x / (aa + s)).powi(2) + (b * y / (bb + s)).powi(2) - 1.0;
-    // From 0, where a nearby point's root is, one step leads to the left of the root or beyond `least`.
-    let mut candidate = 0.0_f64.max(least);
-    for _ in 0..64 {
-        let (u, v) = (aa + candidate, bb + candidate);
-        if u <= 0.0 || v <= 0.0 {
-            break;
-        }
-        let slope = -2.0 * ((a * x).powi(2) / (u * u * u) + (b * y).powi(2) / (v * v * v));
-        let next = (candidate - gap(candidate) / slope).max(least);
-        let done = (next - candidate).abs() <= f64::EPSILON * next.abs().max(f64::MIN_POSITIVE);
-        candidate = next;
-        s = candidate;
-        if done || slope == 0.0 {
+    let swap = truth.radii.x < truth.radii.y;
+    let in_order = |v: Vec2| if swap { Vec2::new(v.y, v.x) } else { v };
+    let Vec2 { x: a, y: b } = in_order(truth.radii) / scale;
+    let Vec2 { x, y } = in_order(own) / scale;
+    // On an axis the root lies at a pole; beside it, it does not.
+    let (x, y) = (x.abs().max(1e-150), y.abs().max(1e-150));
+    let apart = (a - b) * (a + b);
+    let (ax, by) = (a * x, b * y);
+    let least = by.max(ax - apart);
+    // Close to the ellipse s is about 0; one step from there leads to the left of the root, or beyond `least`.
+    let mut w = least.max(b * b);
+    for _ in 0..MOST_STEPS {
+        let (u, v) = (ax / (w + apart), by / w);
+        let step = (u * u + v * v - 1.0) / (2.0 * (u * u / (w + apart) + v * v / w));
+        let next = (w + step).max(least);
+        let change = (next - w).abs();
+        w = next;
+        if change <= f64::EPSILON * w {
             break;
         }
     }
-    let direction = if aa + s > 0.0 && bb + s > 0.0 {
-        Vec2::new(x / (aa + s), y / (bb + s))
-    } else {
-        on_the_evolute(aa, bb, x, y, s)
-    };
-    let length = direction.hypot();
-    let unit = direction / length;
+    let arm = Vec2::new(x / (w + apart), y / w);
+    let length = arm.hypot();
+    let unit = in_order(arm / length);
     let outward = Vec2::new(unit.x.copysign(own.x), unit.y.copysign(own.y));
     let outward = Vec2::new(
         outward.x * axis.x - outward.y * axis.y,
         outward.x * axis.y + outward.y * axis.x,
     );
     Nearest {
-        distance: s * length * scale,
+        distance: (w - b * b) * length * scale,
         outward,
     }
-}
-
-/// The normal's direction, times 1/|s| of the distance, for a point on an axis so far inside that two points are nearest.
-fn on_the_evolute(aa: f64, bb: f64, x: f64, y: f64, s: f64) -> Vec2 {
-    // On the long axis the foot is (aa x/(aa-bb), ...), on the short one it is the mirror case; in the centre the near vertex.
-    let long = if aa > bb { x * aa / (aa - bb) } else { 0.0 };
-    let short = if bb > aa { y * bb / (bb - aa) } else { 0.0 };
-    let foot = if aa > bb {
-        Vec2::new(long, (bb * (1.0 - long * long / aa).max(0.0)).sqrt())
-    } else {
-        Vec2::new((aa * (1.0 - short * short / bb).max(0.0)).sqrt(), short)
-    };
-    (foot - Vec2::new(x, y)) / -s
 }

@@ -3,7 +3,7 @@
 use kurbo::{Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
-use super::{Arc, Line, Shape, finite_point};
+use super::{Arc, Line, Shape, finite_point, positive_radii};
 use crate::angle::Angle;
 use crate::error::{Error, Result, finite};
 use crate::write::number::{decimals_of, round};
@@ -31,7 +31,7 @@ impl SvgArc {
     ///
     /// # Errors
     ///
-    /// Where a number is not finite or too large.
+    /// Where a number is not finite or too large, or the ellipse too flat.
     pub fn shape(&self) -> Result<Shape> {
         let from = finite_point("start point", self.from)?;
         let to = finite_point("end point", self.to)?;
@@ -89,7 +89,7 @@ impl SvgArc {
         };
         Ok(Shape::Arc(Arc {
             center,
-            radii,
+            radii: positive_radii(radii)?,
             rotation: self.rotation,
             start: Angle::from_radians(start.y.atan2(start.x)),
             sweep: Angle::from_degrees(sign * sweep),

@@ -123,16 +123,17 @@ fn nearest(point: &Point, a: &Real, b: &Real) -> (Real, Point) {
     let y = max(abs(&point[1]), b * &tiny);
     let (a2, b2) = (a * a, b * b);
     let (ax, by) = (a * &x, b * &y);
-    let enough = power_of_two(-110) * max(a2.clone(), b2.clone());
+    // Measured from the poles: beside one the steps start tiny and grow by half each.
+    let enough = power_of_two(-110);
     let mut m = max(&ax - &a2, &by - &b2);
     for _ in 0..400 {
         let (p, q) = (&m + &a2, &m + &b2);
         let (u, v) = (&ax / &p, &by / &q);
         let (u2, v2) = (&u * &u, &v * &v);
         let excess = &u2 + &v2 - int(1);
-        let step = excess / ((u2 / p + v2 / q) * int(2));
+        let step = excess / ((u2 / &p + v2 / &q) * int(2));
         m += &step;
-        if abs(&step) <= enough {
+        if abs(&step) <= &p * &enough && abs(&step) <= &q * &enough {
             break;
         }
     }
