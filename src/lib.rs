@@ -1,4 +1,21 @@
 //! Circles, ellipses and arcs as Bézier curves, with the error of what was drawn.
+//!
+//! ```
+//! use curveto::{Circle, Method, Options, Rule, Shape, approximate};
+//! use curveto::write::path;
+//!
+//! let circle = Shape::Circle(Circle::new((0.0, 0.0), 50.0)?);
+//! let drawing = approximate(&circle, &Options { rule: Rule::Method(Method::Minimax), ..Options::default() })?;
+//! assert!(path::data([&drawing.curve], false).starts_with("M50 0C50 27.596 27.596 50 0 50C"));
+//! println!("within {} of the true circle", drawing.error.peak());
+//! # Ok::<(), curveto::Error>(())
+//! ```
+//!
+//! The data go one way: a [`Shape`] is a piece of the unit circle and an affine placement; [`joints`] cut the piece; a [`Method`]
+//! turns each cut into control points; [`approximate()`] places them as a [`Curve`] and measures it; [`write`](mod@write) knows the
+//! formats. [`measure`] reads finished curves only, so that it judges any method and any rounding.
+//!
+//! Lengths are in user units, angles are [`Angle`]s; positive ones turn from +x towards +y.
 
 pub mod angle;
 pub mod approximate;
@@ -20,3 +37,7 @@ pub use joints::{Cut, Tolerance};
 pub use measure::RadialError;
 pub use method::{Method, Rule};
 pub use shape::{Arc, Circle, Ellipse, Shape};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
