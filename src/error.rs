@@ -33,6 +33,14 @@ pub enum Error {
         /// The value that was given.
         value: f64,
     },
+    /// A length so small that its square vanishes in `f64`.
+    #[error("the {what} {value:e} is too small: lengths must be at least 1e-100")]
+    TooSmall {
+        /// The name of the length.
+        what: &'static str,
+        /// The value that was given.
+        value: f64,
+    },
     /// No method of that name.
     #[error("unknown method '{name}'")]
     UnknownMethod {
@@ -115,12 +123,14 @@ impl Error {
     }
 }
 
-/// `value` if it is positive and finite and small enough that its square is finite.
+/// `value` if it is positive and finite, and neither it nor its square leaves the range of `f64`.
 pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64> {
-    if value.is_finite() && value > 0.0 {
-        bounded(what, value)
-    } else {
+    if !value.is_finite() || value <= 0.0 {
         Err(Error::NotPositive { what, value })
+    } else if value < SMALLEST {
+        Err(Error::TooSmall { what, value })
+    } else {
+        bounded(what, value)
     }
 }
 
@@ -135,6 +145,9 @@ pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64> {
 
 /// The largest coordinate that the geometry takes: squares and cubes of ratios stay finite below it.
 const LARGEST: f64 = 1e150;
+
+/// The smallest length that the geometry takes, for the same reason.
+const SMALLEST: f64 = 1e-100;
 
 fn bounded(what: &'static str, value: f64) -> Result<f64> {
     if value.abs() < LARGEST {

@@ -220,6 +220,7 @@ fn impossible_requests_say_why_and_what_would_do() {
         (&["circle", "0"], "positive"),
         (&["ellipse", "3", "-2"], "positive"),
         (&["circle", "1e200"], "large"),
+        (&["circle", "1e-200"], "small"),
         (&["circle", "five"], "number"),
         (&["circle", "5", "-n", "0"], "segments"),
         (&["circle", "5", "-n", "1"], "180"),
