@@ -2,10 +2,15 @@
 //!
 //! A writer sees a [`Figure`], whose points are already rounded, and knows no method.
 
+mod deviation;
 pub mod json;
 pub mod number;
 pub mod path;
+pub mod png;
 pub mod postscript;
+pub mod scene;
+pub mod style;
+pub mod svg;
 
 use core::fmt;
 use core::str::FromStr;
@@ -13,9 +18,11 @@ use core::str::FromStr;
 use kurbo::Rect;
 
 use crate::approximate::Drawing;
-use crate::curve::{Curve, control_points};
+use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::shape::{Outline, Shape};
+use scene::Scene;
+use style::Style;
 
 /// An output format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -58,6 +65,12 @@ impl Format {
             Self::Json => "json",
             Self::Png => "png",
         }
+    }
+
+    /// Whether it is a picture, which has colours and widths, rather than data.
+    #[must_use]
+    pub const fn is_picture(self) -> bool {
+        matches!(self, Self::Svg | Self::Eps | Self::Png)
     }
 
     /// Whether closed shapes start at 180 degrees and run in the negative direction, as Lancaster's `drawellipse` does.
@@ -119,22 +132,61 @@ impl Figure {
         self.layers.iter().flat_map(|layer| &layer.curves)
     }
 
-    /// The smallest rectangle around the curves, and around their control points too where those are shown.
+    /// The smallest rectangle around the curves themselves, not their control points.
     #[must_use]
-    pub fn bounding_box(&self, with_handles: bool) -> Option<Rect> {
-        let own = self
-            .curves()
+    pub fn bounding_box(&self) -> Option<Rect> {
+        self.curves()
             .filter_map(Curve::bounding_box)
-            .reduce(|a, b| a.union(b))?;
-        if !with_handles {
-            return Some(own);
-        }
-        let points = self
-            .curves()
-            .flat_map(|curve| &curve.segments)
-            .flat_map(control_points);
-        Some(points.fold(own, |bounds, p| bounds.union_pt(p)))
+            .reduce(|a, b| a.union(b))
     }
+
+    /// The description, and how what is shown is to be read.
+    fn told(&self, style: &Style) -> String {
+        match style.show.error {
+            Some(factor) if !self.truths.is_empty() => format!(
+                "{}; deviation drawn {} times as large",
+                self.description,
+                number::text(factor)
+            ),
+            _ => self.description.clone(),
+        }
+    }
+}
+
+/// The figure in a format; the style tells how pictures look.
+///
+/// # Errors
+///
+/// Where the picture cannot be made ([`Error::Picture`]), and for JSON, which tells what was asked and not only what was drawn:
+/// [`json`] forms it from a [`Drawing`].
+///
+/// ```
+/// use curveto::write::{Figure, Format, style::Style, write};
+/// use curveto::{Circle, Options, Shape, approximate};
+/// let circle = Shape::Circle(Circle::new((0.0, 0.0), 50.0)?);
+/// let figure = Figure::from(&approximate(&circle, &Options::default())?);
+/// let svg = String::from_utf8_lossy(&write(&figure, Format::Svg, &Style::default())?).into_owned();
+/// assert!(svg.contains(r##"<path d="M50 0C"##));
+/// # Ok::<(), curveto::Error>(())
+/// ```
+pub fn write(figure: &Figure, format: Format, style: &Style) -> Result<Vec<u8>> {
+    let scene = || Scene::new(figure, style);
+    let text = match format {
+        Format::Path => path::data(figure.curves(), style.relative) + "\n",
+        Format::Ps => postscript::operators(figure.curves()),
+        Format::Svg => svg::document(
+            &scene()?,
+            &figure.title,
+            &figure.told(style),
+            style.relative,
+        ),
+        Format::Eps => postscript::encapsulated(&scene()?, &figure.title, &figure.told(style))?,
+        Format::Png => return png::encode(&scene()?),
+        Format::Json => {
+            return Err(Error::Picture("a figure alone has no JSON form".to_owned()));
+        }
+    };
+    Ok(text.into_bytes())
 }
 
 impl From<&Drawing> for Figure {

@@ -2,6 +2,7 @@
 
 mod approximation;
 mod output;
+mod picture;
 pub(crate) mod shape;
 mod values;
 

@@ -2,15 +2,16 @@
 
 use std::process::ExitCode;
 
-use curveto::approximate::{Drawing, Options, approximate};
+use curveto::approximate::{Options, approximate};
 use curveto::write::number::Precision;
-use curveto::write::{Figure, Format, json, path, postscript};
+use curveto::write::{Figure, Format, json};
 use curveto::{Angle, Cut};
 
 use super::Outcome;
 use super::args::shape::{Direction, ShapeWords};
 use super::args::{ApproximationArgs, ArcShape, CircleShape, Draw, EllipseShape, OutputArgs};
 use super::failure::Failure;
+use super::output::write_figure;
 
 pub(super) fn circle(args: &Draw<CircleShape>) -> Outcome {
     draw(&args.shape, &args.approximation, &args.output)
@@ -52,7 +53,8 @@ fn draw(
     if shape.open() {
         drawing.curve.closed = false;
     }
-    output.target().write(&bytes(&drawing, format, output)?)?;
+    let json = || Ok(json::to_string(&json::DrawingDocument::from(&drawing))?);
+    write_figure(&Figure::from(&drawing), json, format, output)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -70,16 +72,4 @@ fn cut(shape: &impl ShapeWords, approximation: &ApproximationArgs) -> Result<Cut
         joints.rotate_left(first);
     }
     Ok(cut)
-}
-
-/// The drawing in its format.
-fn bytes(drawing: &Drawing, format: Format, output: &OutputArgs) -> Result<Vec<u8>, Failure> {
-    let text = match format {
-        Format::Path => path::data([&drawing.curve], output.relative) + "\n",
-        Format::Ps => postscript::operators([&drawing.curve]),
-        Format::Eps => postscript::encapsulated(&Figure::from(drawing), 1.0),
-        Format::Json => json::to_string(&json::DrawingDocument::from(drawing))? + "\n",
-        _ => return Err(Failure::request("not yet")),
-    };
-    Ok(text.into_bytes())
 }

@@ -1,11 +1,13 @@
 //! Where output goes: standard output, or a file that is either whole and new or untouched.
 
 use std::fs::{self, File, Permissions};
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
+use curveto::write::{Figure, Format};
 
+use super::args::OutputArgs;
 use super::failure::Failure;
 
 /// Where output goes.
@@ -15,6 +17,28 @@ pub(crate) enum Target {
     Stdout,
     /// A file.
     File(PathBuf),
+}
+
+/// Writes a figure in its format, JSON from `json`.
+pub(crate) fn write_figure(
+    figure: &Figure,
+    json: impl FnOnce() -> Result<String, Failure>,
+    format: Format,
+    args: &OutputArgs,
+) -> Result<(), Failure> {
+    let style = args.style(format)?;
+    let target = args.target();
+    if format == Format::Png && target == Target::Stdout && io::stdout().is_terminal() {
+        return Err(Failure::request_with_hint(
+            "a png file is not for a terminal",
+            "name a file with -o FILE.png, or redirect standard output",
+        ));
+    }
+    let bytes = match format {
+        Format::Json => (json()? + "\n").into_bytes(),
+        _ => curveto::write::write(figure, format, &style)?,
+    };
+    target.write(&bytes)
 }
 
 impl Target {

@@ -184,11 +184,11 @@ fn sign_changes(coefficients: &[f64]) -> Parameters {
 }
 
 /// The nearest point of an ellipse, told by what is needed of it.
-struct Nearest {
+pub(crate) struct Nearest {
     /// Positive outside.
-    distance: f64,
+    pub(crate) distance: f64,
     /// The unit normal there, outward.
-    outward: Vec2,
+    pub(crate) outward: Vec2,
 }
 
 /// The most steps of Newton's method; beside the evolute's cusp the start may be off by a factor of 1e8, and each step gains half.
@@ -198,7 +198,7 @@ const MOST_STEPS: usize = 100;
 /// (ax/(a²+s))² + (by/(b²+s))² = 1 (Eberly, "Distance from a Point to an Ellipse"), and the arm from there to the point is s times
 /// (x/(a²+s), y/(b²+s)). The left side falls and is convex, so that Newton's method converges from the left of the root.
 /// The unknown here is w = b² + s, which keeps its digits where s nears the pole, close to the long axis.
-fn nearest(truth: &Truth, p: Point) -> Nearest {
+pub(crate) fn nearest(truth: &Truth, p: Point) -> Nearest {
     let offset = p - truth.center;
     let axis = truth.axis;
     let own = Vec2::new(offset.dot(axis), axis.cross(offset));

@@ -137,6 +137,25 @@ pub fn significant(x: f64, digits: u8) -> String {
     String::from_utf8_lossy(&out).into_owned()
 }
 
+/// The number nearest to `x`, by ratio, that is a 1, 2 or 5 with zeros; 1 where `x` is not positive and finite.
+#[must_use]
+pub fn round_one_two_five(x: f64) -> f64 {
+    if !(x.is_finite() && x > 0.0) {
+        return 1.0;
+    }
+    let exponent = x.log10().floor() as i32;
+    // One rounding only: 10^22 and less are exact.
+    let scaled = |digit: f64| match exponent {
+        0.. => digit * 10_f64.powi(exponent),
+        _ => digit / 10_f64.powi(-exponent),
+    };
+    [1.0, 2.0, 5.0, 10.0]
+        .map(scaled)
+        .into_iter()
+        .min_by(|a, b| (a / x).ln().abs().total_cmp(&(b / x).ln().abs()))
+        .unwrap_or(1.0)
+}
+
 /// `digits` times 10^-`exponent` in plain notation; `digits` has one digit before its point, if any.
 fn push_tiny(out: &mut Vec<u8>, digits: &str, exponent: usize) {
     if digits.starts_with('-') {

@@ -1,11 +1,13 @@
 //! PostScript: path operators, Encapsulated PostScript, and Lancaster's procedures.
 
 use kurbo::{PathSeg, Point, Rect};
+use svgtypes::Color;
 
-use super::Figure;
-use super::number::{push_shortest, significant};
+use super::number::{Precision, push_shortest, significant, text};
+use super::scene::{Group, Pen, Scene};
+use super::style::Paint;
 use crate::curve::Curve;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::method::{Method, Rule, Span};
 
 /// The operators of one or more curves, one a line; quadratics are raised to cubics exactly.
@@ -46,40 +48,97 @@ fn push_line(out: &mut Vec<u8>, points: &[Point], operator: &str) {
     out.push(b'\n');
 }
 
-/// A whole EPSF-3.0 file that strokes the figure with a line of this width.
-#[must_use]
-pub fn encapsulated(figure: &Figure, stroke_width: f64) -> String {
-    let own = figure.bounding_box(false).unwrap_or(Rect::ZERO);
-    let bounds = own.inflate(stroke_width / 2.0, stroke_width / 2.0);
-    let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
-    let whole = [
-        bounds.x0.floor(),
-        bounds.y0.floor(),
-        bounds.x1.ceil(),
-        bounds.y1.ceil(),
-    ];
-    let list = |numbers: [f64; 4]| numbers.map(|n| significant(n, 9)).join(" ");
-    let mut text = format!(
-        "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: {}\n%%HiResBoundingBox: {}\n%%Title: {}\n%%Creator: curveto\n%%Pages: 1\n%%EndComments\n%%Page: 1 1\ngsave\n% {}\n{} setlinewidth\n",
-        list(whole),
-        list(corners),
-        ascii(&figure.title),
-        ascii(&figure.description),
-        significant(stroke_width, 9),
-    );
-    for layer in &figure.layers {
-        if layer.dashed {
-            let dash = significant(3.0 * stroke_width, 9);
-            text += &["gsave [", &dash, " ", &dash, "] 0 setdash\n"].concat();
-        }
-        text += "newpath\n";
-        text += &operators(&layer.curves);
-        text += "stroke\n";
-        if layer.dashed {
-            text += "grestore\n";
-        }
+/// A whole EPSF-3.0 file. Where a size was asked for, it is in points; else the file is as large as its coordinates.
+///
+/// # Errors
+///
+/// Where a colour is translucent, which PostScript cannot paint.
+pub fn encapsulated(scene: &Scene, title: &str, description: &str) -> Result<String> {
+    let canvas = scene.canvas();
+    let (bounds, scale) = match scene.size {
+        Some([width, height]) => (Rect::new(0.0, 0.0, width, height), width / canvas.width()),
+        None => (canvas, 1.0),
+    };
+    let mut text = header(bounds, title, description);
+    if scene.size.is_some() {
+        let origin = canvas.origin().to_vec2() * -scale;
+        let [x, y, scale] = [origin.x, origin.y, scale].map(number);
+        text += &[&x, &y, "translate", &scale, "dup scale\n"].join(" ");
     }
-    text + "grestore\nshowpage\n%%EOF\n"
+    if let Some(color) = scene.background.and_then(Paint::visible) {
+        let area = Curve {
+            segments: kurbo::Shape::path_segments(&canvas, 0.0).collect(),
+            closed: true,
+        };
+        text += &operators([&area]);
+        text += &(set_color(color)? + "fill\n");
+    }
+    for group in &scene.groups {
+        text += &paint_group(group, scene)?;
+    }
+    Ok(text + "grestore\nshowpage\n%%EOF\n")
+}
+
+fn header(bounds: Rect, title: &str, description: &str) -> String {
+    let Rect { x0, y0, x1, y1 } = bounds;
+    let list = |corners: [f64; 4]| corners.map(number).join(" ");
+    format!(
+        "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: {}\n%%HiResBoundingBox: {}\n%%Title: {}\n%%Creator: curveto\n%%Pages: 1\n\
+         %%EndComments\n%%Page: 1 1\n% {}\ngsave\n1 setlinejoin\n",
+        list([x0.floor(), y0.floor(), x1.ceil(), y1.ceil()]),
+        list([x0, y0, x1, y1]),
+        ascii(title),
+        ascii(description),
+    )
+}
+
+fn paint_group(group: &Group, scene: &Scene) -> Result<String> {
+    let Pen { dash, fill, .. } = group.pen;
+    let mut text = "gsave\n".to_owned();
+    let mut paint = String::new();
+    if let Some(color) = fill.visible() {
+        paint = set_color(color)? + "fill\n";
+    }
+    if let Some((color, width)) = group.pen.visible_stroke() {
+        if !paint.is_empty() {
+            paint = ["gsave\n", &paint, "grestore\n"].concat();
+        }
+        paint += &(set_color(color)? + "stroke\n");
+        text += &(number(width) + " setlinewidth\n");
+    }
+    if let Some(dash) = dash {
+        text += &["[", &number(dash), "] 0 setdash\n"].concat();
+    }
+    // Painting starts a new path; where nothing is painted, that has to be said.
+    if paint.is_empty() {
+        paint += "newpath\n";
+    }
+    for mark in &group.marks {
+        text += &operators([&scene.curve(mark)?]);
+        text += &paint;
+    }
+    Ok(text + "grestore\n")
+}
+
+fn set_color(color: Color) -> Result<String> {
+    if color.alpha < 255 {
+        return Err(Error::Picture(
+            "PostScript has no translucent colours: an eps file takes opaque ones".to_owned(),
+        ));
+    }
+    let rgb = [color.red, color.green, color.blue];
+    let [red, green, blue] =
+        rgb.map(|byte| text(Precision::Fixed(4).round(f64::from(byte) / 255.0)));
+    Ok(if red == green && green == blue {
+        red + " setgray\n"
+    } else {
+        [&red, &green, &blue, "setrgbcolor\n"].join(" ")
+    })
+}
+
+/// A number of the frame around the curves.
+fn number(x: f64) -> String {
+    significant(x, 12)
 }
 
 /// The text with everything that a DSC comment cannot hold replaced.
@@ -115,7 +174,7 @@ pub fn procset(rule: Rule) -> Result<String> {
     let error = rule.radial_error(&Span::from_degrees(90.0))?;
     Ok(PROCSET
         .replace("@METHOD@", rule.id())
-        .replace("@MAGIC@", &super::number::text(piece.handle.y))
+        .replace("@MAGIC@", &text(piece.handle.y))
         .replace("@PEAK@", &significant(error.peak(), 4)))
 }
 

@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use curveto::write::Format;
+use curveto::write::style::Style;
 use kurbo::Affine;
 
+use super::picture::PictureArgs;
 use super::values;
 use crate::cli::failure::Failure;
 use crate::cli::output::Target;
@@ -27,7 +29,9 @@ pub(crate) struct OutputArgs {
     transform: Option<Affine>,
     /// Relative path commands (path, svg)
     #[arg(long)]
-    pub(crate) relative: bool,
+    relative: bool,
+    #[command(flatten)]
+    picture: PictureArgs,
 }
 
 /// Decimals, or `None` for auto.
@@ -63,6 +67,27 @@ impl OutputArgs {
             ));
         }
         Ok(extension.parse().unwrap_or_default())
+    }
+
+    /// How pictures are to look, where the format can do what was asked for.
+    pub(crate) fn style(&self, format: Format) -> Result<Style, Failure> {
+        if self.relative && !matches!(format, Format::Path | Format::Svg) {
+            return Err(Failure::request_with_hint(
+                format!(
+                    "--relative says nothing in the format {format}, which has no path commands of SVG"
+                ),
+                "leave it out, or take -f path or -f svg",
+            ));
+        }
+        match self.picture.given() {
+            Some(option) if !format.is_picture() => Err(Failure::request_with_hint(
+                format!(
+                    "{option} says nothing in the format {format}, which is data and no picture"
+                ),
+                "leave it out, or take a picture: -f svg, -f eps or -f png, or -o with such an extension",
+            )),
+            _ => Ok(self.picture.style(self.relative)),
+        }
     }
 
     /// The decimals that were asked for.

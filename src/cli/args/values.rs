@@ -54,6 +54,14 @@ pub(super) fn pixels(text: &str) -> Read<[f64; 2]> {
     Ok([side(width)?, side(height)?])
 }
 
+/// A length that is not negative.
+pub(super) fn length(text: &str) -> Read<f64> {
+    match number(text)? {
+        length if length.is_finite() && length >= 0.0 => Ok(length),
+        _ => Err("a length is a finite number of user units, at least 0".to_owned()),
+    }
+}
+
 pub(super) fn tolerance(text: &str) -> Read<Tolerance> {
     let tolerance = match text.trim().strip_suffix('%') {
         Some(percent) => Tolerance::Relative(number(percent)? / 100.0),

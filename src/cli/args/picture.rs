@@ -1,0 +1,67 @@
+//! The words for pictures.
+
+use clap::Args;
+use curveto::write::style::{Paint, Show, Shown, Style};
+
+use super::values;
+
+/// How svg, eps and png look.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Pictures (svg, eps, png)")]
+pub(crate) struct PictureArgs {
+    /// Size: pixels in png and svg, points in eps; the drawing fits into its middle [default: in png 512 on the larger side]
+    #[arg(long, value_name = "WxH", value_parser = values::pixels)]
+    size: Option<[f64; 2]>,
+    /// Colour of the curve: a CSS colour or none [default: black]
+    #[arg(long, value_name = "COLOR")]
+    stroke: Option<Paint>,
+    /// Width of the stroke in user units [default: about 1 % of the larger side]
+    #[arg(long, value_name = "W", value_parser = values::length, allow_hyphen_values = true)]
+    stroke_width: Option<f64>,
+    /// Colour of the inside: a CSS colour or none [default: none]
+    #[arg(long, value_name = "COLOR")]
+    fill: Option<Paint>,
+    /// Colour beneath everything: a CSS colour or none [default: white in png, else none]
+    #[arg(long, value_name = "COLOR")]
+    background: Option<Paint>,
+    /// Free space around all that is drawn, strokes included, in user units [default: 0, with --show about 2 % of the larger side]
+    #[arg(long, value_name = "M", value_parser = values::length, allow_hyphen_values = true)]
+    margin: Option<f64>,
+    /// Show with the curve any of joints, handles, truth (the true shape beneath), error=K (the deviation drawn K times as large)
+    #[arg(long, value_name = "WHAT,...", value_delimiter = ',')]
+    show: Vec<Shown>,
+}
+
+impl PictureArgs {
+    /// How the picture is to look.
+    pub(super) fn style(&self, relative: bool) -> Style {
+        let default = Style::default();
+        let mut show = Show::default();
+        show.extend(self.show.iter().copied());
+        Style {
+            size: self.size,
+            stroke: self.stroke.unwrap_or(default.stroke),
+            stroke_width: self.stroke_width,
+            fill: self.fill.unwrap_or(default.fill),
+            background: self.background,
+            margin: self.margin,
+            show,
+            relative,
+        }
+    }
+
+    /// The first option that was given.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        [
+            (self.size.is_some(), "--size"),
+            (self.stroke.is_some(), "--stroke"),
+            (self.stroke_width.is_some(), "--stroke-width"),
+            (self.fill.is_some(), "--fill"),
+            (self.background.is_some(), "--background"),
+            (self.margin.is_some(), "--margin"),
+            (!self.show.is_empty(), "--show"),
+        ]
+        .into_iter()
+        .find_map(|(given, name)| given.then_some(name))
+    }
+}

@@ -1,0 +1,125 @@
+//! PNG previews, which draw the emitted Béziers themselves.
+
+use kurbo::{Affine, PathSeg, Point};
+use svgtypes::Color;
+use tiny_skia::{
+    FillRule, LineJoin, Paint as Ink, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
+};
+
+use super::scene::{Pen, Scene};
+use super::style::Paint;
+use crate::curve::Curve;
+use crate::error::{Error, Result};
+
+/// The pixels on the larger side where no size is asked for.
+const LARGER_SIDE: f64 = 512.0;
+/// The most pixels that a picture may have.
+const MOST_PIXELS: f64 = 1e8;
+
+/// The picture as a PNG file.
+///
+/// # Errors
+///
+/// Where it would have more than 10^8 pixels; nothing is allocated then.
+pub fn encode(scene: &Scene) -> Result<Vec<u8>> {
+    let canvas = scene.canvas();
+    let [width, height] = pixels(scene)?;
+    let mut pixmap =
+        Pixmap::new(width, height).ok_or_else(|| too_large(width.into(), height.into()))?;
+    if let Some(color) = scene.background.unwrap_or(Paint::WHITE).visible() {
+        pixmap.fill(skia_color(color));
+    }
+    let scale = (f64::from(width) / canvas.width()).min(f64::from(height) / canvas.height());
+    let to_pixels = Affine::translate((f64::from(width) / 2.0, f64::from(height) / 2.0))
+        * Affine::scale(scale)
+        * Affine::translate(-canvas.center().to_vec2());
+    for group in &scene.groups {
+        for mark in &group.marks {
+            // In `f64`, so that a small shape far from the origin keeps its digits.
+            let curve = scene.curve(mark)?.transformed(to_pixels);
+            if let Some(path) = skia_path(&curve) {
+                draw(&mut pixmap, &path, &group.pen, scale);
+            }
+        }
+    }
+    pixmap
+        .encode_png()
+        .map_err(|error| Error::Picture(format!("the picture cannot be encoded: {error}")))
+}
+
+/// Width and height in pixels.
+fn pixels(scene: &Scene) -> Result<[u32; 2]> {
+    let [width, height] = scene.size.unwrap_or_else(|| {
+        let (width, height) = (scene.view.width(), scene.view.height());
+        let scale = LARGER_SIDE / width.max(height);
+        [width * scale, height * scale]
+    });
+    let [width, height] = [width, height].map(|side| side.round().max(1.0));
+    // Written so that a product that is not a number is refused too.
+    if width * height <= MOST_PIXELS {
+        Ok([width as u32, height as u32])
+    } else {
+        Err(too_large(width, height))
+    }
+}
+
+fn too_large(width: f64, height: f64) -> Error {
+    Error::Picture(format!(
+        "a picture of {width}x{height} pixels is too large: the most is 100 million pixels, such as 10000x10000"
+    ))
+}
+
+/// `None` for a curve without segments, or one too far away for single precision.
+fn skia_path(curve: &Curve) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    let single = |p: Point| (p.x as f32, p.y as f32);
+    let (x, y) = single(curve.start()?);
+    path.move_to(x, y);
+    for segment in &curve.segments {
+        match *segment {
+            PathSeg::Line(l) => {
+                let (x, y) = single(l.p1);
+                path.line_to(x, y);
+            }
+            PathSeg::Quad(q) => {
+                let ((x1, y1), (x, y)) = (single(q.p1), single(q.p2));
+                path.quad_to(x1, y1, x, y);
+            }
+            PathSeg::Cubic(c) => {
+                let ((x1, y1), (x2, y2), (x, y)) = (single(c.p1), single(c.p2), single(c.p3));
+                path.cubic_to(x1, y1, x2, y2, x, y);
+            }
+        }
+    }
+    if curve.closed {
+        path.close();
+    }
+    path.finish()
+}
+
+fn draw(pixmap: &mut Pixmap, path: &Path, pen: &Pen, scale: f64) {
+    if let Some(color) = pen.fill.visible() {
+        let ink = ink(color);
+        pixmap.fill_path(path, &ink, FillRule::Winding, Transform::identity(), None);
+    }
+    if let Some((color, width)) = pen.visible_stroke() {
+        let dash = pen.dash.map(|dash| (dash * scale) as f32);
+        let stroke = Stroke {
+            width: (width * scale) as f32,
+            line_join: LineJoin::Round,
+            dash: dash.and_then(|dash| StrokeDash::new(vec![dash, dash], 0.0)),
+            ..Stroke::default()
+        };
+        pixmap.stroke_path(path, &ink(color), &stroke, Transform::identity(), None);
+    }
+}
+
+fn ink(color: Color) -> Ink<'static> {
+    let mut ink = Ink::default();
+    ink.set_color(skia_color(color));
+    ink
+}
+
+fn skia_color(color: Color) -> tiny_skia::Color {
+    tiny_skia::Color::from_rgba8(color.red, color.green, color.blue, color.alpha)
+}

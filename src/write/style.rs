@@ -1,0 +1,256 @@
+//! How a picture looks: colours, widths, sizes, and what is shown beside the curve.
+
+use core::str::FromStr;
+
+use svgtypes::Color;
+
+use super::number::round_one_two_five;
+use crate::error::{Error, Result};
+
+/// The part of the larger side that the default stroke is wide.
+const STROKE_PART: f64 = 0.01;
+
+/// How a picture looks. Lengths are in user units, as the coordinates are.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Style {
+    /// Width and height of the picture: pixels in PNG and SVG, points in EPS. Without it SVG and EPS are as large as their
+    /// coordinates and PNG has 512 pixels on its larger side.
+    pub size: Option<[f64; 2]>,
+    /// What curves are stroked with.
+    pub stroke: Paint,
+    /// How wide their stroke is; without it [`default_stroke_width`].
+    pub stroke_width: Option<f64>,
+    /// What curves are filled with.
+    pub fill: Paint,
+    /// What lies beneath everything; without it white in PNG and nothing in SVG and EPS.
+    pub background: Option<Paint>,
+    /// The free space around everything that is drawn, strokes included; without it 0, or twice the default stroke where
+    /// something is shown beside the curve.
+    pub margin: Option<f64>,
+    /// What is shown beside the curve.
+    pub show: Show,
+    /// Whether path data is relative (SVG).
+    pub relative: bool,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self {
+            size: None,
+            stroke: Paint::BLACK,
+            stroke_width: None,
+            fill: Paint::None,
+            background: None,
+            margin: None,
+            show: Show::default(),
+            relative: false,
+        }
+    }
+}
+
+/// The width of the stroke of a drawing whose larger side is this long: about 1 % of it, a 1, 2 or 5 with zeros.
+#[must_use]
+pub fn default_stroke_width(larger_side: f64) -> f64 {
+    if larger_side > 0.0 && larger_side.is_finite() {
+        round_one_two_five(STROKE_PART * larger_side)
+    } else {
+        1.0
+    }
+}
+
+/// A colour, or nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Paint {
+    /// Nothing is painted.
+    #[default]
+    None,
+    /// This colour.
+    Color(Color),
+}
+
+impl Paint {
+    /// Opaque black.
+    pub const BLACK: Self = Self::rgb(0, 0, 0);
+    /// Opaque white.
+    pub const WHITE: Self = Self::rgb(255, 255, 255);
+
+    /// An opaque colour.
+    #[must_use]
+    pub const fn rgb(red: u8, green: u8, blue: u8) -> Self {
+        Self::Color(Color {
+            red,
+            green,
+            blue,
+            alpha: 255,
+        })
+    }
+
+    /// The colour, where there is one that can be seen.
+    #[must_use]
+    pub const fn visible(self) -> Option<Color> {
+        match self {
+            Self::Color(color) if color.alpha > 0 => Some(color),
+            _ => None,
+        }
+    }
+}
+
+impl FromStr for Paint {
+    type Err = Error;
+
+    /// A CSS colour: a name, `#rgb`, `#rrggbb`, with alpha too, `rgb()`, `hsl()`, `hwb()`; or `none`, or `transparent`.
+    fn from_str(text: &str) -> Result<Self> {
+        let text = text.trim();
+        if ["none", "transparent"]
+            .iter()
+            .any(|none| text.eq_ignore_ascii_case(none))
+        {
+            return Ok(Self::None);
+        }
+        text.parse().map(Self::Color).map_err(|_| {
+            Error::Picture(format!(
+                "'{text}' is not a colour: a colour is none, a CSS name like tomato, or like #d50, #dd5500, rgb(221, 85, 0)"
+            ))
+        })
+    }
+}
+
+/// What is shown beside the curve.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Show {
+    /// The joints of the segments.
+    pub joints: bool,
+    /// The control points off the curve, and the lines to the joints that they belong to.
+    pub handles: bool,
+    /// The true shape, beneath the curve.
+    pub truth: bool,
+    /// The deviation from the true shape, drawn so many times as large.
+    pub error: Option<f64>,
+}
+
+impl Show {
+    /// Whether anything is shown.
+    #[must_use]
+    pub fn is_any(&self) -> bool {
+        *self != Self::default()
+    }
+}
+
+impl Extend<Shown> for Show {
+    fn extend<T: IntoIterator<Item = Shown>>(&mut self, items: T) {
+        for item in items {
+            match item {
+                Shown::Joints => self.joints = true,
+                Shown::Handles => self.handles = true,
+                Shown::Truth => self.truth = true,
+                Shown::Error(factor) => self.error = Some(factor),
+            }
+        }
+    }
+}
+
+/// One thing to be shown beside the curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shown {
+    /// `joints`
+    Joints,
+    /// `handles`
+    Handles,
+    /// `truth`
+    Truth,
+    /// `error=K`, K the positive factor.
+    Error(f64),
+}
+
+impl FromStr for Shown {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        match text.trim() {
+            "joints" => return Ok(Self::Joints),
+            "handles" => return Ok(Self::Handles),
+            "truth" => return Ok(Self::Truth),
+            "error" => {
+                return Err(Error::Picture(
+                    "error needs its factor, like error=500: the deviation is drawn so many times as large".to_owned(),
+                ));
+            }
+            _ => {}
+        }
+        let Some(factor) = text.trim().strip_prefix("error=") else {
+            return Err(Error::Picture(format!(
+                "'{text}' cannot be shown: what can is joints, handles, truth, error=K"
+            )));
+        };
+        match factor.trim().parse::<f64>() {
+            Ok(factor) if factor.is_finite() && factor > 0.0 => Ok(Self::Error(factor)),
+            _ => Err(Error::Picture(format!(
+                "the factor of error=K is a positive, finite number, not '{factor}'"
+            ))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_stroke_is_a_round_hundredth_of_the_larger_side() {
+        for (side, width) in [
+            (100.0, 1.0),
+            (300.0, 2.0),
+            (400.0, 5.0),
+            (2.0, 0.02),
+            (2e6, 2e4),
+            (2e-6, 2e-8),
+            (0.0, 1.0),
+        ] {
+            assert_eq!(default_stroke_width(side), width, "{side}");
+        }
+    }
+
+    #[test]
+    fn colours_are_those_of_css_and_none() {
+        let paint = |text: &str| text.parse::<Paint>();
+        assert_eq!(paint("none"), Ok(Paint::None));
+        assert_eq!(paint("Transparent"), Ok(Paint::None));
+        assert_eq!(paint("black"), Ok(Paint::BLACK));
+        assert_eq!(paint(" #fff "), Ok(Paint::WHITE));
+        assert_eq!(paint("rgb(0, 158, 115)"), Ok(Paint::rgb(0, 158, 115)));
+        for wrong in ["blak", "#12", "", "#ggg", "rgb(1,2", "red red"] {
+            assert!(paint(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn what_is_shown_is_read_from_words() {
+        let mut show = Show::default();
+        assert!(!show.is_any());
+        show.extend(
+            ["joints", "truth", "error=2.5e2"]
+                .iter()
+                .map(|text| text.parse().unwrap()),
+        );
+        assert_eq!(
+            show,
+            Show {
+                joints: true,
+                handles: false,
+                truth: true,
+                error: Some(250.0)
+            }
+        );
+        for wrong in [
+            "joint",
+            "",
+            "error",
+            "error=",
+            "error=0",
+            "error=-1",
+            "error=inf",
+        ] {
+            assert!(wrong.parse::<Shown>().is_err(), "{wrong}");
+        }
+    }
+}
