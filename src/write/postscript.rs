@@ -180,13 +180,14 @@ pub fn procset(rule: Rule) -> Result<String> {
 
 const PROCSET: &str = "\
 %!PS
+%%BeginResource: procset curveto-ellipse 1 0
 % Ellipses and circles of four Bezier curves each, after Don Lancaster's procedures (2005).
 %   WIDTH HEIGHT drawellipse   appends an ellipse about the origin to the current path
 %   DIAMETER drawcircle        appends a circle
 % Quarter-circle handle of method @METHOD@; the curves stray from the true shape by @PEAK@ of the larger radius at most.
-/magic @MAGIC@ def
 /drawellipse {
-  10 dict begin
+  5 dict begin
+  /magic @MAGIC@ def
   2 div /yrad exch def
   2 div /xrad exch def
   /xmag xrad magic mul def
@@ -199,4 +200,5 @@ const PROCSET: &str = "\
   end
 } bind def
 /drawcircle { dup drawellipse } bind def
+%%EndResource
 ";
