@@ -10,7 +10,7 @@ use std::process::Command;
 
 use curveto::Method;
 
-const FORMATS: [&str; 4] = ["path", "ps", "eps", "json"];
+const FORMATS: [&str; 5] = ["path", "svg", "ps", "eps", "json"];
 
 /// Shapes and their options beside the circle, which is drawn by every method.
 const SHAPES: [(&str, &[&str]); 14] = [
