@@ -92,7 +92,7 @@ impl Magnified<'_> {
     /// Cubics that meet the magnified curve, and its tangents, at and between these parameters.
     fn through(&self, stations: &[f64]) -> Vec<PathSeg> {
         let mut cubics = Vec::new();
-        for pair in stations.windows(2) {
+        for pair in stations.windows(2).filter(|pair| pair[1] > pair[0]) {
             let step = (pair[1] - pair[0]) / f64::from(PIECES);
             let knot = |i| {
                 let t = if i == PIECES {
@@ -100,10 +100,9 @@ impl Magnified<'_> {
                 } else {
                     pair[0] + f64::from(i) * step
                 };
-                // A quarter of a step is short enough for the tangent, and long enough not to magnify rounding noise.
-                let around = 0.25 * step;
-                let tangent = self.point(t + around) - self.point(t - around);
-                (self.point(t), tangent * (step / (2.0 * around) / 3.0))
+                // Over half a step: short enough for the tangent, and long enough not to magnify rounding noise.
+                let half_step = self.point(t + 0.25 * step) - self.point(t - 0.25 * step);
+                (self.point(t), half_step * (2.0 / 3.0))
             };
             let mut from = knot(0);
             for i in 1..=PIECES {
@@ -156,6 +155,23 @@ mod tests {
             let bounds = lobe.bounding_box().unwrap();
             bounds.area() < 1e-9
         }));
+    }
+
+    #[test]
+    fn every_point_of_a_lobe_is_finite() {
+        let ellipse = crate::Ellipse::new((0.0, 0.0), (30.0, 10.0), crate::Angle::ZERO).unwrap();
+        let drawing = approximate(&Shape::Ellipse(ellipse), &Options::default()).unwrap();
+        let mut lobes = Lobes::default();
+        lobes.add(&drawing.curve, &drawing.outline.unwrap().truth, 100.0);
+        assert!(!lobes.outward.is_empty());
+        for segment in lobes
+            .outward
+            .iter()
+            .chain(&lobes.inward)
+            .flat_map(|lobe| &lobe.segments)
+        {
+            assert!(segment.is_finite(), "{segment:?}");
+        }
     }
 
     #[test]
