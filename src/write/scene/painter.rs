@@ -29,6 +29,9 @@ const JOINT_RIM: f64 = 0.6;
 /// The margin of a picture that shows more than the curve, in default strokes.
 const SHOW_MARGIN: f64 = 2.0;
 
+/// What rounding may add to a count of steps.
+const NOISE: f64 = 1e-6;
+
 /// Paints a figure.
 pub(super) struct Painter<'a> {
     figure: &'a Figure,
@@ -271,8 +274,9 @@ impl<'a> Painter<'a> {
         };
         let step = self.unit / 10.0;
         let decimals = decimals_of(step);
-        let down = |x: f64| round((x / step).floor() * step, decimals);
-        let up = |x: f64| round((x / step).ceil() * step, decimals);
+        // A side that rounding noise has moved off a multiple stays there.
+        let down = |x: f64| round((x / step + NOISE).floor() * step, decimals);
+        let up = |x: f64| round((x / step - NOISE).ceil() * step, decimals);
         Ok(Rect::new(
             down(framed.x0),
             down(framed.y0),
