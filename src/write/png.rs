@@ -1,6 +1,6 @@
 //! PNG previews, which draw the emitted Béziers themselves.
 
-use kurbo::{Affine, PathSeg, Point};
+use kurbo::{Affine, ParamCurve, PathSeg, Point};
 use svgtypes::Color;
 use tiny_skia::{
     FillRule, LineJoin, Paint as Ink, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
@@ -8,13 +8,20 @@ use tiny_skia::{
 
 use super::scene::{Pen, Scene};
 use super::style::Paint;
-use crate::curve::Curve;
+use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result};
 
 /// The pixels on the larger side where no size is asked for.
 const LARGER_SIDE: f64 = 512.0;
 /// The most pixels that a picture may have.
 const MOST_PIXELS: f64 = 1e8;
+/// tiny-skia flattens a long curve so coarsely that it strays by a quarter of a pixel; it gets pieces about so many pixels long.
+const PIECE: f64 = 16.0;
+/// Strokes narrower than this many pixels are left to tiny-skia's hairlines, which do not break up; its hairlines up to a whole
+/// pixel, which it would take by itself, stray by half a pixel.
+const HAIRLINE: f32 = 0.25;
+/// The most pieces of a segment.
+const MOST_PIECES: f64 = 64.0;
 
 /// The picture as a PNG file.
 ///
@@ -75,8 +82,8 @@ fn skia_path(curve: &Curve) -> Option<Path> {
     let single = |p: Point| (p.x as f32, p.y as f32);
     let (x, y) = single(curve.start()?);
     path.move_to(x, y);
-    for segment in &curve.segments {
-        match *segment {
+    for segment in curve.segments.iter().flat_map(pieces) {
+        match segment {
             PathSeg::Line(l) => {
                 let (x, y) = single(l.p1);
                 path.line_to(x, y);
@@ -97,21 +104,52 @@ fn skia_path(curve: &Curve) -> Option<Path> {
     path.finish()
 }
 
+/// The same curve in several pieces.
+fn pieces(segment: &PathSeg) -> impl Iterator<Item = PathSeg> {
+    let length: f64 = control_points(segment)
+        .windows(2)
+        .map(|pair| pair[0].distance(pair[1]))
+        .sum();
+    let count = match segment {
+        PathSeg::Line(_) => 1.0,
+        _ => (length / PIECE).ceil().clamp(1.0, MOST_PIECES),
+    };
+    (0..count as u32)
+        .map(move |i| segment.subsegment(f64::from(i) / count..f64::from(i + 1) / count))
+}
+
 fn draw(pixmap: &mut Pixmap, path: &Path, pen: &Pen, scale: f64) {
     if let Some(color) = pen.fill.visible() {
-        let ink = ink(color);
-        pixmap.fill_path(path, &ink, FillRule::Winding, Transform::identity(), None);
+        fill(pixmap, path, color);
     }
-    if let Some((color, width)) = pen.visible_stroke() {
-        let dash = pen.dash.map(|dash| (dash * scale) as f32);
-        let stroke = Stroke {
-            width: (width * scale) as f32,
-            line_join: LineJoin::Round,
-            dash: dash.and_then(|dash| StrokeDash::new(vec![dash, dash], 0.0)),
-            ..Stroke::default()
-        };
+    let Some((color, width)) = pen.visible_stroke() else {
+        return;
+    };
+    let dash = pen.dash.map(|dash| (dash * scale) as f32);
+    let stroke = Stroke {
+        width: (width * scale) as f32,
+        line_join: LineJoin::Round,
+        dash: dash.and_then(|dash| StrokeDash::new(vec![dash, dash], 0.0)),
+        ..Stroke::default()
+    };
+    if stroke.width < HAIRLINE {
         pixmap.stroke_path(path, &ink(color), &stroke, Transform::identity(), None);
+        return;
     }
+    let dashed = stroke.dash.as_ref().and_then(|dash| path.dash(dash, 1.0));
+    if let Some(outline) = dashed.as_ref().unwrap_or(path).stroke(&stroke, 1.0) {
+        fill(pixmap, &outline, color);
+    }
+}
+
+fn fill(pixmap: &mut Pixmap, path: &Path, color: Color) {
+    pixmap.fill_path(
+        path,
+        &ink(color),
+        FillRule::Winding,
+        Transform::identity(),
+        None,
+    );
 }
 
 fn ink(color: Color) -> Ink<'static> {
