@@ -325,22 +325,13 @@ fn first_direction(segment: &PathSeg) -> Vec2 {
         .unwrap_or_default()
 }
 
-/// The fewest decimals d for which 10^-d/sqrt(2), the farthest that rounding moves a point, is at most a tenth of `error`.
+/// The fewest decimals for which rounding moves no point farther than a tenth of `error`.
 fn automatic_precision(error: f64, curve: &Curve) -> Precision {
     let largest = curve
         .segments
         .iter()
         .flat_map(crate::curve::control_points)
         .flat_map(|p| [p.x.abs(), p.y.abs()])
-        .fold(f64::MIN_POSITIVE, f64::max);
-    // More decimals than the coordinates have digits say nothing.
-    let useful = (15.0 - largest.log10().ceil()).clamp(0.0, 20.0) as u8;
-    let mut moved = core::f64::consts::FRAC_1_SQRT_2;
-    for decimals in 0..=useful {
-        if moved <= ROUNDING_SHARE * error {
-            return Precision::Fixed(decimals);
-        }
-        moved /= 10.0;
-    }
-    Precision::Full
+        .fold(0.0, f64::max);
+    Precision::moving_at_most(ROUNDING_SHARE * error, largest)
 }

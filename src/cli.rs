@@ -6,6 +6,7 @@ mod failure;
 mod output;
 mod procset;
 mod shell;
+mod spline;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -39,6 +40,7 @@ fn run(command: Command) -> Outcome {
         Command::Circle(args) => draw::circle(&args),
         Command::Ellipse(args) => draw::ellipse(&args),
         Command::Arc(args) => draw::arc(&args),
+        Command::Spline(args) => spline::run(&args),
         Command::Procset(args) => procset::run(&args),
         Command::Completions(args) => shell::completions(&args),
         Command::Man(args) => shell::man(&args),

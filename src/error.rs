@@ -94,6 +94,34 @@ pub enum Error {
     /// The joints that were asked for cannot be used.
     #[error("the joints cannot be used: {0}")]
     Joints(String),
+    /// A curve through fewer points than it takes.
+    #[error(
+        "a curve with {} ends runs through at least {least} points, but there {} {count}",
+        if *cyclic { "cyclic" } else { "free or fixed" },
+        if *count == 1 { "is" } else { "are" }
+    )]
+    TooFewPoints {
+        /// The number of points that were given.
+        count: usize,
+        /// The fewest that are served.
+        least: usize,
+        /// Whether the ends are cyclic.
+        cyclic: bool,
+    },
+    /// Two points that a curve runs through one after the other are the same.
+    #[error("point {} is the same as point {}", second + 1, first + 1)]
+    RepeatedPoint {
+        /// The index of the one before, from 0.
+        first: usize,
+        /// The index of the one after, from 0: the first point of all where a closed curve's last one repeats it.
+        second: usize,
+    },
+    /// The arc lengths of a spline do not settle.
+    #[error("the arc lengths did not settle in {rounds} rounds")]
+    Unsettled {
+        /// How many rounds were tried.
+        rounds: usize,
+    },
     /// The shape is not defined by what was given.
     #[error("{0}")]
     Shape(String),
@@ -118,6 +146,18 @@ impl Error {
             Self::Impossible { remedy, .. } | Self::ToleranceOutOfReach { remedy, .. } => {
                 (!remedy.is_empty()).then(|| remedy.clone())
             }
+            Self::TooFewPoints { cyclic: true, .. } => {
+                Some("--ends free takes two points and more".to_owned())
+            }
+            Self::RepeatedPoint { second: 0, .. } => {
+                Some("leave the last point out: cyclic ends close the curve by themselves".to_owned())
+            }
+            Self::RepeatedPoint { .. } => {
+                Some("leave one of the two out: a segment between equal points has no direction".to_owned())
+            }
+            Self::Unsettled { .. } => Some(
+                "the parameter is arc length, so that end derivatives are of length 1; --unit-tangents makes them so, --parametrization chord iterates nothing".to_owned(),
+            ),
             _ => None,
         }
     }

@@ -26,6 +26,8 @@ pub mod measure;
 pub mod method;
 pub mod power;
 pub mod shape;
+pub mod sphere;
+pub mod spline;
 mod tridiagonal;
 pub mod write;
 

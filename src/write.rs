@@ -11,6 +11,7 @@ pub mod postscript;
 pub mod scene;
 pub mod style;
 pub mod svg;
+pub mod spline;
 
 use core::fmt;
 use core::str::FromStr;

@@ -4,11 +4,13 @@ mod approximation;
 mod output;
 mod picture;
 pub(crate) mod shape;
+mod spline;
 mod values;
 
 pub(crate) use approximation::ApproximationArgs;
 pub(crate) use output::OutputArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
+pub(crate) use spline::{SplineArgs, SplineSource};
 
 use std::path::PathBuf;
 
@@ -37,6 +39,8 @@ pub(crate) enum Command {
     Ellipse(Draw<EllipseShape>),
     /// Draw an arc of a circle or an ellipse
     Arc(Draw<ArcShape>),
+    /// Draw a composite parametric cubic curve through points, after Chen
+    Spline(SplineArgs),
     /// Print PostScript procedures that draw ellipses and circles, after Lancaster
     Procset(ProcsetArgs),
     /// Print a completion script for a shell

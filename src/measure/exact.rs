@@ -48,6 +48,13 @@ impl Double {
         })
     }
 
+    /// The quotient by a number that is not 0.
+    pub(crate) fn over(self, divisor: f64) -> Self {
+        let quotient = self.high / divisor;
+        let rest = (-quotient).mul_add(divisor, self.high) + self.low;
+        Self::sum(quotient, rest / divisor)
+    }
+
     /// The nearest `f64`.
     pub(crate) fn value(self) -> f64 {
         self.high + self.low

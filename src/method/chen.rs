@@ -5,11 +5,11 @@
 //! k = s/(2+c). Formulation II takes the parameter t as the curve's own arc length: k = t/3 with t = L(t/3). Formulation III
 //! takes the arc length of the circle: k = a/3.
 
-use kurbo::Vec2;
+use kurbo::{Point, Vec2};
 
 use crate::angle::Angle;
 use crate::measure::RadialError;
-use crate::tridiagonal;
+use crate::spline::nodal::{self, Ends};
 
 use super::numeric::integral;
 use super::{Degree, Piece, Span, tangent};
@@ -97,46 +97,22 @@ pub(super) fn chain(spans: &[Span], closed: bool) -> Vec<[Piece; 2]> {
         frames.push(Angle::from_degrees(angle).direction());
     }
     let tangent_at = |e: Vec2| Vec2::new(-e.y, e.x);
-    let derivatives = if closed {
+    let last = spans.len();
+    let ends = if closed {
         frames.pop();
-        let count = frames.len();
-        let right = (0..count)
-            .map(|i| (frames[(i + 1) % count] - frames[(i + count - 1) % count]) * 3.0)
-            .collect();
-        let mut solved = tridiagonal::solve_cyclic(
-            &vec![1.0; count],
-            &vec![4.0; count],
-            &vec![1.0; count],
-            right,
-        );
-        frames.push(frames[0]);
-        solved.push(solved[0]);
-        solved
+        Ends::Cyclic
     } else {
-        let last = spans.len();
-        let mut right: Vec<Vec2> = (1..last)
-            .map(|i| (frames[i + 1] - frames[i - 1]) * 3.0)
-            .collect();
-        let first_end = tangent_at(frames[0]) * spans[0].a;
-        let last_end = tangent_at(frames[last]) * spans[last - 1].a;
-        if let Some(first) = right.first_mut() {
-            *first -= first_end;
-        }
-        if let Some(last) = right.last_mut() {
-            *last -= last_end;
-        }
-        let inner = right.len();
-        let solved = tridiagonal::solve(
-            &vec![1.0; inner],
-            &vec![4.0; inner],
-            &vec![1.0; inner],
-            right,
-        );
-        core::iter::once(first_end)
-            .chain(solved)
-            .chain(core::iter::once(last_end))
-            .collect()
+        Ends::Fixed([
+            tangent_at(frames[0]) * spans[0].a,
+            tangent_at(frames[last]) * spans[last - 1].a,
+        ])
     };
+    let points: Vec<Point> = frames.iter().map(|frame| frame.to_point()).collect();
+    let mut derivatives = nodal::derivatives(&points, |_| 1.0, ends);
+    if closed {
+        frames.push(frames[0]);
+        derivatives.push(derivatives[0]);
+    }
     let in_frame = |i: usize| {
         Vec2::new(
             derivatives[i].dot(frames[i]),

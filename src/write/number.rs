@@ -19,6 +19,22 @@ pub enum Precision {
 }
 
 impl Precision {
+    /// The fewest decimals d for which 10^-d/sqrt(2), the farthest that rounding moves a point, is at most `distance`, and full
+    /// digits where even all those of a coordinate as large as `largest` are not enough.
+    #[must_use]
+    pub fn moving_at_most(distance: f64, largest: f64) -> Self {
+        // More decimals than the coordinates have digits say nothing.
+        let useful = (15.0 - largest.max(f64::MIN_POSITIVE).log10().ceil()).clamp(0.0, 20.0) as u8;
+        let mut moved = core::f64::consts::FRAC_1_SQRT_2;
+        for decimals in 0..=useful {
+            if moved <= distance {
+                return Self::Fixed(decimals);
+            }
+            moved /= 10.0;
+        }
+        Self::Full
+    }
+
     /// Appends `x` to `out`, by [`push_shortest`] or [`push_fixed`].
     #[inline]
     pub fn push(self, out: &mut Vec<u8>, x: f64) {

@@ -12,8 +12,8 @@ pub fn data<'a>(curves: impl IntoIterator<Item = &'a Curve>, relative: bool) -> 
     for curve in curves {
         push_curve(&mut out, curve, relative);
     }
-    // The formatter writes digits, points and signs only.
-    String::from_utf8_lossy(&out).into_owned()
+    // The formatter writes digits, points and signs only, so that this cannot fail and need not copy.
+    String::from_utf8(out).unwrap_or_default()
 }
 
 /// Appends the path data of a curve; a relative one must start a path or follow a closed or finished one.

@@ -16,6 +16,15 @@ pub(crate) enum Quadrature {
     Gauss2,
 }
 
+impl From<Quadrature> for curveto::spline::Quadrature {
+    fn from(quadrature: Quadrature) -> Self {
+        match quadrature {
+            Quadrature::Adaptive => Self::Adaptive,
+            Quadrature::Gauss2 => Self::Gauss2,
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 #[command(next_help_heading = "How it is approximated")]
 pub(crate) struct ApproximationArgs {

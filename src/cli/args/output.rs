@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use curveto::write::Format;
 use curveto::write::style::Style;
+use curveto::write::number::Precision;
 use kurbo::Affine;
 
 use super::picture::PictureArgs;
@@ -93,6 +94,14 @@ impl OutputArgs {
     /// The decimals that were asked for.
     pub(crate) fn decimals(&self) -> Option<u8> {
         self.precision
+    }
+
+    /// How the points are to be rounded: as it was asked for, in full for JSON, else by what is drawn.
+    pub(crate) fn rounding(&self, format: Format) -> Option<Precision> {
+        match self.precision {
+            Some(decimals) => Some(Precision::Fixed(decimals)),
+            None => (format == Format::Json).then_some(Precision::Full),
+        }
     }
 
     /// The transform, or the identity.

@@ -1,0 +1,117 @@
+//! The words for a curve through points.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use curveto::spline::{self, Ends, Options};
+use kurbo::Vec2;
+
+use super::OutputArgs;
+use super::approximation::Quadrature;
+use super::values;
+use crate::cli::failure::Failure;
+
+#[derive(Debug, Args)]
+pub(crate) struct SplineArgs {
+    #[command(flatten)]
+    pub(crate) source: SplineSource,
+    #[command(flatten)]
+    way: Way,
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+pub(crate) struct SplineSource {
+    /// The points, one after the other: 'x,y x,y ...'
+    #[arg(long, value_name = "POINTS", allow_hyphen_values = true)]
+    pub(crate) points: Option<String>,
+    /// A file of points: CSV or one pair a line; - is standard input
+    #[arg(long, value_name = "FILE")]
+    pub(crate) points_file: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "How it runs through them")]
+struct Way {
+    /// How far the parameter runs along each segment
+    #[arg(long, value_enum, value_name = "P", default_value_t)]
+    parametrization: Parametrization,
+    /// Make the nodal derivatives unit vectors, as Chen does with arc length: G1 in place of C2
+    #[arg(long)]
+    unit_tangents: bool,
+    /// What holds at the ends: cyclic (a closed curve), free (derivatives zero) or fixed:DX,DY,DX,DY (these derivatives)
+    #[arg(long, value_name = "ENDS", value_parser = ends, default_value = "free")]
+    ends: Ends,
+    /// How arc length is integrated
+    #[arg(long, value_enum, value_name = "RULE", default_value_t)]
+    quadrature: Quadrature,
+}
+
+/// How far the parameter runs along each segment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+enum Parametrization {
+    /// From 0 to 1: Formulation I
+    #[default]
+    Uniform,
+    /// The distance of its ends
+    Chord,
+    /// The square root of that distance
+    Centripetal,
+    /// Its own arc length, iterated from the chords: Formulation II
+    ArcLength,
+}
+
+impl SplineArgs {
+    /// How the curve runs through its points.
+    pub(crate) fn options(&self) -> Result<Options, Failure> {
+        let parametrization = match self.way.parametrization {
+            Parametrization::Uniform => spline::Parametrization::Uniform,
+            Parametrization::Chord => spline::Parametrization::Chord,
+            Parametrization::Centripetal => spline::Parametrization::Centripetal,
+            Parametrization::ArcLength => {
+                spline::Parametrization::ArcLength(self.way.quadrature.into())
+            }
+        };
+        let measures = matches!(parametrization, spline::Parametrization::ArcLength(_));
+        if self.way.quadrature == Quadrature::Gauss2 && !measures {
+            return Err(Failure::request_with_hint(
+                format!(
+                    "{} parametrization integrates no arc length, so that --quadrature has nothing to say",
+                    parametrization.name()
+                ),
+                "--quadrature gauss2 goes with --parametrization arc-length",
+            ));
+        }
+        Ok(Options {
+            parametrization,
+            ends: self.way.ends,
+            unit_tangents: self.way.unit_tangents,
+        })
+    }
+}
+
+fn ends(text: &str) -> Result<Ends, String> {
+    match text {
+        "cyclic" => Ok(Ends::Cyclic),
+        "free" => Ok(Ends::Free),
+        _ => {
+            let numbers = text.strip_prefix("fixed:").ok_or(
+                "ends are cyclic, free or fixed:DX,DY,DX,DY, with the derivatives at the first and the last point",
+            )?;
+            let numbers: Vec<f64> = numbers
+                .split(',')
+                .map(values::number)
+                .collect::<Result<_, _>>()?;
+            let [x0, y0, x1, y1] = numbers[..] else {
+                return Err(format!(
+                    "fixed ends take four numbers, the derivatives at the first and the last point: fixed:DX,DY,DX,DY, but here {} {}",
+                    if numbers.len() == 1 { "is" } else { "are" },
+                    numbers.len()
+                ));
+            };
+            Ok(Ends::Fixed([Vec2::new(x0, y0), Vec2::new(x1, y1)]))
+        }
+    }
+}

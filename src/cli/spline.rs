@@ -1,0 +1,103 @@
+//! `spline`.
+
+use std::fs::File;
+use std::io::{self, BufReader};
+use std::path::Path;
+use std::process::ExitCode;
+
+use curveto::Error;
+use curveto::spline::Spline;
+use curveto::spline::points::{Points, ReadError};
+use curveto::write::Figure;
+use curveto::write::json;
+use curveto::write::spline::SplineDocument;
+
+use super::Outcome;
+use super::args::{SplineArgs, SplineSource};
+use super::failure::Failure;
+use super::output::write_figure;
+
+pub(super) fn run(args: &SplineArgs) -> Outcome {
+    let format = args.output.format()?;
+    let options = args.options()?;
+    let source = Source::of(&args.source);
+    let Points { points, lines } = source.read()?;
+    let spline = Spline::new(points, options).map_err(|error| source.locate(error, &lines))?;
+    drop(lines);
+    let transform = args.output.transform();
+    let curve = spline.curve(args.output.rounding(format), transform)?;
+    let figure = Figure::of_spline(&spline, curve);
+    let json = || {
+        let document = SplineDocument::new(&spline, &figure, transform);
+        Ok(json::to_string(&document)?)
+    };
+    write_figure(&figure, json, format, &args.output)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Where points come from.
+#[derive(Clone, Copy)]
+enum Source<'a> {
+    Words(&'a str),
+    Stdin,
+    File(&'a Path),
+}
+
+impl<'a> Source<'a> {
+    fn of(words: &'a SplineSource) -> Self {
+        match words.points_file.as_deref() {
+            None => Self::Words(words.points.as_deref().unwrap_or_default()),
+            Some(path) if path.as_os_str() == "-" => Self::Stdin,
+            Some(path) => Self::File(path),
+        }
+    }
+
+    /// What messages call it.
+    fn name(self) -> String {
+        match self {
+            Self::Words(_) => "--points".to_owned(),
+            Self::Stdin => "standard input".to_owned(),
+            Self::File(path) => path.display().to_string(),
+        }
+    }
+
+    fn read(self) -> Result<Points, Failure> {
+        let read = match self {
+            Self::Words(words) => Points::parse(words),
+            Self::Stdin => Points::read(io::stdin().lock()),
+            Self::File(path) => match File::open(path) {
+                Ok(file) => Points::read(BufReader::new(file)),
+                Err(error) => Err(error.into()),
+            },
+        };
+        match (read, self) {
+            (Ok(points), _) => Ok(points),
+            (Err(ReadError::Io(error)), _) => {
+                Err(anyhow::Error::from(error).context(format!("cannot read {}", self.name())))?
+            }
+            (Err(ReadError::Syntax { column, why, .. }), Self::Words(_)) => Err(
+                Failure::request(format!("{why}, at column {column} of --points")),
+            ),
+            (Err(error), _) => Err(Failure::request(format!("{}:{error}", self.name()))),
+        }
+    }
+
+    /// The error with the lines of the points that it names.
+    fn locate(self, error: Error, lines: &[usize]) -> Failure {
+        match error {
+            Error::RepeatedPoint { first, second } if !lines.is_empty() => {
+                // The place to look at is the later of the two; that is the last point of all where it meets the first.
+                let at = lines[first].max(lines[second]);
+                let other = lines[first].min(lines[second]);
+                Failure::Request {
+                    message: format!(
+                        "{}:{at}: {error} (lines {other} and {at})",
+                        self.name()
+                    ),
+                    hint: error.hint(),
+                }
+            }
+            error => error.into(),
+        }
+    }
+}

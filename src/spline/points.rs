@@ -1,0 +1,218 @@
+//! Points as text: one pair a line, or one after the other.
+
+use std::io::{self, BufRead};
+
+use kurbo::Point;
+use thiserror::Error;
+
+use crate::error::{Error as Refusal, finite};
+
+/// Points, and the line of each where they came in lines.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Points {
+    /// The points in their order.
+    pub points: Vec<Point>,
+    /// The line of each, counted from 1; empty for points that came one after the other.
+    pub lines: Vec<usize>,
+}
+
+/// Why points cannot be read.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// The text itself cannot be read.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// It holds something else.
+    #[error("{line}:{column}: {why}")]
+    Syntax {
+        /// The line, counted from 1.
+        line: usize,
+        /// The column, counted in characters from 1.
+        column: usize,
+        /// What is wrong there.
+        why: String,
+    },
+}
+
+impl Points {
+    /// Reads one pair a line: two numbers with a comma, a semicolon, spaces or tabs between them.
+    ///
+    /// Blank lines and what follows a `#` are skipped, and so is a first line of names instead of numbers. Line ends are LF or
+    /// CR LF.
+    ///
+    /// # Errors
+    ///
+    /// [`ReadError::Syntax`] with line and column for what is no pair of finite numbers, [`ReadError::Io`] where reading fails.
+    ///
+    /// ```
+    /// use curveto::spline::points::Points;
+    /// let read = Points::read("x,y\n0,0\n\n1.5;2  # the top\n".as_bytes())?;
+    /// assert_eq!(read.points, [(0.0, 0.0).into(), (1.5, 2.0).into()]);
+    /// assert_eq!(read.lines, [2, 4]);
+    /// # Ok::<(), curveto::spline::points::ReadError>(())
+    /// ```
+    pub fn read(mut reader: impl BufRead) -> Result<Self, ReadError> {
+        let mut read = Self::default();
+        let mut bytes = Vec::new();
+        let mut header_may_come = true;
+        for line in 1.. {
+            bytes.clear();
+            if reader.read_until(b'\n', &mut bytes)? == 0 {
+                break;
+            }
+            let text = String::from_utf8_lossy(&bytes);
+            let text = if line == 1 {
+                text.trim_start_matches('\u{feff}')
+            } else {
+                &text
+            };
+            let fields = Fields::new(text);
+            match fields.pair() {
+                Ok(Some(point)) => {
+                    read.points.push(point);
+                    read.lines.push(line);
+                }
+                Ok(None) => continue,
+                Err(_) if header_may_come && Fields::new(text).are_names() => {}
+                Err(Flaw { column, why }) => return Err(ReadError::Syntax { line, column, why }),
+            }
+            header_may_come = false;
+        }
+        Ok(read)
+    }
+
+    /// Reads pairs one after the other: `0,0 1,2 3,1`.
+    ///
+    /// # Errors
+    ///
+    /// [`ReadError::Syntax`] with the column for what is no finite number or a coordinate that is left over.
+    pub fn parse(text: &str) -> Result<Self, ReadError> {
+        let mut fields = Fields::new(text);
+        let mut points = Vec::new();
+        let at = |Flaw { column, why }| ReadError::Syntax {
+            line: 1,
+            column,
+            why,
+        };
+        while let Some(x) = fields.number().map_err(at)? {
+            let y = fields.number().map_err(at)?.ok_or_else(|| {
+                at(fields.flaw(fields.rest, format!("point {} has no y", points.len() + 1)))
+            })?;
+            points.push(Point::new(x, y));
+        }
+        Ok(Self {
+            points,
+            lines: Vec::new(),
+        })
+    }
+}
+
+/// What is wrong in a line.
+struct Flaw {
+    column: usize,
+    why: String,
+}
+
+/// The numbers of a text, which commas, semicolons or white space separate.
+#[derive(Clone, Copy)]
+struct Fields<'a> {
+    whole: &'a str,
+    rest: &'a str,
+    first: bool,
+}
+
+impl<'a> Fields<'a> {
+    fn new(text: &'a str) -> Self {
+        let whole = text.trim_end_matches(['\n', '\r']);
+        let content = whole.split('#').next().unwrap_or_default();
+        Self {
+            whole,
+            rest: content.trim(),
+            first: true,
+        }
+    }
+
+    /// The next field, empty where a separator follows a separator; none at the end.
+    fn next(&mut self) -> Option<&'a str> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        if !core::mem::take(&mut self.first) {
+            let trimmed = self.rest.trim_start();
+            self.rest = trimmed
+                .strip_prefix([',', ';'])
+                .unwrap_or(trimmed)
+                .trim_start();
+        }
+        let end = self
+            .rest
+            .find(|c: char| c == ',' || c == ';' || c.is_whitespace())
+            .unwrap_or(self.rest.len());
+        let (field, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        Some(field)
+    }
+
+    fn number(&mut self) -> Result<Option<f64>, Flaw> {
+        let Some(field) = self.next() else {
+            return Ok(None);
+        };
+        if field.is_empty() {
+            return Err(self.flaw(field, "a number is missing".to_owned()));
+        }
+        let value: f64 = field
+            .parse()
+            .map_err(|_| self.flaw(field, format!("'{field}' is not a number")))?;
+        finite("coordinate", value)
+            .map(Some)
+            .map_err(|refusal| match refusal {
+                Refusal::NotFinite { .. } => {
+                    self.flaw(field, format!("'{field}' is not a finite number"))
+                }
+                other => self.flaw(field, other.to_string()),
+            })
+    }
+
+    /// The two numbers of a line, or none where it has no content.
+    fn pair(mut self) -> Result<Option<Point>, Flaw> {
+        let Some(x) = self.number()? else {
+            return Ok(None);
+        };
+        let Some(y) = self.number()? else {
+            return Err(self.flaw(
+                self.rest,
+                "a point is two numbers, but this is one".to_owned(),
+            ));
+        };
+        match self.next() {
+            None => Ok(Some(Point::new(x, y))),
+            Some("") => Err(self.flaw(self.rest, "no number after a separator".to_owned())),
+            Some(third) => Err(self.flaw(
+                third,
+                "a point is two numbers, but here is a third; decimals have a point, not a comma"
+                    .to_owned(),
+            )),
+        }
+    }
+
+    /// Whether every field is something else than a number, as in a line of names.
+    fn are_names(mut self) -> bool {
+        while let Some(field) = self.next() {
+            if field.parse::<f64>().is_ok() {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// A flaw at a part of the text.
+    fn flaw(&self, part: &str, why: String) -> Flaw {
+        let offset = part.as_ptr() as usize - self.whole.as_ptr() as usize;
+        let before = self.whole.get(..offset).unwrap_or_default();
+        Flaw {
+            column: before.chars().count() + 1,
+            why,
+        }
+    }
+}

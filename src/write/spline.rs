@@ -1,0 +1,153 @@
+//! A spline as a figure and as JSON.
+
+use kurbo::{Affine, PathSeg};
+use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
+
+use super::json::{PowerDocument, segment_document};
+use super::{Figure, Layer, path};
+use crate::curve::Curve;
+use crate::spline::{Ends, Parametrization, Quadrature, Spline};
+
+impl Figure {
+    /// A spline's curve, as [`Spline::curve`] gives it.
+    #[must_use]
+    pub fn of_spline(spline: &Spline, curve: Curve) -> Self {
+        let title = format!("Curve through {} points", spline.points.len());
+        Self {
+            description: format!(
+                "Composite parametric cubic through {} points; {}",
+                spline.points.len(),
+                describe(spline)
+            ),
+            title,
+            layers: vec![Layer {
+                class: None,
+                dashed: false,
+                curves: vec![curve],
+            }],
+            truths: Vec::new(),
+        }
+    }
+}
+
+/// How the curve runs through its points.
+fn describe(spline: &Spline) -> String {
+    let mut text = spline.options.parametrization.name().to_owned() + " parametrization";
+    if spline.rounds > 0 {
+        text += &format!(", settled in {} rounds", spline.rounds);
+    }
+    text += match spline.options.ends {
+        Ends::Cyclic => ", cyclic ends",
+        Ends::Free => ", free ends",
+        Ends::Fixed(_) => ", fixed ends",
+    };
+    if spline.options.unit_tangents {
+        text += ", unit tangents";
+    }
+    text
+}
+
+/// The JSON of a spline.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct SplineDocument<'a> {
+    /// The version of this form.
+    pub version: u32,
+    /// The points that the curve runs through, as they were given.
+    #[serde(serialize_with = "points")]
+    #[schemars(with = "Vec<[f64; 2]>")]
+    pub points: &'a Spline,
+    /// `uniform`, `chord`, `centripetal` or `arc-length`.
+    pub parametrization: &'static str,
+    /// How arc length was integrated, where it was Chen's two-point Gauss quadrature.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quadrature: Option<&'static str>,
+    /// In how many rounds the arc lengths settled, where they are the parameter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rounds: Option<usize>,
+    /// Whether the nodal derivatives were made unit vectors.
+    pub unit_tangents: bool,
+    /// `cyclic`, `free` or `fixed`.
+    pub ends: &'static str,
+    /// The derivatives at the first and the last point that fixed ends were given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_derivatives: Option<[[f64; 2]; 2]>,
+    /// The affine map applied to the control points, as SVG's matrix(a b c d e f), where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transform: Option<[f64; 6]>,
+    /// Whether the path is closed.
+    pub closed: bool,
+    /// The segments in their order.
+    #[serde(serialize_with = "segments")]
+    #[schemars(with = "Vec<SplineSegmentDocument>")]
+    pub segments: (&'a Spline, &'a Figure),
+    /// SVG path data.
+    #[serde(serialize_with = "path_data")]
+    #[schemars(with = "String")]
+    pub path: &'a Figure,
+}
+
+/// One segment of a spline.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct SplineSegmentDocument {
+    /// Its four control points.
+    pub points: Vec<[f64; 2]>,
+    /// How far the parameter runs along it, before any map.
+    pub parameter_length: f64,
+    /// Lancaster's equation space.
+    pub power: PowerDocument,
+}
+
+impl<'a> SplineDocument<'a> {
+    /// The document of a spline and its figure, in which it was mapped by `transform`.
+    #[must_use]
+    pub fn new(spline: &'a Spline, figure: &'a Figure, transform: Affine) -> Self {
+        let options = &spline.options;
+        let gauss2 = options.parametrization == Parametrization::ArcLength(Quadrature::Gauss2);
+        let (ends, end_derivatives) = match options.ends {
+            Ends::Cyclic => ("cyclic", None),
+            Ends::Free => ("free", None),
+            Ends::Fixed(given) => ("fixed", Some(given.map(|d| [d.x, d.y]))),
+        };
+        Self {
+            version: 1,
+            points: spline,
+            parametrization: options.parametrization.name(),
+            quadrature: gauss2.then_some("gauss2"),
+            rounds: (spline.rounds > 0).then_some(spline.rounds),
+            unit_tangents: options.unit_tangents,
+            ends,
+            end_derivatives,
+            transform: (transform != Affine::IDENTITY).then(|| transform.as_coeffs()),
+            closed: options.ends == Ends::Cyclic,
+            segments: (spline, figure),
+            path: figure,
+        }
+    }
+}
+
+// A million points are not kept a second time: these serialize as they go.
+
+fn points<S: Serializer>(spline: &&Spline, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(spline.points.iter().map(|p| [p.x, p.y]))
+}
+
+fn segments<S: Serializer>(
+    (spline, figure): &(&Spline, &Figure),
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let document = |(segment, &parameter_length): (&PathSeg, &f64)| {
+        let segment = segment_document(segment, None);
+        SplineSegmentDocument {
+            points: segment.points,
+            parameter_length,
+            power: segment.power,
+        }
+    };
+    let segments = figure.curves().flat_map(|curve| &curve.segments);
+    serializer.collect_seq(segments.zip(&spline.lengths).map(document))
+}
+
+fn path_data<S: Serializer>(figure: &&Figure, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&path::data(figure.curves(), false))
+}
