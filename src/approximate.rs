@@ -176,7 +176,10 @@ impl Request<'_> {
         let truth = &self.outline.truth;
         let precision = self.options.precision.unwrap_or_else(|| {
             let peak = radial::error(&exact.segments, truth).peak();
-            automatic_precision(peak.min(tolerance.unwrap_or(f64::INFINITY)), &exact)
+            automatic_precision(
+                peak.min(tolerance.unwrap_or(f64::INFINITY)),
+                &exact.segments,
+            )
         });
         // What was given is not rounded unless a precision was asked for.
         let kept = if self.options.precision.is_none() {
@@ -326,10 +329,12 @@ fn first_direction(segment: &PathSeg) -> Vec2 {
 }
 
 /// The fewest decimals for which rounding moves no point farther than a tenth of `error`.
-fn automatic_precision(error: f64, curve: &Curve) -> Precision {
-    let largest = curve
-        .segments
-        .iter()
+pub(crate) fn automatic_precision<'a>(
+    error: f64,
+    segments: impl IntoIterator<Item = &'a PathSeg>,
+) -> Precision {
+    let largest = segments
+        .into_iter()
         .flat_map(crate::curve::control_points)
         .flat_map(|p| [p.x.abs(), p.y.abs()])
         .fold(0.0, f64::max);

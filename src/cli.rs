@@ -6,6 +6,7 @@ mod failure;
 mod output;
 mod procset;
 mod shell;
+mod sphere;
 mod spline;
 
 use std::io::Write;
@@ -41,6 +42,7 @@ fn run(command: Command) -> Outcome {
         Command::Ellipse(args) => draw::ellipse(&args),
         Command::Arc(args) => draw::arc(&args),
         Command::Spline(args) => spline::run(&args),
+        Command::Sphere(args) => sphere::run(&args),
         Command::Procset(args) => procset::run(&args),
         Command::Completions(args) => shell::completions(&args),
         Command::Man(args) => shell::man(&args),

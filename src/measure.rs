@@ -31,6 +31,24 @@ impl RadialError {
         }
     }
 
+    /// The larger of both on either side.
+    #[must_use]
+    pub(crate) fn with(self, other: Self) -> Self {
+        Self {
+            outward: self.outward.max(other.outward),
+            inward: self.inward.max(other.inward),
+        }
+    }
+
+    /// The distances where everything is so many times as large.
+    #[must_use]
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self {
+            outward: self.outward * factor,
+            inward: self.inward * factor,
+        }
+    }
+
     /// The range of signed distances, positive outside.
     pub(crate) fn of_range(signed: impl IntoIterator<Item = f64>) -> Self {
         let mut range = Self::default();

@@ -1,1 +1,285 @@
-//! x
+//! Chen's Figure 1: the parallels and meridians of a sphere, each a circle approximation in space, in orthographic view.
+//!
+//! Orthographic projection is affine, so that the image of a Bézier curve in space is the Bézier curve of the images of its control
+//! points, exactly. Nothing is left of the third coordinate but the depth, which is a polynomial in the curve's own parameter: a
+//! curve passes behind the limb where that changes its sign, and is cut there.
+
+mod limb;
+mod space;
+
+use core::iter;
+
+use kurbo::{Affine, Point};
+
+use crate::angle::Angle;
+use crate::approximate::{self, Drawing, approximate, automatic_precision};
+use crate::curve::{Curve, control_points};
+use crate::error::{Error, Result, finite, positive};
+use crate::joints::{Cut, MOST_SEGMENTS};
+use crate::measure::RadialError;
+use crate::method::Rule;
+use crate::shape::{Arc, Circle, Shape};
+use crate::write::number::Precision;
+use limb::Side;
+use space::{Ring, Space};
+
+/// A sphere with the lines on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sphere {
+    /// Where its centre is seen.
+    pub center: Point,
+    /// Its radius, positive.
+    pub radius: f64,
+    /// The number of meridians, each from pole to pole, at equal angles from longitude 0.
+    pub meridians: usize,
+    /// The number of parallels, which divide the way from pole to pole into equal parts; the equator is one where they are odd.
+    pub parallels: usize,
+}
+
+/// From where a sphere is seen.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct View {
+    /// The longitude of the point in the middle.
+    pub longitude: Angle,
+    /// The latitude of the point in the middle.
+    pub latitude: Angle,
+    /// Whether north is towards +y, as on a PostScript page, and not towards -y, as on an SVG canvas.
+    pub y_up: bool,
+}
+
+/// How to draw it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// What gives the control points.
+    pub rule: Rule,
+    /// The number of segments of a whole circle; `None` for one for every quarter turn.
+    pub segments: Option<usize>,
+    /// How control points are rounded; `None` picks the fewest decimals that add no more than a tenth of the error.
+    pub precision: Option<Precision>,
+    /// Applied to the projected control points.
+    pub transform: Affine,
+}
+
+/// What a line on the sphere is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Line {
+    /// The circle of this latitude.
+    Parallel(Angle),
+    /// The half circle of this longitude, and where meridians come in opposite pairs the other half too.
+    Meridian(Angle),
+    /// The great circle that is seen as the outline.
+    Outline,
+}
+
+/// A part of a line on the sphere, as it is seen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// The line.
+    pub line: Line,
+    /// The projected curve, closed where it is a whole circle.
+    pub curve: Curve,
+}
+
+/// A sphere as it is seen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// What was asked for.
+    pub sphere: Sphere,
+    /// From where.
+    pub view: View,
+    /// How it is drawn.
+    pub options: Options,
+    /// What lies before the limb, and lines that lie in it.
+    pub front: Vec<Part>,
+    /// What lies behind the limb.
+    pub back: Vec<Part>,
+    /// The outline.
+    pub outline: Part,
+    /// The largest distances of any of the curves in space from its true circle, before control points are rounded or mapped.
+    pub error: RadialError,
+}
+
+impl Sphere {
+    /// A sphere.
+    ///
+    /// # Errors
+    ///
+    /// Where a number is not finite, the radius is not positive, or there are more lines than anyone draws.
+    pub fn new(
+        center: impl Into<Point>,
+        radius: f64,
+        meridians: usize,
+        parallels: usize,
+    ) -> Result<Self> {
+        let center = center.into();
+        finite("x coordinate of the centre", center.x)?;
+        finite("y coordinate of the centre", center.y)?;
+        if let Some(count) = [meridians, parallels].into_iter().find(|&n| n > MOST_LINES) {
+            return Err(Error::Shape(format!(
+                "a sphere takes up to {MOST_LINES} meridians and as many parallels, not {count}"
+            )));
+        }
+        Ok(Self {
+            center,
+            radius: positive("radius", radius)?,
+            meridians,
+            parallels,
+        })
+    }
+
+    /// The sphere as it is seen.
+    ///
+    /// # Errors
+    ///
+    /// Where the rule cannot do what is asked: a method whose ends leave the circle draws no half circles, which an odd number of
+    /// meridians are; where the latitude of the view is none; and where control points leave the range of coordinates.
+    ///
+    /// ```
+    /// use curveto::sphere::{Options, Sphere, View};
+    /// use curveto::Angle;
+    /// let view = View { latitude: Angle::from_degrees(90.0), ..View::default() };
+    /// let seen = Sphere::new((0.0, 0.0), 100.0, 4, 1)?.seen(view, &Options::default())?;
+    /// assert_eq!(seen.front.len(), 3); // the equator lies in the limb; two meridians cross at the pole
+    /// assert_eq!(seen.back.len(), 2);
+    /// # Ok::<(), curveto::Error>(())
+    /// ```
+    pub fn seen(&self, view: View, options: &Options) -> Result<Picture> {
+        let count = self.meridians.div_ceil(2) + self.parallels + 1;
+        let most = 10 * MOST_SEGMENTS / count;
+        if let Some(count) = options.segments.filter(|&count| count > most) {
+            return Err(Error::Count { count, most });
+        }
+        let space = Space::new(self, view)?;
+        let circle = unit_circle(options)?;
+        let mut error = circle.error;
+        let mut lines: Vec<(Line, Ring, &Curve)> = Vec::new();
+        for latitude in self.latitudes() {
+            let ring = space.parallel(latitude);
+            lines.push((Line::Parallel(latitude), ring, &circle.curve));
+        }
+        let half;
+        let meridian = if self.meridians % 2 == 1 {
+            half = unit_half_circle(options)?;
+            error = error.with(half.error);
+            &half.curve
+        } else {
+            &circle.curve
+        };
+        for longitude in self.longitudes() {
+            let ring = space.meridian(longitude);
+            lines.push((Line::Meridian(longitude), ring, meridian));
+        }
+        let mut picture = Picture {
+            sphere: *self,
+            view,
+            options: *options,
+            front: Vec::new(),
+            back: Vec::new(),
+            outline: Part {
+                line: Line::Outline,
+                curve: circle.curve.transformed(space.outline()),
+            },
+            error: error.times(self.radius),
+        };
+        for (line, ring, unit) in lines {
+            for (side, curve) in limb::cut(unit, ring.depth) {
+                let curve = curve.transformed(ring.screen);
+                match side {
+                    Side::Front => picture.front.push(Part { line, curve }),
+                    Side::Back => picture.back.push(Part { line, curve }),
+                }
+            }
+        }
+        picture.finished()
+    }
+
+    /// The latitudes of the parallels, from the north.
+    fn latitudes(&self) -> impl Iterator<Item = Angle> + use<> {
+        let parts = self.parallels + 1;
+        // Counted from the equator, so that both halves mirror to the last digit.
+        (1..parts).map(move |i| {
+            Angle::from_degrees(90.0 * (parts as f64 - 2.0 * i as f64) / parts as f64)
+        })
+    }
+
+    /// The longitudes of the meridians; where they come in opposite pairs one of each pair.
+    fn longitudes(&self) -> impl Iterator<Item = Angle> + use<> {
+        let count = self.meridians;
+        let circles = if count % 2 == 0 { count / 2 } else { count };
+        (0..circles).map(move |i| Angle::from_degrees(360.0 * i as f64 / count as f64))
+    }
+}
+
+impl Picture {
+    /// The picture mapped and rounded.
+    fn finished(mut self) -> Result<Self> {
+        let transform = self.options.transform;
+        for part in self.parts_mut() {
+            part.curve = part.curve.transformed(transform);
+        }
+        for p in self
+            .parts()
+            .flat_map(|part| &part.curve.segments)
+            .flat_map(control_points)
+        {
+            finite("coordinate of a control point", p.x)?;
+            finite("coordinate of a control point", p.y)?;
+        }
+        let precision = self.options.precision.unwrap_or_else(|| {
+            let scales = kurbo::Ellipse::from_affine(transform).radii();
+            let smallest_scale = scales.x.min(scales.y);
+            automatic_precision(
+                self.error.peak() * smallest_scale,
+                self.parts().flat_map(|part| &part.curve.segments),
+            )
+        });
+        for part in self.parts_mut() {
+            part.curve = part.curve.rounded(precision, &[]);
+        }
+        Ok(self)
+    }
+
+    /// All parts in the order in which they are drawn.
+    fn parts(&self) -> impl Iterator<Item = &Part> {
+        let front = self.front.iter();
+        self.back
+            .iter()
+            .chain(front)
+            .chain(iter::once(&self.outline))
+    }
+
+    fn parts_mut(&mut self) -> impl Iterator<Item = &mut Part> {
+        let front = self.front.iter_mut();
+        self.back
+            .iter_mut()
+            .chain(front)
+            .chain(iter::once(&mut self.outline))
+    }
+}
+
+/// The most meridians, and the most parallels.
+const MOST_LINES: usize = 10_000;
+
+/// The whole unit circle by the rule.
+fn unit_circle(options: &Options) -> Result<Drawing> {
+    let circle = Shape::Circle(Circle::new((0.0, 0.0), 1.0)?);
+    draw(&circle, options.segments, options)
+}
+
+/// The unit circle's half from angle 0 to 180 degrees by the rule.
+fn unit_half_circle(options: &Options) -> Result<Drawing> {
+    let half_turn = Angle::from_degrees(180.0);
+    let half = Arc::new((0.0, 0.0), (1.0, 1.0), Angle::ZERO, Angle::ZERO, half_turn)?;
+    let segments = options.segments.map(|n| n.div_ceil(2));
+    draw(&Shape::Arc(half), segments, options)
+}
+
+fn draw(shape: &Shape, segments: Option<usize>, options: &Options) -> Result<Drawing> {
+    let exactly = approximate::Options {
+        rule: options.rule,
+        cut: segments.map_or(Cut::Quarters, Cut::Count),
+        precision: Some(Precision::Full),
+        transform: Affine::IDENTITY,
+    };
+    approximate(shape, &exactly)
+}

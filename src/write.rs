@@ -11,6 +11,7 @@ pub mod postscript;
 pub mod scene;
 pub mod style;
 pub mod svg;
+pub mod sphere;
 pub mod spline;
 
 use core::fmt;
@@ -72,6 +73,12 @@ impl Format {
     #[must_use]
     pub const fn is_picture(self) -> bool {
         matches!(self, Self::Svg | Self::Eps | Self::Png)
+    }
+
+    /// Whether +y is up: on a PostScript page it is, on an SVG canvas it is down.
+    #[must_use]
+    pub const fn has_y_up(self) -> bool {
+        matches!(self, Self::Ps | Self::Eps)
     }
 
     /// Whether closed shapes start at 180 degrees and run in the negative direction, as Lancaster's `drawellipse` does.

@@ -4,12 +4,14 @@ mod approximation;
 mod output;
 mod picture;
 pub(crate) mod shape;
+mod sphere;
 mod spline;
 mod values;
 
 pub(crate) use approximation::ApproximationArgs;
 pub(crate) use output::OutputArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
+pub(crate) use sphere::SphereArgs;
 pub(crate) use spline::{SplineArgs, SplineSource};
 
 use std::path::PathBuf;
@@ -41,6 +43,8 @@ pub(crate) enum Command {
     Arc(Draw<ArcShape>),
     /// Draw a composite parametric cubic curve through points, after Chen
     Spline(SplineArgs),
+    /// Draw the parallels and meridians of a sphere, after Chen's Figure 1
+    Sphere(SphereArgs),
     /// Print PostScript procedures that draw ellipses and circles, after Lancaster
     Procset(ProcsetArgs),
     /// Print a completion script for a shell

@@ -75,9 +75,9 @@ impl<'a> Source<'a> {
             (Err(ReadError::Io(error)), _) => {
                 Err(anyhow::Error::from(error).context(format!("cannot read {}", self.name())))?
             }
-            (Err(ReadError::Syntax { column, why, .. }), Self::Words(_)) => Err(
-                Failure::request(format!("{why}, at column {column} of --points")),
-            ),
+            (Err(ReadError::Syntax { column, why, .. }), Self::Words(_)) => Err(Failure::request(
+                format!("{why}, at column {column} of --points"),
+            )),
             (Err(error), _) => Err(Failure::request(format!("{}:{error}", self.name()))),
         }
     }
@@ -90,10 +90,7 @@ impl<'a> Source<'a> {
                 let at = lines[first].max(lines[second]);
                 let other = lines[first].min(lines[second]);
                 Failure::Request {
-                    message: format!(
-                        "{}:{at}: {error} (lines {other} and {at})",
-                        self.name()
-                    ),
+                    message: format!("{}:{at}: {error} (lines {other} and {at})", self.name()),
                     hint: error.hint(),
                 }
             }

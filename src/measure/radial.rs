@@ -143,7 +143,7 @@ fn bernstein(coefficients: &[f64], t: f64) -> f64 {
 
 /// A handful of parameters in ascending order.
 #[derive(Default)]
-struct Parameters {
+pub(crate) struct Parameters {
     values: [f64; 6],
     count: usize,
 }
@@ -154,13 +154,13 @@ impl Parameters {
         self.count += 1;
     }
 
-    fn iter(&self) -> impl Iterator<Item = f64> + '_ {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = f64> + '_ {
         self.values[..self.count].iter().copied()
     }
 }
 
 /// Where a polynomial in Bernstein form changes its sign in (0, 1): between the roots of its derivative it is monotone.
-fn sign_changes(coefficients: &[f64]) -> Parameters {
+pub(crate) fn sign_changes(coefficients: &[f64]) -> Parameters {
     let mut found = Parameters::default();
     let same_sign =
         coefficients.iter().all(|&c| c >= 0.0) || coefficients.iter().all(|&c| c <= 0.0);

@@ -39,6 +39,14 @@ pub(super) fn point(text: &str) -> Read<Point> {
     pair(text).map(|[x, y]| Point::new(x, y))
 }
 
+/// Two angles with a comma between them.
+pub(super) fn angles(text: &str) -> Read<[Angle; 2]> {
+    let (first, second) = text
+        .split_once(',')
+        .ok_or_else(|| format!("'{text}' is not two angles with a comma between them"))?;
+    Ok([angle(first)?, angle(second)?])
+}
+
 pub(super) fn size(text: &str) -> Read<Vec2> {
     pair(text).map(|[x, y]| Vec2::new(x, y))
 }
