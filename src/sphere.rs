@@ -145,7 +145,7 @@ impl Sphere {
     /// ```
     pub fn seen(&self, view: View, options: &Options) -> Result<Picture> {
         let count = self.meridians.div_ceil(2) + self.parallels + 1;
-        let most = 10 * MOST_SEGMENTS / count;
+        let most = MOST_SEGMENTS / count;
         if let Some(count) = options.segments.filter(|&count| count > most) {
             return Err(Error::Count { count, most });
         }
