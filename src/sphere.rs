@@ -158,7 +158,7 @@ impl Sphere {
             lines.push((Line::Parallel(latitude), ring, &circle.curve));
         }
         let half;
-        let meridian = if self.meridians % 2 == 1 {
+        let meridian = if !self.meridians.is_multiple_of(2) {
             half = unit_half_circle(options)?;
             error = error.with(half.error);
             &half.curve
@@ -205,7 +205,11 @@ impl Sphere {
     /// The longitudes of the meridians; where they come in opposite pairs one of each pair.
     fn longitudes(&self) -> impl Iterator<Item = Angle> + use<> {
         let count = self.meridians;
-        let circles = if count % 2 == 0 { count / 2 } else { count };
+        let circles = if count.is_multiple_of(2) {
+            count / 2
+        } else {
+            count
+        };
         (0..circles).map(move |i| Angle::from_degrees(360.0 * i as f64 / count as f64))
     }
 }

@@ -18,6 +18,9 @@ pub use nodal::Ends;
 /// The arc lengths have settled when none changes by more than this part of itself.
 const SETTLED: f64 = 1e-12;
 
+/// The accuracy of an arc length, as a part of the length of its control polygon.
+const ACCURACY: f64 = 1e-14;
+
 /// The most rounds in which arc lengths may settle; from the chords of a tame curve it takes a dozen or two.
 const MOST_ROUNDS: usize = 500;
 
@@ -76,7 +79,14 @@ impl Quadrature {
     /// The arc length of a cubic.
     fn length(self, cubic: &CubicBez) -> f64 {
         match self {
-            Self::Adaptive => cubic.arclen(1e-14 * (cubic.p3 - cubic.p0).hypot()),
+            Self::Adaptive => {
+                let legs = [
+                    cubic.p1 - cubic.p0,
+                    cubic.p2 - cubic.p1,
+                    cubic.p3 - cubic.p2,
+                ];
+                cubic.arclen(ACCURACY * legs.map(Vec2::hypot).iter().sum::<f64>())
+            }
             Self::Gauss2 => {
                 // The points (1 -+ 1/sqrt 3)/2, in Bernstein form: the derivative is 3 (s² d1 + 2 s t d2 + t² d3).
                 let speed = |t: f64| {
@@ -228,7 +238,7 @@ impl Spline {
         if self.options.unit_tangents {
             for derivative in &mut self.derivatives {
                 if *derivative != Vec2::ZERO {
-                    *derivative = *derivative / derivative.hypot();
+                    *derivative /= derivative.hypot();
                 }
             }
         }

@@ -249,7 +249,8 @@ pub fn to_line(value: &impl Serialize) -> Result<String, serde_json::Error> {
 fn serialize(value: &impl Serialize, layout: Layout) -> Result<String, serde_json::Error> {
     let mut out = Vec::new();
     value.serialize(&mut Serializer::with_formatter(&mut out, layout))?;
-    Ok(String::from_utf8_lossy(&out).into_owned())
+    // A serializer writes UTF-8, so that this cannot fail and need not copy.
+    Ok(String::from_utf8(out).unwrap_or_default())
 }
 
 /// The layout of our JSON, and our numbers in it.

@@ -33,19 +33,22 @@ impl Figure {
 
 /// How the curve runs through its points.
 fn describe(spline: &Spline) -> String {
-    let mut text = spline.options.parametrization.name().to_owned() + " parametrization";
-    if spline.rounds > 0 {
-        text += &format!(", settled in {} rounds", spline.rounds);
-    }
-    text += match spline.options.ends {
-        Ends::Cyclic => ", cyclic ends",
-        Ends::Free => ", free ends",
-        Ends::Fixed(_) => ", fixed ends",
+    let settled = match spline.rounds {
+        0 => String::new(),
+        rounds => format!(", settled in {rounds} rounds"),
     };
-    if spline.options.unit_tangents {
-        text += ", unit tangents";
-    }
-    text
+    let ends = match spline.options.ends {
+        Ends::Cyclic => "cyclic",
+        Ends::Free => "free",
+        Ends::Fixed(_) => "fixed",
+    };
+    let tangents = if spline.options.unit_tangents {
+        ", unit tangents"
+    } else {
+        ""
+    };
+    let parametrization = spline.options.parametrization.name();
+    format!("{parametrization} parametrization{settled}, {ends} ends{tangents}")
 }
 
 /// The JSON of a spline.
@@ -57,6 +60,10 @@ pub struct SplineDocument<'a> {
     #[serde(serialize_with = "points")]
     #[schemars(with = "Vec<[f64; 2]>")]
     pub points: &'a Spline,
+    /// The derivative at each point with respect to the parameter, before any map.
+    #[serde(serialize_with = "derivatives")]
+    #[schemars(with = "Vec<[f64; 2]>")]
+    pub derivatives: &'a Spline,
     /// `uniform`, `chord`, `centripetal` or `arc-length`.
     pub parametrization: &'static str,
     /// How arc length was integrated, where it was Chen's two-point Gauss quadrature.
@@ -82,9 +89,7 @@ pub struct SplineDocument<'a> {
     #[schemars(with = "Vec<SplineSegmentDocument>")]
     pub segments: (&'a Spline, &'a Figure),
     /// SVG path data.
-    #[serde(serialize_with = "path_data")]
-    #[schemars(with = "String")]
-    pub path: &'a Figure,
+    pub path: String,
 }
 
 /// One segment of a spline.
@@ -112,6 +117,7 @@ impl<'a> SplineDocument<'a> {
         Self {
             version: 1,
             points: spline,
+            derivatives: spline,
             parametrization: options.parametrization.name(),
             quadrature: gauss2.then_some("gauss2"),
             rounds: (spline.rounds > 0).then_some(spline.rounds),
@@ -121,15 +127,27 @@ impl<'a> SplineDocument<'a> {
             transform: (transform != Affine::IDENTITY).then(|| transform.as_coeffs()),
             closed: options.ends == Ends::Cyclic,
             segments: (spline, figure),
-            path: figure,
+            path: path::data(figure.curves(), false),
         }
     }
 }
 
 // A million points are not kept a second time: these serialize as they go.
 
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes references to fields"
+)]
 fn points<S: Serializer>(spline: &&Spline, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(spline.points.iter().map(|p| [p.x, p.y]))
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes references to fields"
+)]
+fn derivatives<S: Serializer>(spline: &&Spline, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(spline.derivatives.iter().map(|d| [d.x, d.y]))
 }
 
 fn segments<S: Serializer>(
@@ -146,8 +164,4 @@ fn segments<S: Serializer>(
     };
     let segments = figure.curves().flat_map(|curve| &curve.segments);
     serializer.collect_seq(segments.zip(&spline.lengths).map(document))
-}
-
-fn path_data<S: Serializer>(figure: &&Figure, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(&path::data(figure.curves(), false))
 }
