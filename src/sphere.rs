@@ -243,7 +243,7 @@ impl Picture {
         Ok(self)
     }
 
-    /// All parts in the order in which they are drawn.
+    /// All parts.
     fn parts(&self) -> impl Iterator<Item = &Part> {
         let front = self.front.iter();
         self.back

@@ -9,10 +9,10 @@ pub mod path;
 pub mod png;
 pub mod postscript;
 pub mod scene;
-pub mod style;
-pub mod svg;
 pub mod sphere;
 pub mod spline;
+pub mod style;
+pub mod svg;
 
 use core::fmt;
 use core::str::FromStr;
@@ -130,6 +130,8 @@ pub struct Layer {
     pub class: Option<&'static str>,
     /// Whether it is drawn dashed.
     pub dashed: bool,
+    /// Whether it is lines on a shape, to be stroked more finely and never filled.
+    pub fine: bool,
     /// The curves, as they are written.
     pub curves: Vec<Curve>,
 }
@@ -220,9 +222,8 @@ impl From<&Drawing> for Figure {
             title,
             description,
             layers: vec![Layer {
-                class: None,
-                dashed: false,
                 curves: vec![drawing.curve.clone()],
+                ..Layer::default()
             }],
             truths: drawing.outline.into_iter().collect(),
         }

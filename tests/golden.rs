@@ -13,7 +13,7 @@ use curveto::Method;
 const FORMATS: [&str; 5] = ["path", "svg", "ps", "eps", "json"];
 
 /// Shapes and their options beside the circle, which is drawn by every method.
-const SHAPES: [(&str, &[&str]); 14] = [
+const SHAPES: [(&str, &[&str]); 18] = [
     (
         "circle-diameter-7-segments",
         &[
@@ -106,6 +106,40 @@ const SHAPES: [(&str, &[&str]); 14] = [
     (
         "arc-line",
         &["arc", "--from", "0,0", "--to", "10,5", "--bulge", "0"],
+    ),
+    ("spline-free", &["spline", "--points", "0,0 1,2 3,1 4,4"]),
+    (
+        "spline-cyclic-arc-length",
+        &[
+            "spline",
+            "--points",
+            "0,0 10,0 12,5 3,8",
+            "--ends",
+            "cyclic",
+            "--parametrization",
+            "arc-length",
+            "--unit-tangents",
+        ],
+    ),
+    ("sphere", &["sphere", "100"]),
+    (
+        "sphere-odd-meridians-no-hidden",
+        &[
+            "sphere",
+            "50",
+            "--meridians",
+            "3",
+            "--parallels",
+            "2",
+            "--view",
+            "-20,-60",
+            "--hidden",
+            "none",
+            "-n",
+            "6",
+            "-m",
+            "chen-3",
+        ],
     ),
 ];
 

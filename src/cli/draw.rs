@@ -3,8 +3,7 @@
 use std::process::ExitCode;
 
 use curveto::approximate::{Options, approximate};
-use curveto::write::number::Precision;
-use curveto::write::{Figure, Format, json};
+use curveto::write::{Figure, json};
 use curveto::{Angle, Cut};
 
 use super::Outcome;
@@ -39,14 +38,10 @@ fn draw(
     } else {
         Direction::default()
     };
-    let precision = match output.decimals() {
-        Some(decimals) => Some(Precision::Fixed(decimals)),
-        None => (format == Format::Json).then_some(Precision::Full),
-    };
     let options = Options {
         rule: approximation.rule()?,
         cut: cut(shape, approximation)?,
-        precision,
+        precision: output.rounding(format),
         transform: output.transform(),
     };
     let mut drawing = approximate(&shape.shape(default)?, &options)?;

@@ -22,24 +22,24 @@ pub enum Hidden {
 }
 
 impl Figure {
-    /// A sphere as layers with the classes `back`, `front` and `outline`.
+    /// A sphere as layers with the classes `outline`, `back` and `front`, those beneath first.
     #[must_use]
     pub fn of_sphere(picture: &Picture, hidden: Hidden) -> Self {
-        let curves = |parts: &[Part]| parts.iter().map(|part| part.curve.clone()).collect();
-        let layer = |class, parts: &[Part]| Layer {
+        let lines = |class, dashed, parts: &[Part]| Layer {
             class: Some(class),
-            dashed: false,
-            curves: curves(parts),
+            dashed,
+            fine: true,
+            curves: parts.iter().map(|part| part.curve.clone()).collect(),
         };
-        let mut layers = Vec::new();
+        let mut layers = vec![Layer {
+            class: Some("outline"),
+            curves: vec![picture.outline.curve.clone()],
+            ..Layer::default()
+        }];
         if hidden != Hidden::None {
-            layers.push(Layer {
-                dashed: hidden == Hidden::Dash,
-                ..layer("back", &picture.back)
-            });
+            layers.push(lines("back", hidden == Hidden::Dash, &picture.back));
         }
-        layers.push(layer("front", &picture.front));
-        layers.push(layer("outline", core::slice::from_ref(&picture.outline)));
+        layers.push(lines("front", false, &picture.front));
         layers.retain(|layer| !layer.curves.is_empty());
         let title = format!("Sphere of radius {}", text(picture.sphere.radius));
         Self {

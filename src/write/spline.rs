@@ -22,9 +22,8 @@ impl Figure {
             ),
             title,
             layers: vec![Layer {
-                class: None,
-                dashed: false,
                 curves: vec![curve],
+                ..Layer::default()
             }],
             truths: Vec::new(),
         }

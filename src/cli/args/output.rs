@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use curveto::write::Format;
-use curveto::write::style::Style;
 use curveto::write::number::Precision;
+use curveto::write::style::Style;
 use kurbo::Affine;
 
 use super::picture::PictureArgs;
@@ -89,11 +89,6 @@ impl OutputArgs {
             )),
             _ => Ok(self.picture.style(self.relative)),
         }
-    }
-
-    /// The decimals that were asked for.
-    pub(crate) fn decimals(&self) -> Option<u8> {
-        self.precision
     }
 
     /// How the points are to be rounded: as it was asked for, in full for JSON, else by what is drawn.

@@ -19,7 +19,8 @@ const INWARD: Paint = Paint::rgb(0x56, 0xb4, 0xe9);
 /// Handles, in the bluish green of the same palette.
 const HANDLES: Paint = Paint::rgb(0x00, 0x9e, 0x73);
 
-// Sizes of what is shown, in widths of the curve's stroke.
+// Sizes of fine lines and of what is shown, in widths of the curve's stroke.
+const FINE_WIDTH: f64 = 0.5;
 const TRUTH_WIDTH: f64 = 3.0;
 const HANDLE_WIDTH: f64 = 0.5;
 const HANDLE_RADIUS: f64 = 1.1;
@@ -64,7 +65,8 @@ impl<'a> Painter<'a> {
         // What is shown beneath the curve is not to vanish beneath its fill.
         let fill_first = show.is_any() && self.style.fill != Paint::None;
         if fill_first {
-            groups.extend(self.figure.layers.iter().map(|layer| Group {
+            let filled = self.figure.layers.iter().filter(|layer| !layer.fine);
+            groups.extend(filled.map(|layer| Group {
                 class: Some("fill"),
                 pen: Pen::filled(self.style.fill),
                 marks: layer.curves.iter().cloned().map(Mark::Curve).collect(),
@@ -93,17 +95,18 @@ impl<'a> Painter<'a> {
     }
 
     fn layer(&self, layer: &Layer, filled_before: bool) -> Group {
-        let fill = if filled_before {
+        let fill = if filled_before || layer.fine {
             Paint::None
         } else {
             self.style.fill
         };
+        let part = if layer.fine { FINE_WIDTH } else { 1.0 };
         Group {
             class: layer.class,
             pen: Pen {
                 stroke: self.style.stroke,
-                width: self.width,
-                dash: layer.dashed.then_some(3.0 * self.mark),
+                width: part * self.width,
+                dash: layer.dashed.then_some(3.0 * part * self.mark),
                 fill,
             },
             marks: layer.curves.iter().cloned().map(Mark::Curve).collect(),
