@@ -206,6 +206,34 @@ fn chens_figures_5_and_6_and_7() {
 }
 
 #[test]
+fn circles_through_uneven_points_by_the_methods_of_circle() {
+    let joints = ALTERNATING.map(curveto::Angle::from_degrees).to_vec();
+    let circle = curveto::Shape::Circle(curveto::Circle::new((0.0, 0.0), 1.0).unwrap());
+    let error = |method| {
+        let options = curveto::Options {
+            rule: curveto::Rule::Method(method),
+            cut: curveto::Cut::At(joints.clone()),
+            precision: Some(Precision::Full),
+            ..curveto::Options::default()
+        };
+        curveto::approximate(&circle, &options).unwrap().error
+    };
+    let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "{a} is not {b}");
+    close(error(curveto::Method::Chen1).inward, 0.109_112_009_690);
+    close(error(curveto::Method::Chen1).outward, 0.089_718_095_997);
+    // The other two take each piece on its own, so that the longer ones, of 60 degrees, decide.
+    for (method, printed) in [
+        (curveto::Method::Chen2, 0.003_299_5),
+        (curveto::Method::Chen3, 0.003_07),
+    ] {
+        let sixth = curveto::method::Span::from_degrees(60.0);
+        let alone = method.radial_error(&sixth).unwrap();
+        close(error(method).inward, alone.inward);
+        assert!((alone.inward - printed).abs() < 1e-5 && alone.outward == 0.0);
+    }
+}
+
+#[test]
 fn formulation_2_is_the_method_chen_2() {
     for (quadrature, rule, printed) in [
         (
