@@ -159,7 +159,7 @@ impl Method {
 
     /// The largest radial distances of the piece from the unit circle, outside and inside, both at least 0.
     ///
-    /// These are the distances of the piece in exact arithmetic, right to at least eight digits at every angle, however small;
+    /// These are the distances of the piece in exact arithmetic, right to at least nine digits at every angle, however small;
     /// control points in `f64` add a few 1e-16.
     ///
     /// # Errors
@@ -168,25 +168,23 @@ impl Method {
     pub fn radial_error(self, span: &Span) -> Result<RadialError> {
         self.check_angle(span)?;
         Ok(match self {
-            Self::Midpoint => tangent::family_error(span, tangent::midpoint(span), 1.0),
+            Self::Midpoint => tangent::family_error(span, 1.0),
             Self::Minimax => minimax::error(span),
-            Self::Goldapp => {
-                tangent::family_error(span, tangent::goldapp(span), tangent::goldapp_zero())
-            }
-            Self::Curvature => tangent::family_error(span, tangent::curvature(span), 0.0),
+            Self::Goldapp => tangent::family_error(span, tangent::goldapp_zero()),
+            Self::Curvature => tangent::family_error(span, 0.0),
             Self::Area => integral::area_error(span),
-            Self::Length => integral::error(span, integral::length_zero(span)),
-            Self::Mean => integral::error(span, integral::mean_zero(span)),
-            Self::MeanAngle => integral::error(span, integral::mean_angle_zero(span)),
-            Self::Rms => integral::error(span, integral::rms_zero(span)),
+            Self::Length => tangent::family_error(span, integral::length_zero(span)),
+            Self::Mean => tangent::family_error(span, integral::mean_zero(span)),
+            Self::MeanAngle => tangent::family_error(span, integral::mean_angle_zero(span)),
+            Self::Rms => tangent::family_error(span, integral::rms_zero(span)),
             Self::Apprich => apprich::minus_error(span),
             Self::ApprichScaled => apprich::scaled_error(span),
             Self::ApprichPlus | Self::LancasterBest | Self::LancasterDrawellipse => {
                 tangent::error(span, self.piece(span)?.handle.y)
             }
-            Self::Chen1 | Self::Chen2 | Self::Chen3 => {
-                chen::error(span, self.piece(span)?.handle.y)
-            }
+            Self::Chen1 => chen::formulation_1_error(span),
+            Self::Chen2 => chen::formulation_2_error(span),
+            Self::Chen3 => chen::formulation_3_error(span),
             Self::CurvatureScaled => tangent::curvature_scaled_error(span),
             Self::MinimaxFree => tangent::minimax_free_error(span),
             Self::MinimaxG0 => equioscillating::on_circle_error(span),
@@ -208,26 +206,39 @@ impl Method {
     /// Refuses an angle that the method does not serve, and says what would do.
     fn check_angle(self, span: &Span) -> Result<()> {
         let card = self.card();
-        let degrees = span.degrees();
-        if degrees > card.largest_angle {
-            let largest = card.largest_angle;
+        let degrees = Degrees(span.degrees());
+        let largest = card.largest_angle;
+        if span.exceeds(largest) {
+            let remedy = format!("take more segments, at least one for every {largest} degrees");
             return Err(self.refuse(
-                format!(
-                    "a segment of {degrees:.6} degrees is beyond its largest, {largest} degrees"
-                ),
-                format!("take more segments, at least one for every {largest} degrees"),
+                format!("a segment of {degrees} is beyond its largest, {largest} degrees"),
+                match self.beyond_its_angle() {
+                    Some(others) => format!("{remedy}, or -m {others}"),
+                    None => remedy,
+                },
             ));
         }
         if self == Self::LancasterDrawellipse && !span.is_about(90.0) {
             return Err(self.refuse(
                 format!(
-                    "its one number serves quarters only, not segments of {degrees:.6} degrees"
+                    "its one number serves quarters only, not segments of {degrees}"
                 ),
                 "take -n 4 for a full turn, or -m midpoint, minimax, which serve every angle"
                     .to_owned(),
             ));
         }
         Ok(())
+    }
+
+    /// What serves the angles beyond the method's largest, where that is less than half a turn.
+    const fn beyond_its_angle(self) -> Option<&'static str> {
+        match self {
+            Self::Apprich | Self::ApprichPlus => Some("curvature, minimax, which serve 180 degrees"),
+            Self::ApprichScaled => Some("curvature-scaled, minimax-free, which serve 180 degrees"),
+            Self::Chen1 => Some("chen-3, minimax, which serve 180 degrees"),
+            Self::QuadraticTangent => Some("quadratic-minimax, which serves 180 degrees"),
+            _ => None,
+        }
     }
 
     /// The error that says why this method cannot do something.
@@ -237,6 +248,15 @@ impl Method {
             why,
             remedy,
         }
+    }
+}
+
+/// An angle in a message: two decimals tell enough.
+pub(crate) struct Degrees(pub(crate) f64);
+
+impl fmt::Display for Degrees {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} degrees", (self.0 * 100.0).round() / 100.0)
     }
 }
 
@@ -324,7 +344,9 @@ impl Rule {
     pub fn radial_error(self, span: &Span) -> Result<RadialError> {
         match self {
             Self::Method(method) => method.radial_error(span),
-            Self::Chen2Gauss2 => Ok(chen::error(span, self.piece(span)?.handle.y)),
+            Self::Chen2Gauss2 => Method::Chen2
+                .check_angle(span)
+                .map(|()| chen::formulation_2_gauss_error(span)),
             Self::Handle(k) => check_half_turn(span).map(|()| tangent::error(span, k)),
         }
     }
@@ -344,6 +366,7 @@ impl Rule {
         if let Some(method) = self.method() {
             method.check_chain(spans.len(), equal, closed)?;
             if method == Method::Chen1 && !(closed && equal) {
+                spans.iter().try_for_each(check_half_turn_of_chen_1)?;
                 return Ok(chen::chain(spans, closed));
             }
         }
@@ -377,8 +400,9 @@ impl Method {
             ));
         }
         if self == Self::Chen1 && closed && count < 3 {
+            let points = if count == 1 { "one point" } else { "two points" };
             return Err(self.refuse(
-                format!("his cyclic system (11) through {count} opposite points gives handles of length 0"),
+                format!("his cyclic system (11) through {points} gives handles of length 0"),
                 "take at least three segments, or -m chen-3, minimax".to_owned(),
             ));
         }
@@ -397,16 +421,28 @@ impl Method {
     }
 }
 
+/// Unequal arcs of Formulation I have no angle of their own at which the system fails, but more than half a turn is no arc any more.
+fn check_half_turn_of_chen_1(span: &Span) -> Result<()> {
+    if !span.exceeds(180.0) {
+        return Ok(());
+    }
+    let degrees = Degrees(span.degrees());
+    Err(Method::Chen1.refuse(
+        format!("a segment of {degrees} is more than half a turn"),
+        "take more segments or nearer joints".to_owned(),
+    ))
+}
+
 /// A literal handle serves up to half a turn: beyond, one cubic is no arc any more.
 fn check_half_turn(span: &Span) -> Result<()> {
-    if span.degrees() <= 180.0 {
+    if !span.exceeds(180.0) {
         return Ok(());
     }
     Err(Error::Impossible {
         method: "--handle",
         why: format!(
-            "a segment of {:.6} degrees is more than half a turn",
-            span.degrees()
+            "a segment of {} is more than half a turn",
+            Degrees(span.degrees())
         ),
         remedy: "take more segments".to_owned(),
     })

@@ -1,6 +1,6 @@
 //! `apprich`, `apprich-plus`, `apprich-scaled`: four times continuously differentiable at joints of equal pieces.
 //!
-//! Apprich, Dietrich, Höllig et al., "Approximating a circle ... C4": with f the graph x = f(y) of the curve near the joint,
+//! Apprich, Dietrich, Höllig et al.: with f the graph x = f(y) of the curve near the joint,
 //! f''' = 0 is a quadratic equation for the handle,
 //!
 //! ```text
@@ -8,7 +8,12 @@
 //! ```
 //!
 //! δ-minus (`apprich`) has order 6, lies inside the circle and errs most at t = 1/2, where 1 - r² = E; δ-plus has order 2.
-//! `apprich-scaled` is the paper's p* = 2/(1 + sqrt(1-E)) p, which balances the error of δ-minus.
+//! `apprich-scaled` is the paper's p* = 2/(1 + sqrt(1-E)) p, which balances the error of δ-minus. The paper's
+//! E = (9/32)(c-1)k² - (3/4)ks + (1-c)/2 cancels at small angles; with q = sqrt(2(5+3c)) and N = 2 + 2c + q the same number is
+//!
+//! ```text
+//! E = sin⁶ h (4 + 8c + q(5+c)/2) / (N² cos² h (4+q))
+//! ```
 
 use crate::measure::RadialError;
 
@@ -32,18 +37,13 @@ fn handle(span: &Span, sign: f64) -> f64 {
         * (2.0 * (4.0 + 3.0 * c) + sign * (2.0 * (5.0 + 3.0 * c)).sqrt())
 }
 
-/// E, the largest value of 1 - r²; its limit is (3/4096) a⁶.
+/// E, the largest value of 1 - r².
 fn big_e(span: &Span) -> f64 {
-    if span.a < 0.02 {
-        return 3.0 / 4096.0 * span.a.powi(6);
-    }
-    let k = minus(span);
-    // (H + G/4)/16 with G = 4(3k cos h - 2 sin h)², each rid of what cancels.
-    let (h, g) = (
-        12.0 * span.sh * span.sh - 12.0 * k * span.sh * span.ch - 9.0 * k * k,
-        4.0 * (3.0 * k * span.ch - 2.0 * span.sh).powi(2),
-    );
-    (h + g / 4.0) / 16.0
+    let c = span.c;
+    let q = (2.0 * (5.0 + 3.0 * c)).sqrt();
+    let n = 2.0 + 2.0 * c + q;
+    let numerator = span.sh.powi(6) * (4.0 + 8.0 * c + q * (5.0 + c) / 2.0);
+    numerator / ((n * span.ch).powi(2) * (4.0 + q))
 }
 
 pub(super) fn minus_error(span: &Span) -> RadialError {

@@ -11,11 +11,8 @@ use crate::angle::Angle;
 use crate::measure::RadialError;
 use crate::spline::nodal::{self, Ends};
 
-use super::numeric::integral;
+use super::numeric::{integral, sine_minus_angle_cosine};
 use super::{Degree, Piece, Span, tangent};
-
-/// The order-4 limit of the error of all three formulations, a⁴/384.
-const LEADING: f64 = 1.0 / 384.0;
 
 /// The most rounds of Formulation II; it halves its error at least in each.
 const MOST_ROUNDS: usize = 200;
@@ -25,50 +22,111 @@ pub(super) fn formulation_1(span: &Span) -> f64 {
     span.s / (2.0 + span.c)
 }
 
+/// 1 - r² at t = 1/2, where it is largest: (H + G/4)/16 with H = 12 sin⁴ h/(2+c)² and G = 16 sin⁶ h/(2+c)².
+pub(super) fn formulation_1_error(span: &Span) -> RadialError {
+    let square = span.sh * span.sh;
+    let largest = (square / (2.0 + span.c)).powi(2) * (3.0 + square) / 4.0;
+    RadialError {
+        outward: 0.0,
+        inward: -tangent::root_minus_1(-largest),
+    }
+}
+
 /// t/3 with t = L(t/3), arc length integrated until it no longer changes.
 pub(super) fn formulation_2(span: &Span) -> f64 {
-    fixed_point(span, |speed| {
-        let mut parts = 1_u32;
-        let mut length = integral(speed, 0.0, 1.0);
-        while parts < 64 {
-            parts *= 2;
-            let edge = |i: u32| f64::from(i) / f64::from(parts);
-            let finer = (0..parts)
-                .map(|i| integral(speed, edge(i), edge(i + 1)))
-                .sum::<f64>();
-            let change = (finer - length).abs();
-            length = finer;
-            if change <= 1e-15 * finer {
-                break;
-            }
-        }
-        length
-    })
+    SelfMeasured::new(span, adaptive).handle()
+}
+
+pub(super) fn formulation_2_error(span: &Span) -> RadialError {
+    SelfMeasured::new(span, adaptive).error()
 }
 
 /// The same with his two-point Gauss quadrature, which reproduces the value that he printed.
 pub(super) fn formulation_2_gauss(span: &Span) -> f64 {
-    // The two points lie symmetrically, and so does the speed.
-    fixed_point(span, |speed| speed(1.0 / 3.0_f64.sqrt()))
+    SelfMeasured::new(span, gauss2).handle()
 }
 
-/// Iterates t from the chord, as his Figure 8 does. `length` integrates the speed over one half of the symmetric curve, given by
-/// τ = 2t - 1 in [0, 1]; by τ that half is as long as the whole curve is by t.
-fn fixed_point(span: &Span, length: impl Fn(&dyn Fn(f64) -> f64) -> f64) -> f64 {
-    let mut t = 2.0 * span.sh;
-    for _ in 0..MOST_ROUNDS {
-        // In the frame of the bisector the curve is (x0 + x2 τ², y1 τ + y3 τ³).
-        let k = t / 3.0;
-        let x2 = -0.75 * k * span.sh;
-        let y3 = 0.75 * k * span.ch - 0.5 * span.sh;
-        let y1 = span.sh - y3;
-        let next = length(&|tau| 2.0 * (2.0 * x2 * tau).hypot(y1 + 3.0 * y3 * tau * tau));
-        if (next - t).abs() <= 1e-16 * t {
-            return next / 3.0;
+pub(super) fn formulation_2_gauss_error(span: &Span) -> RadialError {
+    SelfMeasured::new(span, gauss2).error()
+}
+
+/// A way to integrate over τ from 0 to 1.
+type Quadrature = fn(&dyn Fn(f64) -> f64) -> f64;
+
+/// The integral, in parts that are halved until it no longer changes.
+fn adaptive(f: &dyn Fn(f64) -> f64) -> f64 {
+    let mut sum = integral(f, 0.0, 1.0);
+    for parts in [2, 4, 8, 16, 32, 64] {
+        let edge = |i: i32| f64::from(i) / f64::from(parts);
+        let finer = (0..parts)
+            .map(|i| integral(f, edge(i), edge(i + 1)))
+            .sum::<f64>();
+        let change = (finer - sum).abs();
+        sum = finer;
+        if change <= 1e-15 * finer {
+            break;
         }
-        t = next;
     }
-    t / 3.0
+    sum
+}
+
+/// The two points of the whole curve lie symmetrically, and so does the speed: one serves for both.
+fn gauss2(f: &dyn Fn(f64) -> f64) -> f64 {
+    f(1.0 / 3.0_f64.sqrt())
+}
+
+/// The curve whose parameter t is its own length.
+///
+/// In the frame of the bisector, with τ = 2t - 1 of the unit parameter, it is (x0 + x2 τ², y1 τ + y3 τ³) with x2 = -(t/4) sin h and
+/// y3 = y/4. Since the derivative of Y by τ integrates to the chord, the length exceeds the chord 2 sin h by
+///
+/// ```text
+/// e = 2 ∫ X'² / (sqrt(X'² + Y'²) + Y') dτ over [0, 1],   t = 2 sin h + e,   y = e - t (1 - cos h)
+/// ```
+///
+/// in which nothing cancels; two-point Gauss quadrature integrates Y' exactly too.
+struct SelfMeasured<'a> {
+    span: &'a Span,
+    t: f64,
+    y: f64,
+}
+
+impl<'a> SelfMeasured<'a> {
+    /// Iterates from the chord, as his Figure 8 does.
+    fn new(span: &'a Span, quadrature: Quadrature) -> Self {
+        let chord = 2.0 * span.sh;
+        let with_excess = |e: f64| {
+            let t = chord + e;
+            let y = e - t * span.half_versine();
+            Self { span, t, y }
+        };
+        let mut e = 0.0;
+        for _ in 0..MOST_ROUNDS {
+            let curve = with_excess(e);
+            let next = quadrature(&|tau| curve.excess_at(tau));
+            let change = (next - e).abs();
+            e = next;
+            if change <= f64::EPSILON * e {
+                break;
+            }
+        }
+        with_excess(e)
+    }
+
+    /// The integrand of e.
+    fn excess_at(&self, tau: f64) -> f64 {
+        let dx = -0.5 * self.t * self.span.sh * tau;
+        let dy = self.span.sh + 0.25 * self.y * (3.0 * tau * tau - 1.0);
+        2.0 * dx * dx / (dx.hypot(dy) + dy)
+    }
+
+    fn handle(&self) -> f64 {
+        self.t / 3.0
+    }
+
+    fn error(&self) -> RadialError {
+        tangent::error_by_y(self.span, self.handle(), self.y)
+    }
 }
 
 /// a/3.
@@ -76,15 +134,10 @@ pub(super) fn formulation_3(span: &Span) -> f64 {
     span.a / 3.0
 }
 
-/// The error of a handle of one of the formulations on evenly spaced points.
-pub(super) fn error(span: &Span, k: f64) -> RadialError {
-    if span.a < 1e-3 {
-        return RadialError {
-            outward: 0.0,
-            inward: span.a.powi(4) * LEADING,
-        };
-    }
-    tangent::error(span, k)
+/// y = a cos h - 2 sin h.
+pub(super) fn formulation_3_error(span: &Span) -> RadialError {
+    let y = -2.0 * sine_minus_angle_cosine(span.a / 2.0);
+    tangent::error_by_y(span, formulation_3(span), y)
 }
 
 /// Formulation I on points of the circle that may be spaced unevenly: cyclic ends where `closed`, else fixed ends with the

@@ -3,7 +3,7 @@
 //! In the frame of the bisector, with τ = 2t - 1 and v = 1 - τ², a member is
 //!
 //! ```text
-//! X = x0 + x2 τ²,  Y = y1 τ + y3 τ³,   x2 = -(3/4) k sin h,  x0 = cos h - x2,  y3 = (3/4) k cos h - (1/2) sin h,  y1 = sin h - y3
+//! X = x0 + x2 τ²,  Y = y1 τ + y3 τ³,   x2 = -(3/4) k sin h,  x0 = cos h - x2,  y3 = y/4,  y1 = sin h - y3
 //! r² - 1 = (G/64) v² (w0 - v)
 //! ```
 //!
@@ -17,7 +17,7 @@ use crate::measure::RadialError;
 
 use super::Span;
 use super::numeric::{angle_minus_sine, integral, root_near};
-use super::tangent::{big_g, family, family_error};
+use super::tangent::{family, family_error, family_y};
 
 /// A member of the family at one parameter, with what the integrands ask for; derivatives are by τ or, with `_k`, by the handle.
 struct At {
@@ -38,25 +38,27 @@ struct At {
 /// The member with the zero `w0`.
 struct Member<'a> {
     span: &'a Span,
-    k: f64,
-    g: f64,
     w0: f64,
+    k: f64,
+    y3: f64,
+    g: f64,
 }
 
 impl<'a> Member<'a> {
     fn new(span: &'a Span, w0: f64) -> Self {
-        let k = family(span, w0);
+        let y = family_y(span, w0);
         Self {
             span,
-            k,
-            g: big_g(span, k),
             w0,
+            k: family(span, w0),
+            y3: y / 4.0,
+            g: 4.0 * y * y,
         }
     }
 
     fn at(&self, tau: f64) -> At {
-        let &Self { span, k, g, w0 } = self;
-        let (x2, y3) = (-0.75 * k * span.sh, 0.75 * k * span.ch - 0.5 * span.sh);
+        let &Self { span, w0, k, y3, g } = self;
+        let x2 = -0.75 * k * span.sh;
         let (x0, y1) = (span.ch - x2, span.sh - y3);
         let square = tau * tau;
         let v = 1.0 - square;
@@ -105,10 +107,8 @@ pub(super) fn area(span: &Span) -> f64 {
 }
 
 pub(super) fn area_error(span: &Span) -> RadialError {
-    error(
-        span,
-        zero(span, |member| member.integral(|at| at.excess * at.theta)),
-    )
+    let zero = zero(span, |member| member.integral(|at| at.excess * at.theta));
+    family_error(span, zero)
 }
 
 pub(super) fn length_zero(span: &Span) -> f64 {
@@ -154,9 +154,4 @@ pub(super) fn rms_zero(span: &Span) -> f64 {
 
 pub(super) fn rms(span: &Span) -> f64 {
     family(span, rms_zero(span))
-}
-
-/// The error of the member with the zero `w0`.
-pub(super) fn error(span: &Span, w0: f64) -> RadialError {
-    family_error(span, family(span, w0), w0)
 }

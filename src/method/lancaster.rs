@@ -3,7 +3,7 @@
 
 use crate::error::Result;
 
-use super::{Method, Span};
+use super::{Degrees, Method, Span};
 
 /// His table of best magic numbers: (segments to the circle, handle).
 pub(super) const BEST: [(u32, f64); 6] = [
@@ -23,7 +23,7 @@ pub(super) fn best(span: &Span) -> Result<f64> {
     BEST.iter().find(|&&(count, _)| span.is_about(360.0 / f64::from(count))).map(|&(_, handle)| handle).ok_or_else(|| {
         let counts = BEST.map(|(count, _)| count.to_string()).join(" ");
         Method::LancasterBest.refuse(
-            format!("his table has no number for segments of {:.6} degrees, only for {counts} segments to the circle", span.degrees()),
+            format!("his table has no number for segments of {}, only for {counts} segments to the circle", Degrees(span.degrees())),
             format!("take -n with one of {counts}, or -m midpoint, minimax, which serve every angle"),
         )
     })

@@ -15,15 +15,13 @@ pub(super) fn handle(span: &Span) -> f64 {
 }
 
 pub(super) fn error(span: &Span) -> RadialError {
-    let w0 = zero(span);
-    let error = family_error(span, family(span, w0), w0);
-    RadialError::balanced(error.peak())
+    RadialError::balanced(family_error(span, zero(span)).peak())
 }
 
 /// The value of v = 4t(1-t) at which the balanced curve crosses the circle.
 fn zero(span: &Span) -> f64 {
     let unbalance = |w0: f64| {
-        let g = big_g(span, family(span, w0));
+        let g = big_g(span, w0);
         // Divided by G, which only scales it.
         (root_minus_1(g * w0.powi(3) / 432.0) + root_minus_1(-g * (1.0 - w0) / 64.0)) / g
     };

@@ -72,16 +72,43 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 
 /// a - sin a without cancellation.
 pub(crate) fn angle_minus_sine(a: f64) -> f64 {
-    if a.abs() > 1.0 {
+    if a > 1.0 {
         return a - a.sin();
     }
-    // a³/3! - a⁵/5! + ...: twelve terms reach past the last bit for |a| <= 1.
-    let square = a * a;
-    let sum = (1..12).rev().fold(0.0, |sum, i| {
-        let n = f64::from(2 * i + 2);
-        1.0 - sum * square / (n * (n + 1.0))
+    odd_series(a, 1, |_| 1.0)
+}
+
+/// sin h - h cos h without cancellation.
+pub(crate) fn sine_minus_angle_cosine(h: f64) -> f64 {
+    if h > 1.0 {
+        return h.sin() - h * h.cos();
+    }
+    odd_series(h, 1, |n| n - 1.0)
+}
+
+/// 3a + sin a - 8 sin(a/2) without cancellation.
+pub(crate) fn area_excess(a: f64) -> f64 {
+    if a > 1.5 {
+        return 3.0 * a + a.sin() - 8.0 * (a / 2.0).sin();
+    }
+    odd_series(a, 2, |n| 1.0 - 8.0 / n.exp2())
+}
+
+/// How many terms of a series reach past the last bit up to an angle of 1.5.
+const TERMS: i32 = 12;
+
+/// The Taylor series of the sine with its terms weighted by their power n = 2i + 1, begun at the term i = `first` and with the sign that
+/// makes that one positive. The smallest terms are added first.
+fn odd_series(x: f64, first: i32, weight: impl Fn(f64) -> f64) -> f64 {
+    let mut term = (2..=2 * first + 1).fold(x, |term, n| term * x / f64::from(n));
+    let terms = (first..first + TERMS).map(|i| {
+        let n = f64::from(2 * i + 1);
+        let weighted = term * weight(n);
+        term *= -x * x / ((n + 1.0) * (n + 2.0));
+        weighted
     });
-    a * square / 6.0 * sum
+    let terms: Vec<f64> = terms.collect();
+    terms.iter().rev().sum()
 }
 
 #[cfg(test)]
@@ -99,6 +126,16 @@ mod tests {
     fn the_sine_defect_is_smooth_across_its_seam() {
         assert!((angle_minus_sine(1.0) - (1.0 - 1.0_f64.sin())).abs() < 1e-16);
         assert!((angle_minus_sine(1e-5) / (1e-15 / 6.0) - 1.0).abs() < 1e-10);
+    }
+
+    #[test]
+    fn the_other_series_are_smooth_across_their_seams() {
+        let h = 1.0_f64;
+        assert!((sine_minus_angle_cosine(h) - (h.sin() - h * h.cos())).abs() < 2e-16);
+        assert!((sine_minus_angle_cosine(1e-5) / (1e-15 / 3.0) - 1.0).abs() < 1e-10);
+        let a = 1.5_f64;
+        assert!((area_excess(a) - (3.0 * a + a.sin() - 8.0 * (a / 2.0).sin())).abs() < 2e-15);
+        assert!((area_excess(1e-5) / (1e-25 / 160.0) - 1.0).abs() < 1e-10);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use kurbo::Vec2;
 
 use crate::measure::RadialError;
 
-use super::numeric::{angle_minus_sine, root_near};
+use super::numeric::{angle_minus_sine, area_excess, root_near};
 use super::tangent::root_minus_1;
 use super::{Degree, Piece, Span};
 
@@ -34,7 +34,7 @@ pub(super) fn tangent(span: &Span) -> Piece {
 
 /// (1 - cos h)²/(2 cos h), at t = 1/2.
 pub(super) fn tangent_error(span: &Span) -> RadialError {
-    let versine = half_versine(span);
+    let versine = span.half_versine();
     RadialError {
         outward: versine * versine / (2.0 * span.ch),
         inward: 0.0,
@@ -49,13 +49,8 @@ pub(super) fn midpoint(span: &Span) -> Piece {
 pub(super) fn midpoint_error(span: &Span) -> RadialError {
     RadialError {
         outward: 0.0,
-        inward: -root_minus_1(-half_versine(span).powi(2) / 4.0),
+        inward: -root_minus_1(-span.half_versine().powi(2) / 4.0),
     }
-}
-
-/// 1 - cos h without cancellation.
-fn half_versine(span: &Span) -> f64 {
-    span.sh * span.sh / (1.0 + span.ch)
 }
 
 fn area_apex(span: &Span) -> f64 {
@@ -66,22 +61,14 @@ pub(super) fn area(span: &Span) -> Piece {
     with_apex(span, 1.0, area_apex(span))
 }
 
-/// r² - 1 = (1 - τ²)(b - x2² τ²), with b = x0² - 1 the excess in the middle.
+/// r² - 1 = (1 - τ²)(b - x2² τ²), with b = x0² - 1 the excess in the middle, where x0 - 1 = (3a + s - 8 sin h)/(8 sin h).
 pub(super) fn area_error(span: &Span) -> RadialError {
-    if span.a < 0.01 {
-        // The limits: a⁴/640 outside, a⁴/800 inside.
-        let fourth = span.a.powi(4);
-        return RadialError {
-            outward: fourth / 640.0,
-            inward: fourth / 800.0,
-        };
-    }
-    let m = area_apex(span);
-    let (x0, x2) = (f64::midpoint(span.ch, m), (span.ch - m) / 2.0);
-    let (b, q) = ((x0 - 1.0) * (x0 + 1.0), x2 * x2);
+    let middle = area_excess(span.a) / (8.0 * span.sh);
+    let x2 = -span.half_versine() - middle;
+    let (b, q) = (middle * (2.0 + middle), x2 * x2);
     // The turning point τ² = (b + q)/(2q).
     let inner = -(q - b).powi(2) / (4.0 * q);
-    RadialError::of_range([0.0, x0 - 1.0, root_minus_1(inner)])
+    RadialError::of_range([0.0, middle, root_minus_1(inner)])
 }
 
 /// The equioscillating curve of the peak error R = g⁴.

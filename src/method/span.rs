@@ -54,6 +54,16 @@ impl Span {
         2.0 * self.sh * self.sh
     }
 
+    /// 1 - cos h without cancellation.
+    pub(crate) fn half_versine(&self) -> f64 {
+        self.sh * self.sh / (1.0 + self.ch)
+    }
+
+    /// Whether the angle is beyond this one by more than the rounding of an angle that was computed.
+    pub(crate) fn exceeds(&self, degrees: f64) -> bool {
+        self.degrees > degrees + 1e-9
+    }
+
     /// Whether the angle is this one, up to the rounding of an angle that was computed.
     pub(crate) fn is_about(&self, degrees: f64) -> bool {
         (self.degrees - degrees).abs() < 1e-9

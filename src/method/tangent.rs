@@ -13,6 +13,15 @@
 //! A = 9 - 4.5 w0 (1+c),  B = 6s(1+w0),  K = 2(3+w0)(1-c),   k(a, w0) = 2K / (B + sqrt(B² + 4AK))
 //! ```
 //!
+//! What the error needs is y = 3k cos h - 2 sin h, in which H cos² h = -4 sin⁴ h - 4y sin h (1 + cos² h) - y² and G = 4y². A member of
+//! the family has
+//!
+//! ```text
+//! y = -2 sin³ h / (1 + cos² h + cos h sqrt(3 + w0 + (1-w0) cos² h))
+//! ```
+//!
+//! in which nothing cancels at any angle, so that its error is known to the last digits where H and G have long lost theirs.
+//!
 //! w0 = 1 is `midpoint`, k = (4/3) tan(a/4) (Lancaster 2005; Mortenson's first, as Chen 1996 tells it; Dokken et al. 1990);
 //! w0 = 0 is `curvature` (de Boor, Höllig, Sabin 1987; Apprich et al. tell it as curvature = 1 at the ends);
 //! w0 = (3/2)(cbrt(√2+1) - cbrt(√2-1)), the root of 4w0³ + 27w0 = 27, balances r² - 1: `goldapp` (Goldapp 1991).
@@ -29,28 +38,45 @@ pub(super) fn family(span: &Span, w0: f64) -> f64 {
     2.0 * k / (b + (b * b + 4.0 * a * k).sqrt())
 }
 
-/// G of the handle k, kept from cancelling at tiny angles by its limit a⁶/64.
-pub(super) fn big_g(span: &Span, k: f64) -> f64 {
-    if span.a < 1e-3 {
-        span.a.powi(6) / 64.0
-    } else {
-        4.0 * (3.0 * k * span.ch - 2.0 * span.sh).powi(2)
-    }
+/// y of the family's member.
+pub(super) fn family_y(span: &Span, w0: f64) -> f64 {
+    let square = span.ch * span.ch;
+    let root = (3.0 + w0 + (1.0 - w0) * square).sqrt();
+    -2.0 * span.sh.powi(3) / (1.0 + square + span.ch * root)
 }
 
-/// The error of the family's member with the zero w0 and handle k: extremes of r² - 1 at v = 2 w0/3 and v = 1.
-pub(super) fn family_error(span: &Span, k: f64, w0: f64) -> RadialError {
-    let g = big_g(span, k);
+/// G of the family's member.
+pub(super) fn big_g(span: &Span, w0: f64) -> f64 {
+    4.0 * family_y(span, w0).powi(2)
+}
+
+/// The error of the family's member: extremes of r² - 1 at v = 2 w0/3 and v = 1.
+pub(super) fn family_error(span: &Span, w0: f64) -> RadialError {
+    let g = big_g(span, w0);
     RadialError {
         outward: root_minus_1(g * w0.powi(3) / 432.0),
         inward: -root_minus_1(-g * (1.0 - w0) / 64.0),
     }
 }
 
-/// The error of any handle k, from H and G; beside a family member's own w0 it cancels below about half a degree.
+/// The error of any handle k. Where k is nearly right for a small angle, H and G cancel: below a degree no sixth digit is left.
 pub(super) fn error(span: &Span, k: f64) -> RadialError {
     let h = 6.0 * span.versine() - 6.0 * k * span.s - 9.0 * k * k;
-    let g = 4.0 * (3.0 * k * span.ch - 2.0 * span.sh).powi(2);
+    error_of(h, 4.0 * (3.0 * k * span.ch - 2.0 * span.sh).powi(2))
+}
+
+/// The error of the handle k that is told by its y too, of which H keeps its digits at small angles; at large ones it has no need.
+pub(super) fn error_by_y(span: &Span, k: f64, y: f64) -> RadialError {
+    if span.a > 1.0 {
+        return error(span, k);
+    }
+    let square = span.ch * span.ch;
+    let h = -(4.0 * span.sh.powi(4) + 4.0 * y * span.sh * (1.0 + square) + y * y) / square;
+    error_of(h, 4.0 * y * y)
+}
+
+/// The extremes of r² - 1 = -u² (H + G u), at u = 1/4 and u = -2H/(3G).
+fn error_of(h: f64, g: f64) -> RadialError {
     let squared_at = |u: f64| -u * u * (h + g * u);
     let turning = -2.0 * h / (3.0 * g);
     let inner = if turning > 0.0 && turning < 0.25 {
@@ -99,7 +125,7 @@ pub(super) fn minimax_free_error(span: &Span) -> RadialError {
 
 /// sqrt(1 + E) - 1.
 fn midpoint_error(span: &Span) -> f64 {
-    family_error(span, midpoint(span), 1.0).outward
+    family_error(span, 1.0).outward
 }
 
 /// All control points of `curvature` times 2/(1 + r(1/2)).
@@ -113,5 +139,5 @@ pub(super) fn curvature_scaled_error(span: &Span) -> RadialError {
 }
 
 fn curvature_error(span: &Span) -> f64 {
-    family_error(span, curvature(span), 0.0).inward
+    family_error(span, 0.0).inward
 }
