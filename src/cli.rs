@@ -3,6 +3,7 @@
 mod args;
 mod draw;
 mod failure;
+mod methods;
 mod output;
 mod procset;
 mod shell;
@@ -44,6 +45,7 @@ fn run(command: Command) -> Outcome {
         Command::Spline(args) => spline::run(&args),
         Command::Sphere(args) => sphere::run(&args),
         Command::Procset(args) => procset::run(&args),
+        Command::Methods(args) => methods::run(&args),
         Command::Completions(args) => shell::completions(&args),
         Command::Man(args) => shell::man(&args),
     }

@@ -220,9 +220,7 @@ impl Method {
         }
         if self == Self::LancasterDrawellipse && !span.is_about(90.0) {
             return Err(self.refuse(
-                format!(
-                    "its one number serves quarters only, not segments of {degrees}"
-                ),
+                format!("its one number serves quarters only, not segments of {degrees}"),
                 "take -n 4 for a full turn, or -m midpoint, minimax, which serve every angle"
                     .to_owned(),
             ));
@@ -233,7 +231,9 @@ impl Method {
     /// What serves the angles beyond the method's largest, where that is less than half a turn.
     const fn beyond_its_angle(self) -> Option<&'static str> {
         match self {
-            Self::Apprich | Self::ApprichPlus => Some("curvature, minimax, which serve 180 degrees"),
+            Self::Apprich | Self::ApprichPlus => {
+                Some("curvature, minimax, which serve 180 degrees")
+            }
             Self::ApprichScaled => Some("curvature-scaled, minimax-free, which serve 180 degrees"),
             Self::Chen1 => Some("chen-3, minimax, which serve 180 degrees"),
             Self::QuadraticTangent => Some("quadratic-minimax, which serves 180 degrees"),
@@ -400,7 +400,11 @@ impl Method {
             ));
         }
         if self == Self::Chen1 && closed && count < 3 {
-            let points = if count == 1 { "one point" } else { "two points" };
+            let points = if count == 1 {
+                "one point"
+            } else {
+                "two points"
+            };
             return Err(self.refuse(
                 format!("his cyclic system (11) through {points} gives handles of length 0"),
                 "take at least three segments, or -m chen-3, minimax".to_owned(),

@@ -1,6 +1,7 @@
 //! The words of the command line, as clap reads them; nothing is computed here.
 
 mod approximation;
+pub(crate) mod methods;
 mod output;
 mod picture;
 pub(crate) mod shape;
@@ -9,6 +10,7 @@ mod spline;
 mod values;
 
 pub(crate) use approximation::ApproximationArgs;
+pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
 pub(crate) use sphere::SphereArgs;
@@ -47,6 +49,8 @@ pub(crate) enum Command {
     Sphere(SphereArgs),
     /// Print PostScript procedures that draw ellipses and circles, after Lancaster
     Procset(ProcsetArgs),
+    /// Tell what is known of the methods
+    Methods(MethodsArgs),
     /// Print a completion script for a shell
     Completions(CompletionsArgs),
     /// Print the manual page, or write those of all commands

@@ -35,8 +35,7 @@ fn zero(span: &Span) -> f64 {
         let depth = -root_minus_1(-big_g(span, w0) * (1.0 - w0) / 64.0); // 1 - r
         let rho = (2.0 + depth) / (2.0 - depth);
         let square = w0 * w0;
-        let step =
-            (4.0 * w0 * square - 27.0 * rho * (1.0 - w0)) / (12.0 * square + 27.0 * rho);
+        let step = (4.0 * w0 * square - 27.0 * rho * (1.0 - w0)) / (12.0 * square + 27.0 * rho);
         w0 -= step;
         if step.abs() <= SMALLEST_STEP {
             break;

@@ -1,0 +1,121 @@
+//! The catalogue for people.
+
+use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
+use curveto::method::Ends;
+use curveto::write::number::significant;
+
+use super::entry::Entry;
+
+/// Wider lines are no joy to read, and a pipe has no width of its own.
+pub(super) const WIDEST: u16 = 100;
+
+/// A table without lines that fits the terminal.
+pub(super) fn plain() -> Table {
+    let mut table = Table::new();
+    table
+        .load_style(presets::NOTHING)
+        .set_content_arrangement(ContentArrangement::Dynamic);
+    let width = table.width().unwrap_or(WIDEST).clamp(60, WIDEST);
+    table.set_width(width);
+    table
+}
+
+/// Without the blanks that a table puts at both ends of its lines.
+pub(super) fn lines(table: &Table, indent: &str) -> String {
+    let trim = |line: &str| {
+        let line = line.strip_prefix(' ').unwrap_or(line).trim_end();
+        if line.is_empty() {
+            "\n".to_owned()
+        } else {
+            format!("{indent}{line}\n")
+        }
+    };
+    table.to_string().lines().map(trim).collect()
+}
+
+/// The groups, each with its heading.
+const GROUPS: [(u8, Ends, &str); 4] = [
+    (3, Ends::OnCircle, "CUBICS"),
+    (
+        3,
+        Ends::OffCircle,
+        "CUBICS WITH ENDS OFF THE CIRCLE (closed shapes with equal segments only)",
+    ),
+    (2, Ends::OnCircle, "QUADRATICS"),
+    (
+        2,
+        Ends::OffCircle,
+        "QUADRATICS WITH ENDS OFF THE CIRCLE (closed shapes with equal segments only)",
+    ),
+];
+
+pub(super) fn render(entries: &[Entry]) -> String {
+    let mut table = plain();
+    table.add_row([
+        "method",
+        "joints",
+        "order",
+        "error",
+        "angle",
+        "criterion",
+        "source",
+    ]);
+    for (degree, ends, heading) in GROUPS {
+        // One table, so that the groups share their columns; a heading is put in its place afterwards.
+        table.add_row([marker(heading)]);
+        for entry in entries {
+            if entry.degree == degree && entry.ends == ends {
+                table.add_row(row(entry));
+            }
+        }
+    }
+    for (i, column) in table.column_iter_mut().enumerate() {
+        if i != CRITERION {
+            column.set_constraint(ColumnConstraint::ContentWidth);
+            column.set_padding((1, 0));
+        }
+    }
+    let mut out = lines(&table, "");
+    for (_, _, heading) in GROUPS {
+        out = out.replace(&marker(heading), &format!("\n{heading}"));
+    }
+    out + LEGEND
+}
+
+/// The column whose texts are wrapped.
+const CRITERION: usize = 5;
+
+/// Stands for a heading, which would widen its column: no wider than the ids.
+fn marker(heading: &str) -> String {
+    format!("<{}>", heading.len())
+}
+
+fn row(entry: &Entry) -> [String; 7] {
+    let id = if entry.aliases.is_empty() {
+        entry.id.to_owned()
+    } else {
+        format!("{}\n  {}", entry.id, entry.aliases.join("\n  "))
+    };
+    let joints = match (entry.continuity.equal, entry.continuity.uneven) {
+        (equal, uneven) if equal == uneven || entry.ends == Ends::OffCircle => equal.to_string(),
+        (equal, uneven) => format!("{equal}/{uneven}"),
+    };
+    [
+        id,
+        joints,
+        entry.order.map_or_else(String::new, |o| o.to_string()),
+        significant(entry.quarter.error.peak, 3),
+        format!("{}°", entry.largest_angle),
+        entry.criterion.to_owned(),
+        entry.origin.to_owned(),
+    ]
+}
+
+const LEGEND: &str = "
+joints  continuity where segments of equal angles meet; behind the stroke of unequal ones
+order   the power of the angle with which the error falls
+error   the largest distance from the circle, in radii, with four segments to the circle
+angle   the largest of one segment
+
+'curveto methods ID' tells everything of one method; an indented name is an alias.
+";
