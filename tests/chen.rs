@@ -23,33 +23,31 @@ fn joints(degrees: &[f64]) -> Vec<Point> {
         .collect()
 }
 
-/// Solves a dense system by elimination with the largest pivot.
-fn dense(mut matrix: Vec<Vec<Real>>, mut right: Vec<Point>) -> Vec<Point> {
-    let n = right.len();
+/// Solves a dense system, given with its right side as the last two columns, by elimination with the largest pivot.
+fn dense(mut rows: Vec<Vec<Real>>) -> Vec<Point> {
+    let n = rows.len();
     for column in 0..n {
-        let size = |row: &usize| to_f64(&abs(&matrix[*row][column]));
+        let size = |row: &usize| to_f64(&abs(&rows[*row][column]));
         let pivot = (column..n)
             .max_by(|a, b| size(a).total_cmp(&size(b)))
             .unwrap();
-        matrix.swap(column, pivot);
-        right.swap(column, pivot);
-        for row in 0..n {
-            if row == column {
+        rows.swap(column, pivot);
+        let divisor = rows[column][column].clone();
+        let own: Vec<Real> = rows[column].iter().map(|x| x / &divisor).collect();
+        for (i, row) in rows.iter_mut().enumerate() {
+            if i == column {
+                row.clone_from(&own);
                 continue;
             }
-            let factor = &matrix[row][column] / &matrix[column][column];
-            for k in 0..n {
-                let change = &factor * &matrix[column][k];
-                matrix[row][k] -= change;
-            }
-            for axis in 0..2 {
-                let change = &factor * &right[column][axis];
-                right[row][axis] -= change;
+            let factor = row[column].clone();
+            for (x, y) in row.iter_mut().zip(&own) {
+                *x -= &factor * y;
             }
         }
     }
-    let divide = |(i, [x, y]): (usize, Point)| [x / &matrix[i][i], y / &matrix[i][i]];
-    right.into_iter().enumerate().map(divide).collect()
+    rows.iter()
+        .map(|row| [row[n].clone(), row[n + 1].clone()])
+        .collect()
 }
 
 /// 3 (q - p).
@@ -58,25 +56,27 @@ fn thrice(p: &Point, q: &Point) -> Point {
 }
 
 /// The nodal derivatives of (7): cyclic as in (11), or with the ends fixed to these.
-fn derivatives(points: &[Point], ends: Option<[Point; 2]>) -> Vec<Point> {
+fn derivatives(points: &[Point], ends: Option<&[Point; 2]>) -> Vec<Point> {
     let n = points.len();
-    let mut matrix = vec![vec![int(0); n]; n];
-    let mut right = Vec::new();
-    for i in 0..n {
-        if let Some([first, last]) = &ends
-            && (i == 0 || i == n - 1)
-        {
-            matrix[i][i] = int(1);
-            right.push(if i == 0 { first.clone() } else { last.clone() });
-            continue;
-        }
-        let (before, after) = ((i + n - 1) % n, (i + 1) % n);
-        matrix[i][before] = int(1);
-        matrix[i][i] = int(4);
-        matrix[i][after] = int(1);
-        right.push(thrice(&points[before], &points[after]));
-    }
-    dense(matrix, right)
+    let row = |i: usize| {
+        let mut row = vec![int(0); n];
+        let right = match ends {
+            Some(ends) if i == 0 || i == n - 1 => {
+                row[i] = int(1);
+                ends[usize::from(i > 0)].clone()
+            }
+            _ => {
+                let (before, after) = ((i + n - 1) % n, (i + 1) % n);
+                row[before] = int(1);
+                row[i] = int(4);
+                row[after] = int(1);
+                thrice(&points[before], &points[after])
+            }
+        };
+        row.extend(right);
+        row
+    };
+    dense((0..n).map(row).collect())
 }
 
 /// The cubics through the points with these derivatives, each from 0 to 1.
@@ -154,7 +154,7 @@ fn an_open_arc_has_fixed_ends_with_the_circles_derivatives() {
             [-&points[i][1] * &a, &points[i][0] * &a]
         };
         let ends = [end(0, 0), end(last, last - 1)];
-        let solved = segments(&points, &derivatives(&points, Some(ends)), false);
+        let solved = segments(&points, &derivatives(&points, Some(&ends)), false);
         let sweep = Angle::from_degrees(degrees[last]);
         let arc = Arc::new(
             (0.0, 0.0),

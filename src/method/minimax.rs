@@ -12,7 +12,7 @@
 use crate::measure::RadialError;
 
 use super::Span;
-use super::tangent::{big_g, family, family_error, goldapp_zero, root_minus_1};
+use super::tangent::{GOLDAPP_ZERO, big_g, family, family_error, root_minus_1};
 
 /// The steps end when one is smaller than this: what it leaves in the handle is far below its last digit.
 const SMALLEST_STEP: f64 = 1e-14;
@@ -30,7 +30,7 @@ pub(super) fn error(span: &Span) -> RadialError {
 
 /// The value of v = 4t(1-t) at which the balanced curve crosses the circle.
 fn zero(span: &Span) -> f64 {
-    let mut w0 = goldapp_zero();
+    let mut w0 = GOLDAPP_ZERO;
     for _ in 0..MOST_STEPS {
         let depth = -root_minus_1(-big_g(span, w0) * (1.0 - w0) / 64.0); // 1 - r
         let rho = (2.0 + depth) / (2.0 - depth);

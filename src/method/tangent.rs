@@ -97,14 +97,11 @@ pub(super) fn midpoint(span: &Span) -> f64 {
     4.0 / 3.0 * span.sh / (1.0 + span.ch)
 }
 
-/// The zero of v that balances r² - 1.
-pub(super) fn goldapp_zero() -> f64 {
-    let root2 = core::f64::consts::SQRT_2;
-    1.5 * ((root2 + 1.0).cbrt() - (root2 - 1.0).cbrt())
-}
+/// The zero of v that balances r² - 1: (3/2)(cbrt(√2+1) - cbrt(√2-1)).
+pub(super) const GOLDAPP_ZERO: f64 = 0.894_107_456_974_982_3;
 
 pub(super) fn goldapp(span: &Span) -> f64 {
-    family(span, goldapp_zero())
+    family(span, GOLDAPP_ZERO)
 }
 
 /// (sqrt(s² + 6(1-c)) - s)/3, rid of its cancellation.
@@ -140,4 +137,18 @@ pub(super) fn curvature_scaled_error(span: &Span) -> RadialError {
 
 fn curvature_error(span: &Span) -> f64 {
     family_error(span, 0.0).inward
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_balancing_zero_is_the_root_of_its_cubic() {
+        let root2 = core::f64::consts::SQRT_2;
+        let closed = 1.5 * ((root2 + 1.0).cbrt() - (root2 - 1.0).cbrt());
+        assert!((GOLDAPP_ZERO - closed).abs() < 1e-15);
+        let cubic = |w: f64| 4.0 * w.powi(3) + 27.0 * w - 27.0;
+        assert!(cubic(GOLDAPP_ZERO.next_down()) <= 0.0 && cubic(GOLDAPP_ZERO.next_up()) >= 0.0);
+    }
 }

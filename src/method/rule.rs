@@ -1,0 +1,183 @@
+//! What gives the control points of a whole chain of pieces, and what it refuses.
+
+use crate::error::{Error, Result};
+use crate::measure::RadialError;
+
+use super::{Degrees, Ends, Method, Piece, Span, chen, tangent};
+
+/// What gives the control points: a method of the catalogue or a number of the user's own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rule {
+    /// A method of the catalogue.
+    Method(Method),
+    /// Chen's Formulation II with arc length from his two-point Gauss quadrature instead of an adaptive one.
+    Chen2Gauss2,
+    /// A literal handle length on the unit circle, for every segment.
+    Handle(f64),
+}
+
+impl Default for Rule {
+    fn default() -> Self {
+        Self::Method(Method::default())
+    }
+}
+
+impl From<Method> for Rule {
+    fn from(method: Method) -> Self {
+        Self::Method(method)
+    }
+}
+
+impl Rule {
+    /// The name that output states: the method's id, or `handle`.
+    #[must_use]
+    pub fn id(self) -> &'static str {
+        self.method().map_or("handle", Method::id)
+    }
+
+    /// The method of the catalogue behind it, if any.
+    #[must_use]
+    pub const fn method(self) -> Option<Method> {
+        match self {
+            Self::Method(method) => Some(method),
+            Self::Chen2Gauss2 => Some(Method::Chen2),
+            Self::Handle(_) => None,
+        }
+    }
+
+    /// The piece of the unit circle's arc of angle `span`; see [`Method::piece`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Method::piece`].
+    pub fn piece(self, span: &Span) -> Result<Piece> {
+        match self {
+            Self::Method(method) => method.piece(span),
+            Self::Chen2Gauss2 => Method::Chen2
+                .check_angle(span)
+                .map(|()| Piece::tangent(chen::formulation_2_gauss(span))),
+            Self::Handle(k) => check_half_turn(span).map(|()| Piece::tangent(k)),
+        }
+    }
+
+    /// The largest radial distances of the piece from the unit circle; see [`Method::radial_error`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Method::piece`].
+    pub fn radial_error(self, span: &Span) -> Result<RadialError> {
+        match self {
+            Self::Method(method) => method.radial_error(span),
+            Self::Chen2Gauss2 => Method::Chen2
+                .check_angle(span)
+                .map(|()| chen::formulation_2_gauss_error(span)),
+            Self::Handle(k) => check_half_turn(span).map(|()| tangent::error(span, k)),
+        }
+    }
+
+    /// The pieces of a chain of arcs of these angles.
+    ///
+    /// Every rule but Formulation I takes each piece on its own. That one solves for all nodal derivatives at once, so that
+    /// the two ends of a piece can differ: each piece comes as (the piece seen from its start, the piece seen from its end).
+    ///
+    /// # Errors
+    ///
+    /// As [`Method::piece`], and [`Error::Impossible`] where the ends leave the circle and the angles differ or the chain is open.
+    pub fn pieces(self, spans: &[Span], closed: bool) -> Result<Vec<[Piece; 2]>> {
+        let equal = spans
+            .windows(2)
+            .all(|pair| pair[0].degrees() == pair[1].degrees());
+        if let Some(method) = self.method() {
+            method.check_chain(spans, equal, closed)?;
+            if method == Method::Chen1 && !(closed && equal) {
+                spans.iter().try_for_each(check_half_turn_of_chen_1)?;
+                return Ok(chen::chain(spans, closed));
+            }
+        }
+        if equal && let Some(first) = spans.first() {
+            let piece = self.piece(first)?;
+            return Ok(vec![[piece, piece]; spans.len()]);
+        }
+        spans
+            .iter()
+            .map(|span| self.piece(span).map(|piece| [piece, piece]))
+            .collect()
+    }
+}
+
+impl Method {
+    /// Refuses what the method cannot do with a whole chain of pieces.
+    fn check_chain(self, spans: &[Span], equal: bool, closed: bool) -> Result<()> {
+        let free = self.card().ends == Ends::OffCircle;
+        if free && !(closed && equal) {
+            let why = if closed {
+                "with uneven joints its segments do not meet"
+            } else {
+                "the ends of an open arc would miss it"
+            };
+            return Err(self.refuse(
+                format!("its segments end off the circle, and {why}"),
+                format!(
+                    "take -m {}, whose ends lie on the circle",
+                    self.on_circle_instead(spans)
+                ),
+            ));
+        }
+        if self == Self::Chen1 && closed && spans.len() < 3 {
+            let points = if spans.len() == 1 {
+                "one point"
+            } else {
+                "two points"
+            };
+            return Err(self.refuse(
+                format!("his cyclic system (11) through {points} gives handles of length 0"),
+                "take at least three segments, or -m chen-3, minimax".to_owned(),
+            ));
+        }
+        Ok(())
+    }
+
+    /// The methods that do the same, or nearly, with their ends on the circle, at these angles.
+    fn on_circle_instead(self, spans: &[Span]) -> String {
+        let candidates: &[Self] = match self {
+            Self::ApprichScaled => &[Self::Apprich, Self::Curvature, Self::Minimax],
+            Self::CurvatureScaled => &[Self::Curvature, Self::Minimax],
+            Self::MinimaxG0Free => &[Self::MinimaxG0, Self::Minimax],
+            Self::QuadraticMinimaxFree => &[Self::QuadraticMinimax, Self::QuadraticTangent],
+            _ => &[Self::Minimax, Self::Midpoint],
+        };
+        let serves = |method: &&Self| {
+            let largest = method.card().largest_angle;
+            !spans.iter().any(|span| span.exceeds(largest))
+        };
+        let ids: Vec<&str> = candidates.iter().filter(serves).map(|m| m.id()).collect();
+        ids.join(", ")
+    }
+}
+
+/// Unequal arcs of Formulation I have no angle of their own at which the system fails, but more than half a turn is no arc any more.
+fn check_half_turn_of_chen_1(span: &Span) -> Result<()> {
+    if !span.exceeds(180.0) {
+        return Ok(());
+    }
+    let degrees = Degrees(span.degrees());
+    Err(Method::Chen1.refuse(
+        format!("a segment of {degrees} is more than half a turn"),
+        "take more segments or nearer joints".to_owned(),
+    ))
+}
+
+/// A literal handle serves up to half a turn: beyond, one cubic is no arc any more.
+fn check_half_turn(span: &Span) -> Result<()> {
+    if !span.exceeds(180.0) {
+        return Ok(());
+    }
+    Err(Error::Impossible {
+        method: "--handle",
+        why: format!(
+            "a segment of {} is more than half a turn",
+            Degrees(span.degrees())
+        ),
+        remedy: "take more segments".to_owned(),
+    })
+}
