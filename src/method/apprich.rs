@@ -61,3 +61,19 @@ pub(super) fn scaled_error(span: &Span) -> RadialError {
     let inward = minus_error(span).inward;
     RadialError::balanced(inward / (2.0 - inward))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_handle_is_longest_near_130_degrees_and_vanishes_at_its_end() {
+        let handle = |degrees: f64| minus(&Span::from_degrees(degrees));
+        let longest = (1000..1800)
+            .map(|tenths| f64::from(tenths) / 10.0)
+            .max_by(|&a, &b| handle(a).total_cmp(&handle(b)))
+            .unwrap();
+        assert!((longest - 129.8).abs() < 0.15, "{longest}");
+        assert!(handle(179.99) < 0.01, "{}", handle(179.99));
+    }
+}

@@ -29,13 +29,26 @@ pub(super) fn notes(method: Method) -> Result<Vec<String>> {
             significant(end_curvature(method, 30.0)?, 11),
             significant(end_curvature(method, 60.0)?, 11),
         )],
-        Method::LancasterBest => vec![format!(
-            "With four segments his number errs by {}, the normal one by {}, and the least possible is {}, at {}.",
-            significant(error(method.into())?, 6),
-            significant(error(Method::Midpoint.into())?, 6),
-            significant(error(Method::Minimax.into())?, 6),
-            significant(handle(Method::Minimax.into(), &quarter)?, 10),
-        )],
+        Method::LancasterBest => {
+            let k = handle(method.into(), &quarter)?;
+            let (best, normal) = (error(method.into())?, error(Method::Midpoint.into())?);
+            vec![
+                format!(
+                    "With four segments his number errs by {}, the normal one by {}: {} % less. The least possible is {}, at {}.",
+                    significant(best, 6),
+                    significant(normal, 6),
+                    significant(100.0 * (1.0 - best / normal), 2),
+                    significant(error(Method::Minimax.into())?, 6),
+                    significant(handle(Method::Minimax.into(), &quarter)?, 10),
+                ),
+                format!(
+                    "His quarter crosses the circle at {} and {} degrees; to cross it at 30 the number would have to be {}.",
+                    significant(crossing(k), 5),
+                    significant(90.0 - crossing(k), 5),
+                    significant(handle_crossing_at_30(), 11),
+                ),
+            ]
+        }
         Method::LancasterDrawellipse => vec![format!(
             "The number is {}, lower than the normal one by {}; it errs less than his best number {}, {} against {}.",
             text(handle(method.into(), &quarter)?),
@@ -47,12 +60,25 @@ pub(super) fn notes(method: Method) -> Result<Vec<String>> {
             significant(error(method.into())?, 6),
             significant(error(Method::LancasterBest.into())?, 6),
         )],
-        Method::Apprich => vec![format!(
-            "The error peaks near 135 degrees and then falls, since the handle tends to 0 at a half turn: the method ends at {} \
-             degrees. On a quarter it is {} times that of the standard handle: smoothness is bought with accuracy.",
-            text(method.card().largest_angle),
-            significant(error(method.into())? / error(Method::Midpoint.into())?, 2),
-        )],
+        Method::Apprich => {
+            let inward = error(method.into())?;
+            vec![
+                format!(
+                    "The handle is longest near 130 degrees and tends to 0 at half a turn: the method ends \
+                     at {} degrees. On a quarter it errs {} times as much as the standard handle: smoothness is bought with accuracy.",
+                    text(method.card().largest_angle),
+                    significant(inward / error(Method::Midpoint.into())?, 2),
+                ),
+                format!(
+                    "The paper's E, the largest 1 - r², is {} on a quarter; its E*, the error of apprich-scaled, is {}.",
+                    significant(inward * (2.0 - inward), 10),
+                    significant(error(Method::ApprichScaled.into())?, 10),
+                ),
+            ]
+        }
+        Method::ApprichPlus => vec![
+            "The paper says that delta-plus \"merely yields the standard accuracy\": its order is 2, that of the chord.".to_owned(),
+        ],
         Method::Goldapp => vec![format!(
             "w0 = {}; on a quarter its peak is {} % above that of minimax.",
             significant(goldapp_zero(), 9),
@@ -67,6 +93,28 @@ pub(super) fn notes(method: Method) -> Result<Vec<String>> {
 
 fn handle(rule: Rule, span: &Span) -> Result<f64> {
     Ok(rule.piece(span)?.handle_length())
+}
+
+/// The angle in degrees at which a quarter with the handle k first crosses the circle: with u = t(1-t), where H + G u = 0.
+fn crossing(k: f64) -> f64 {
+    let (h, g) = (6.0 - 6.0 * k - 9.0 * k * k, 8.0 - 24.0 * k + 18.0 * k * k);
+    let t = (1.0 - (1.0 + 4.0 * h / g).sqrt()) / 2.0;
+    let along = |t: f64| t * t * (3.0 - 2.0 * t) + 3.0 * k * t * (1.0 - t) * (1.0 - t);
+    along(t).atan2(along(1.0 - t)).to_degrees()
+}
+
+/// The handle of a quarter that crosses the circle at 30 degrees; the higher the handle, the later it does.
+fn handle_crossing_at_30() -> f64 {
+    let (mut low, mut high) = (0.551_8, 0.552);
+    for _ in 0..50 {
+        let middle = f64::midpoint(low, high);
+        if crossing(middle) < 30.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
 }
 
 /// (3/2)(cbrt(√2+1) - cbrt(√2-1)), from where the curve crosses the circle.
