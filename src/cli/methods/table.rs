@@ -1,7 +1,7 @@
 //! The catalogue for people.
 
 use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
-use curveto::method::Ends;
+use curveto::method::{Continuity, Ends};
 use curveto::write::number::significant;
 
 use super::entry::Entry;
@@ -97,7 +97,7 @@ fn row(entry: &Entry) -> [String; 7] {
         format!("{}\n  {}", entry.id, entry.aliases.join("\n  "))
     };
     let joints = match (entry.continuity.equal, entry.continuity.uneven) {
-        (equal, uneven) if equal == uneven || entry.ends == Ends::OffCircle => equal.to_string(),
+        (equal, uneven) if uneven == equal || uneven == Continuity::Apart => equal.to_string(),
         (equal, uneven) => format!("{equal}/{uneven}"),
     };
     [
