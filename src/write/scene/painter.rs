@@ -1,6 +1,6 @@
 //! What a figure becomes in a style: groups of marks, and the rectangle around them.
 
-use kurbo::{Circle, Line, PathSeg, Point, Rect};
+use kurbo::{Circle, Line, ParamCurveArea as _, PathSeg, Point, Rect};
 
 use super::{Group, Mark, Pen};
 use crate::curve::{Curve, control_points};
@@ -151,11 +151,14 @@ impl<'a> Painter<'a> {
                 lobes.add(curve, truth, factor);
             }
         }
+        // Where the curve touches the true shape, rounding noise makes regions that nobody sees.
+        let least = (self.unit / 1000.0).powi(2);
         let group = |class, paint, curves: Vec<Curve>| Group {
             class: Some(class),
             pen: Pen::filled(paint),
             marks: curves
                 .iter()
+                .filter(|curve| area(curve) > least)
                 .map(|curve| Mark::Curve(self.tidy(curve)))
                 .collect(),
         };
@@ -287,4 +290,10 @@ impl<'a> Painter<'a> {
             up(framed.y1),
         ))
     }
+}
+
+/// The area inside a closed curve.
+fn area(curve: &Curve) -> f64 {
+    let signed: f64 = curve.segments.iter().map(PathSeg::signed_area).sum();
+    signed.abs()
 }
