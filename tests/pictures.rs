@@ -126,6 +126,17 @@ fn what_is_shown_lies_in_groups_of_its_own() {
 }
 
 #[test]
+fn a_small_shape_far_away_keeps_its_digits_and_no_idle_ones() {
+    let document = svg("circle 1e-6 --center 1e6,0");
+    let numbers = attribute(&document, "viewBox").split(' ');
+    assert!(numbers.into_iter().all(|number| number.len() <= 16));
+    let [_, _, width, height] = view_box(&document);
+    for side in [width, height] {
+        assert!((side / 2.02e-6 - 1.0).abs() < 1e-3, "{side}");
+    }
+}
+
+#[test]
 fn every_number_of_a_picture_is_finite_and_plain() {
     for shape in [
         "circle 1e6",
@@ -235,6 +246,8 @@ fn what_a_picture_cannot_be_is_refused() {
         ("circle 50 -f svg --fill #12", "not a colour"),
         ("circle 50 -f svg --stroke-width -1", "at least 0"),
         ("circle 50 -f svg --margin inf", "at least 0"),
+        ("circle 50 -f svg --stroke-width 1e308", "too large"),
+        ("circle 50 -f svg --show error=1e300", "too large"),
         (
             "circle 50 -f svg --show joint",
             "what can is joints, handles, truth, error=K",

@@ -8,7 +8,7 @@ use super::Figure;
 use super::number::Precision;
 use super::style::{Paint, Style, default_stroke_width};
 use crate::curve::Curve;
-use crate::error::Result;
+use crate::error::{Result, finite};
 use crate::joints::Joints;
 use crate::method::Rule;
 use crate::shape::Outline;
@@ -132,8 +132,16 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// Where the true shape or the deviation from it is to be shown and the figure has none.
+    /// Where a length of the style is not finite or beyond all bounds, and where the true shape or the deviation from it is to be
+    /// shown and the figure has none.
     pub fn new(figure: &Figure, style: &Style) -> Result<Self> {
+        for (what, length) in [
+            ("stroke width", style.stroke_width),
+            ("margin", style.margin),
+            ("factor of the error", style.show.error),
+        ] {
+            length.map_or(Ok(0.0), |length| finite(what, length))?;
+        }
         let painter = Painter::new(figure, style);
         let groups = painter.groups()?;
         Ok(Self {

@@ -7,7 +7,7 @@ use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result};
 use crate::shape::{Outline, Truth};
 use crate::write::deviation::Lobes;
-use crate::write::number::{Precision, decimals_of, round};
+use crate::write::number::{Precision, decimals_of, round, round_one_two_five};
 use crate::write::style::{Paint, Style};
 use crate::write::{Figure, Layer};
 
@@ -243,7 +243,7 @@ impl<'a> Painter<'a> {
     }
 
     pub(super) fn decimals(&self) -> u8 {
-        decimals_of(self.unit / 1000.0)
+        decimals_of(round_one_two_five(self.unit / 1000.0))
     }
 
     /// What is shown beside the curve gets some air around it; a curve alone is cut out tightly, as icons and figures in a text are.
@@ -278,7 +278,7 @@ impl<'a> Painter<'a> {
         } else {
             framed.inflate(self.unit, self.unit)
         };
-        let step = self.unit / 10.0;
+        let step = round_one_two_five(self.unit / 10.0);
         let decimals = decimals_of(step);
         // A side that rounding noise has moved off a multiple stays there.
         let down = |x: f64| round((x / step + NOISE).floor() * step, decimals);
