@@ -265,6 +265,10 @@ impl Request<'_> {
                 quarters(self.outline.unit.sweep),
                 quarters(self.outline.unit.sweep),
             ),
+            // On an open arc its ends have the circle's derivatives, and it errs less than on a closed shape, which the estimate knows.
+            Rule::Method(Method::Chen1) if !self.outline.unit.closed => {
+                ((self.least_count(tolerance) / 2).max(1), MOST_SEGMENTS)
+            }
             // The error of a literal handle is least near its own angle and grows again beyond it.
             Rule::Handle(k) => (
                 1,

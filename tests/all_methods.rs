@@ -331,3 +331,47 @@ fn an_unknown_method_is_told_with_its_neighbours() {
     let complaint = String::from_utf8(output.stderr).unwrap();
     assert!(complaint.starts_with("error: unknown method 'minmax'\nhint: did you mean minimax"));
 }
+
+/// The peak error of a request, or nothing where it is refused; and its number of segments.
+fn peak(words: &str, id: &str, option: &[&str]) -> Option<(f64, usize)> {
+    let words: Vec<&str> = words.split(' ').collect();
+    let output = run(&[&words[..], &["-m", id, "-f", "json"], option].concat());
+    if output.status.code() == Some(2) {
+        return None;
+    }
+    let drawing: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let count = drawing["segments"].as_array().unwrap().len();
+    Some((drawing["error"]["peak"].as_f64().unwrap(), count))
+}
+
+#[test]
+fn a_tolerance_gives_the_fewest_segments_of_every_method() {
+    let mut met = 0;
+    for entry in catalogue() {
+        let id = id(&entry);
+        for shape in ["circle 1", "arc 1 --end 90"] {
+            for tolerance in [0.05, 0.02, 0.001, 0.000_28] {
+                let option = ["-t", &tolerance.to_string()];
+                let Some((error, count)) = peak(shape, id, &option) else {
+                    let out_of_reach = id.starts_with("lancaster") || entry["open"] == false;
+                    assert!(out_of_reach, "{shape} -m {id} -t {tolerance} is refused");
+                    continue;
+                };
+                assert!(
+                    error <= tolerance,
+                    "{shape} -m {id} -t {tolerance}: {error}"
+                );
+                for fewer in 1..count {
+                    if let Some((error, _)) = peak(shape, id, &["-n", &fewer.to_string()]) {
+                        assert!(
+                            error > tolerance,
+                            "{shape} -m {id} -t {tolerance} has {count} segments where {fewer} do"
+                        );
+                    }
+                }
+                met += 1;
+            }
+        }
+    }
+    assert!(met > 170, "only {met} met");
+}
