@@ -72,3 +72,25 @@ fn every_method_gives_its_reference_values() {
     }
     assert!(compared > 150, "only {compared} compared");
 }
+
+/// What the cards advise.
+#[test]
+fn the_advice_holds_where_it_compares() {
+    let peak = |id: &str, degrees: f64| {
+        let method: Method = id.parse().unwrap();
+        let span = Span::from_degrees(degrees);
+        method.radial_error(&span).unwrap().peak()
+    };
+    for count in [2.0, 3.0, 4.0, 5.0, 6.0, 8.0] {
+        let degrees = 360.0 / count;
+        assert!(peak("minimax", degrees) < peak("lancaster-best", degrees));
+    }
+    for degrees in [1.0, 45.0, 90.0] {
+        let share = |id, of| peak(id, degrees) / peak(of, degrees);
+        assert!((share("minimax-g0", "minimax") - 0.35).abs() < 0.02);
+        assert!((share("minimax-free", "minimax") - 0.7).abs() < 0.01);
+        assert!((share("curvature-scaled", "curvature") - 0.5).abs() < 0.001);
+        assert!((0.12..0.18).contains(&share("quadratic-minimax", "quadratic-tangent")));
+    }
+    assert!(peak("goldapp", 90.0) < 1.0002 * peak("minimax", 90.0));
+}

@@ -601,7 +601,7 @@ static CARDS: [Card; 26] = [
         origin: "derived",
         source: "derived from its criterion",
         formula: "P1 at the radius m for which (cos h + m)/2 - 1 = 1 - sqrt(1 - B²/(4A))",
-        advice: "for TrueType and other quadratic formats: a sixth of quadratic-tangent's error, with corners",
+        advice: "for TrueType and other quadratic formats: a sixth to an eighth of quadratic-tangent's error, with corners",
     },
     Card {
         id: "quadratic-minimax-free",
