@@ -187,3 +187,35 @@ pub(super) fn chain(spans: &[Span], closed: bool) -> Vec<[Piece; 2]> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// methods.md: t = 1.5567523458 with exact arc length, and sqrt(2.4) with two-point Gauss quadrature.
+    #[test]
+    fn formulation_2_of_a_quarter_has_the_known_fixed_points() {
+        let quarter = Span::from_degrees(90.0);
+        assert!((3.0 * formulation_2(&quarter) - 1.556_752_345_8).abs() < 5e-11);
+        assert!((3.0 * formulation_2_gauss(&quarter) - 2.4_f64.sqrt()).abs() < 1e-15);
+        let printed = formulation_2_gauss_error(&quarter).peak();
+        assert!((printed - 0.019_031_9).abs() < 5e-8, "{printed}");
+    }
+
+    #[test]
+    fn formulation_2_is_its_own_length() {
+        use kurbo::ParamCurveArclen;
+        for degrees in [0.01, 1.0, 30.0, 90.0, 137.0, 180.0] {
+            let span = Span::from_degrees(degrees);
+            let k = formulation_2(&span);
+            let curve = kurbo::CubicBez::new(
+                (1.0, 0.0),
+                (1.0, k),
+                (span.c + k * span.s, span.s - k * span.c),
+                (span.c, span.s),
+            );
+            let off = curve.arclen(1e-14) / (3.0 * k) - 1.0;
+            assert!(off.abs() < 1e-12, "{degrees}: {off:e}");
+        }
+    }
+}
