@@ -20,6 +20,7 @@
 pub mod angle;
 pub mod approximate;
 pub mod curve;
+pub mod document;
 pub mod error;
 pub mod joints;
 pub mod measure;

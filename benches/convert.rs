@@ -1,0 +1,106 @@
+//! `document::convert` beside the usvg library (parse and write) on real icon sets: `make bench-convert`.
+//!
+//! Throughput on one thread, the files in memory, and what the output weighs in times of the input.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Duration;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use curveto::document::{self, Options};
+use resvg::usvg;
+
+const SETS: [(&str, &str); 2] = [
+    ("lucide", "lucide-static-1.62.0"),
+    ("bootstrap-icons", "bootstrap-icons-1.13.2"),
+];
+
+fn files(folder: &str) -> Option<Vec<String>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("corpora")
+        .join(folder)
+        .join("package/icons");
+    let mut paths: Vec<_> = std::fs::read_dir(folder)
+        .ok()?
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "svg"));
+    paths.sort();
+    Some(
+        paths
+            .iter()
+            .map(|path| std::fs::read_to_string(path).unwrap())
+            .collect(),
+    )
+}
+
+/// One document of many, each as a group.
+fn concatenated<'a>(files: impl Iterator<Item = &'a String>) -> String {
+    let groups: String = files
+        .map(|file| {
+            let start = file.find("<svg").unwrap();
+            let inner = start + file[start..].find('>').unwrap() + 1;
+            format!("<g>{}</g>\n", &file[inner..file.rfind("</svg>").unwrap()])
+        })
+        .collect();
+    format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 24 24\">\n{groups}</svg>\n")
+}
+
+fn ours(text: &str) -> usize {
+    document::convert(text, &Options::default())
+        .unwrap()
+        .text
+        .len()
+}
+
+fn usvgs(text: &str) -> usize {
+    usvg::Tree::from_str(text, &usvg::Options::default())
+        .unwrap()
+        .to_string(&usvg::WriteOptions::default())
+        .len()
+}
+
+fn compare(criterion: &mut Criterion, name: &str, files: &[String]) {
+    let bytes: usize = files.iter().map(String::len).sum();
+    for (tool, convert) in [("curveto", ours as fn(&str) -> usize), ("usvg", usvgs)] {
+        let written: usize = files.iter().map(|file| convert(file)).sum();
+        println!(
+            "{name}: {tool} writes {:.4} times the input of {bytes} bytes",
+            written as f64 / bytes as f64
+        );
+    }
+    let mut group = criterion.benchmark_group(name);
+    group
+        .throughput(Throughput::Bytes(bytes as u64))
+        .sample_size(20)
+        .measurement_time(Duration::from_secs(5));
+    for (tool, convert) in [("curveto", ours as fn(&str) -> usize), ("usvg", usvgs)] {
+        group.bench_function(tool, |bencher| {
+            bencher.iter(|| {
+                files
+                    .iter()
+                    .map(|file| convert(black_box(file)))
+                    .sum::<usize>()
+            });
+        });
+    }
+    group.finish();
+}
+
+fn corpora(criterion: &mut Criterion) {
+    let mut all = Vec::new();
+    for (name, folder) in SETS {
+        let Some(files) = files(folder) else {
+            println!("{folder} is not there: `make corpora` fetches it");
+            return;
+        };
+        compare(criterion, name, &files);
+        all.extend(files);
+    }
+    compare(criterion, "one-file", &[concatenated(all.iter())]);
+}
+
+criterion_group!(benches, corpora);
+criterion_main!(benches);

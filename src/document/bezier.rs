@@ -1,0 +1,484 @@
+//! The one door to the engine: an arc or an ellipse as Béziers about its own origin, and the decimals that they deserve.
+//!
+//! Icon sets hold tens of thousands of arcs, so what every file asks for, equal segments of a rule whose ends lie on the circle,
+//! is placed here without an allocation; a test holds it against [`approximate`], which serves everything else.
+
+use kurbo::{ParamCurve, PathSeg, Point, Vec2};
+
+use super::memo::Memo;
+use super::number::MAX_DECIMALS;
+use super::{Options, Reason};
+use crate::Angle;
+use crate::approximate::{self, approximate};
+use crate::curve::control_points;
+use crate::joints::{Cut, MOST_SEGMENTS, quarters};
+use crate::measure::radial;
+use crate::method::{Degree, Ends, Method, Piece, Rule};
+use crate::shape::endpoint::SvgArc;
+use crate::shape::{Ellipse, Outline, Shape};
+use crate::write::number::Precision;
+
+/// The inner control points and the end of each segment, as offsets from where the whole arc is counted from.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Beziers {
+    points: Vec<Vec2>,
+    /// 2 for a quadratic, 3 for a cubic.
+    per_segment: usize,
+    /// The decimals for its control points.
+    pub(super) decimals: u32,
+}
+
+impl Beziers {
+    /// The segments.
+    pub(super) fn segments(&self) -> impl ExactSizeIterator<Item = &[Vec2]> {
+        self.points.chunks_exact(self.per_segment.max(1))
+    }
+
+    /// All points in their order.
+    pub(super) fn points(&self) -> &[Vec2] {
+        &self.points
+    }
+
+    /// Whether the segments are quadratics.
+    pub(super) const fn is_quadratic(&self) -> bool {
+        self.per_segment == 2
+    }
+
+    /// Adds a segment by its control points on the unit circle.
+    fn segment(&mut self, p1: Vec2, p2: Vec2, p3: Vec2, place: impl Fn(Vec2) -> Vec2) {
+        if self.is_quadratic() {
+            self.points.extend([
+                place(p1.to_point().midpoint(p2.to_point()).to_vec2()),
+                place(p3),
+            ]);
+        } else {
+            self.points.extend([place(p1), place(p2), place(p3)]);
+        }
+    }
+
+    fn begin(&mut self, degree: Degree) {
+        self.points.clear();
+        self.per_segment = match degree {
+            Degree::Cubic => 3,
+            Degree::Quadratic => 2,
+        };
+    }
+}
+
+/// Fills `out` with an arc. It is drawn from `arc.from`, and the points are offsets from there.
+pub(super) fn arc(
+    arc: &SvgArc,
+    options: &Options,
+    memo: &mut Memo,
+    out: &mut Beziers,
+) -> Result<(), Reason> {
+    let shape = arc.shape().map_err(refused)?;
+    let Some(outline) = shape.outline() else {
+        return Err(Reason::TooLarge);
+    };
+    match count(options, outline.unit.sweep) {
+        Some(count) => equal(&outline, arc, count, options, memo, out),
+        None => by_engine(&shape, arc.from, options, out).map(|_| ()),
+    }
+}
+
+/// Fills `out` with the ellipse about the origin that starts at (`radii.x`, 0) and runs towards +y; returns its first point.
+pub(super) fn ellipse(
+    radii: Vec2,
+    options: &Options,
+    memo: &mut Memo,
+    out: &mut Beziers,
+) -> Result<Vec2, Reason> {
+    let shape = Shape::Ellipse(Ellipse::new(Point::ZERO, radii, Angle::ZERO).map_err(refused)?);
+    let (Some(outline), Some(count)) = (shape.outline(), count(options, Angle::TURN)) else {
+        return by_engine(&shape, Point::ZERO, options, out);
+    };
+    let (piece, error) = memo
+        .piece(options.rule, 360.0 / count as f64)
+        .map_err(refused)?;
+    out.begin(piece.degree);
+    let place = |v: Vec2| Vec2::new(radii.x * v.x, radii.y * v.y);
+    let joint = |i: usize| Joint {
+        radius: Angle::ZERO.direction_in_turn(1.0, i % count, count),
+        offset: Vec2::ZERO,
+    };
+    let start = place(joint(0).radius);
+    for i in 0..count {
+        let (before, after) = (joint(i), joint(i + 1));
+        let inner = [before.control(&piece, 1.0), after.control(&piece, -1.0)];
+        out.segment(inner[0], inner[1], after.radius, place);
+    }
+    out.decimals = decimals(&outline, start, Point::ZERO, error, options, out);
+    Ok(start)
+}
+
+fn refused(error: crate::Error) -> Reason {
+    Reason::Refused(error.to_string())
+}
+
+/// The number of segments, where the arc can be placed here.
+fn count(options: &Options, sweep: Angle) -> Option<usize> {
+    let serves = match options.rule {
+        Rule::Method(Method::Chen1) => false,
+        Rule::Method(method) => method.card().ends == Ends::OnCircle,
+        _ => true,
+    };
+    match options.cut {
+        Cut::Quarters if serves => Some(quarters(sweep)),
+        Cut::Count(count @ 1..=MOST_SEGMENTS) if serves => Some(count),
+        _ => None,
+    }
+}
+
+/// Anything, as the engine draws it.
+fn by_engine(
+    shape: &Shape,
+    from: Point,
+    options: &Options,
+    out: &mut Beziers,
+) -> Result<Vec2, Reason> {
+    let asked = approximate::Options {
+        rule: options.rule,
+        cut: options.cut.clone(),
+        precision: options.precision.map(Precision::Fixed),
+        ..approximate::Options::default()
+    };
+    let drawing = approximate(shape, &asked).map_err(refused)?;
+    let quadratic = matches!(drawing.curve.segments.first(), Some(PathSeg::Quad(_)));
+    out.begin(if quadratic {
+        Degree::Quadratic
+    } else {
+        Degree::Cubic
+    });
+    for segment in &drawing.curve.segments {
+        out.points.extend(
+            control_points(segment)[1..]
+                .iter()
+                .map(|point| *point - from),
+        );
+    }
+    out.decimals = match drawing.precision {
+        Precision::Fixed(decimals) => u32::from(decimals).min(MAX_DECIMALS),
+        Precision::Full => MAX_DECIMALS,
+    };
+    Ok(drawing.curve.start().unwrap_or_default().to_vec2())
+}
+
+/// Equal segments, each point reached from the nearer end of the arc.
+fn equal(
+    outline: &Outline,
+    arc: &SvgArc,
+    count: usize,
+    options: &Options,
+    memo: &mut Memo,
+    out: &mut Beziers,
+) -> Result<(), Reason> {
+    let (start, sweep) = (outline.unit.start.degrees(), outline.unit.sweep.degrees());
+    let (piece, error) = memo
+        .piece(options.rule, (sweep / count as f64).abs())
+        .map_err(refused)?;
+    out.begin(piece.degree);
+    let [a, b, c, d, _, _] = outline.placement.as_coeffs();
+    let place = |v: Vec2| Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y);
+    let to = arc.to - arc.from;
+    let sign = 1.0_f64.copysign(sweep);
+    let first = Joint {
+        radius: outline.unit.start.direction(),
+        offset: Vec2::ZERO,
+    };
+    let end = start + sweep;
+    let last = Joint {
+        radius: Angle::from_degrees(end).direction(),
+        offset: to,
+    };
+    let joint = |i: usize| {
+        if i == count {
+            return last;
+        }
+        // Counted from the nearer end, as the engine does.
+        let (base, from, angle) = if 2 * i <= count {
+            (Vec2::ZERO, start, start + sweep * (i as f64 / count as f64))
+        } else {
+            (to, end, end - sweep * ((count - i) as f64 / count as f64))
+        };
+        Joint {
+            radius: Angle::from_degrees(angle).direction(),
+            offset: base + place(chord(from, angle)),
+        }
+    };
+    let mut before = first;
+    for i in 1..=count {
+        let after = joint(i);
+        // Each point is reached from its own joint: a huge radius does not swallow the digits.
+        let inner = [before.way(&piece, sign), after.way(&piece, -sign)].map(place);
+        match piece.degree {
+            Degree::Cubic => out.points.extend([
+                before.offset + inner[0],
+                after.offset + inner[1],
+                after.offset,
+            ]),
+            Degree::Quadratic => {
+                let middle = (before.offset + inner[0])
+                    .to_point()
+                    .midpoint((after.offset + inner[1]).to_point());
+                out.points.extend([middle.to_vec2(), after.offset]);
+            }
+        }
+        before = after;
+    }
+    out.decimals = decimals(outline, Vec2::ZERO, arc.from, error, options, out);
+    Ok(())
+}
+
+/// A joint: its radius on the unit circle, and where it lies.
+#[derive(Clone, Copy)]
+struct Joint {
+    radius: Vec2,
+    offset: Vec2,
+}
+
+impl Joint {
+    /// The control point beside the joint, on the unit circle.
+    fn control(&self, piece: &Piece, sense: f64) -> Vec2 {
+        self.radius + self.way(piece, sense)
+    }
+
+    /// The way from the joint to the control point beside it, on the unit circle.
+    fn way(&self, piece: &Piece, sense: f64) -> Vec2 {
+        self.radius * (piece.handle.x - 1.0)
+            + Vec2::new(-self.radius.y, self.radius.x) * (sense * piece.handle.y)
+    }
+}
+
+/// From one angle of the unit circle to another: 2 sin(δ/2) across the direction halfway.
+fn chord(from: f64, to: f64) -> Vec2 {
+    let halfway = Angle::from_degrees(f64::midpoint(from, to)).direction();
+    Vec2::new(-halfway.y, halfway.x) * (2.0 * ((to - from) / 2.0).to_radians().sin())
+}
+
+/// The decimals for the control points: those asked for, or the fewest d for which 10^-d/√2 is at most a tenth of the peak error.
+/// The curve begins at `start`; that and its points are offsets from `base`. On the unit circle its peak error is `error`.
+fn decimals(
+    outline: &Outline,
+    start: Vec2,
+    base: Point,
+    error: f64,
+    options: &Options,
+    drawn: &Beziers,
+) -> u32 {
+    if let Some(decimals) = options.precision {
+        return u32::from(decimals).min(MAX_DECIMALS);
+    }
+    let size = |p: &Vec2| (base.x + p.x).abs().max((base.y + p.y).abs());
+    let largest = drawn
+        .points
+        .iter()
+        .map(size)
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let truth = &outline.truth;
+    if truth.is_circle() {
+        return fewest(error * truth.radii.x, largest);
+    }
+    // Mostly a rough measure asks for as many decimals as the exact one; on a flat ellipse it is too rough.
+    if truth.radii.x.max(truth.radii.y) < 10.0 * truth.radii.x.min(truth.radii.y) {
+        let about = sampled_error(outline, start, base, drawn);
+        let (most, least) = (fewest(about * 0.99, largest), fewest(about * 1.03, largest));
+        if most == least {
+            return most;
+        }
+    }
+    let segments: Vec<PathSeg> = path_segments(start, base, drawn).collect();
+    fewest(radial::error(&segments, truth).peak(), largest)
+}
+
+/// The segments of a curve in the plane.
+fn path_segments(start: Vec2, base: Point, drawn: &Beziers) -> impl Iterator<Item = PathSeg> {
+    let mut from = base + start;
+    drawn.segments().map(move |points| {
+        let segment = match points {
+            [p1, p2] => PathSeg::Quad(kurbo::QuadBez::new(from, base + *p1, base + *p2)),
+            _ => PathSeg::Cubic(kurbo::CubicBez::new(
+                from,
+                base + points[0],
+                base + points[1],
+                base + points[2],
+            )),
+        };
+        from = segment.end();
+        segment
+    })
+}
+
+/// The largest distance from an ellipse at 24 points of each segment, to first order: a radial distance δ on the unit circle at
+/// (c, s) is δ/√((c/rx)² + (s/ry)²) along the normal.
+fn sampled_error(outline: &Outline, start: Vec2, base: Point, drawn: &Beziers) -> f64 {
+    const SAMPLES: u32 = 24;
+    let to_unit = outline.placement.inverse();
+    let radii = outline.truth.radii;
+    path_segments(start, base, drawn)
+        .flat_map(|segment| {
+            let segment = to_unit * segment;
+            (1..SAMPLES).map(move |i| {
+                let p = segment.eval(f64::from(i) / f64::from(SAMPLES)).to_vec2();
+                let length = p.hypot();
+                (length - 1.0).abs() * length / (p.x / radii.x).hypot(p.y / radii.y)
+            })
+        })
+        .fold(0.0, f64::max)
+}
+
+/// 10^-d/√2 for every d.
+const MOVED: [f64; MAX_DECIMALS as usize + 1] = {
+    let mut moved = [core::f64::consts::FRAC_1_SQRT_2; MAX_DECIMALS as usize + 1];
+    let mut d = 1;
+    while d < moved.len() {
+        moved[d] = moved[d - 1] / 10.0;
+        d += 1;
+    }
+    moved
+};
+
+/// The fewest decimals for this peak error; no more than coordinates up to `largest` have digits.
+fn fewest(peak: f64, largest: f64) -> u32 {
+    let needed = MOVED
+        .iter()
+        .position(|moved| *moved <= 0.1 * peak)
+        .unwrap_or(MAX_DECIMALS as usize) as u32;
+    // Only beyond ten decimals can the digits of a coordinate run out first, unless it is huge.
+    if needed < 5 && largest < 1e9 || needed < 10 && largest < 1e5 {
+        return needed;
+    }
+    needed.min((15.0 - largest.log10().ceil()).clamp(0.0, f64::from(MAX_DECIMALS)) as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the engine draws, unrounded.
+    fn engine(shape: &Shape, options: &Options) -> (Vec<Point>, Precision) {
+        let asked = |precision| approximate::Options {
+            rule: options.rule,
+            cut: options.cut.clone(),
+            precision,
+            ..approximate::Options::default()
+        };
+        let exact = approximate(shape, &asked(Some(Precision::Full))).unwrap();
+        let points = exact
+            .curve
+            .segments
+            .iter()
+            .flat_map(|segment| control_points(segment)[1..].to_vec())
+            .collect();
+        (points, approximate(shape, &asked(None)).unwrap().precision)
+    }
+
+    fn options() -> Vec<Options> {
+        let rules = [
+            Method::Minimax,
+            Method::Midpoint,
+            Method::MinimaxG0,
+            Method::QuadraticMinimax,
+            Method::Chen3,
+        ];
+        let cuts = [Cut::Quarters, Cut::Count(7)];
+        rules
+            .into_iter()
+            .flat_map(|method| {
+                cuts.clone().map(|cut| Options {
+                    rule: Rule::Method(method),
+                    cut,
+                    ..Options::default()
+                })
+            })
+            .collect()
+    }
+
+    fn assert_agree(drawn: &Beziers, base: Point, engine: &(Vec<Point>, Precision), size: f64) {
+        assert_eq!(drawn.points().len(), engine.0.len());
+        for (own, other) in drawn.points().iter().zip(&engine.0) {
+            assert!(
+                (base + *own - *other).hypot() <= 4e-15 * size,
+                "{own:?} {other:?}"
+            );
+        }
+        // Beyond a dozen decimals the engine measures the noise of its own points.
+        if let Precision::Fixed(decimals @ ..12) = engine.1 {
+            assert_eq!(drawn.decimals, u32::from(decimals));
+        }
+    }
+
+    #[test]
+    fn arcs_are_those_of_the_engine() {
+        let mut drawn = Beziers::default();
+        for options in options() {
+            let mut memo = Memo::default();
+            for i in 0..200 {
+                let n = f64::from(i);
+                let arc = SvgArc {
+                    from: Point::new(n.sin() * 10.0, 3.0),
+                    radii: Vec2::new(1.0 + n / 7.0, if i % 3 == 0 { 1.0 + n / 7.0 } else { 5.0 }),
+                    rotation: Angle::from_degrees(n * 13.0),
+                    large_arc: i % 2 == 0,
+                    sweep: i % 5 < 2,
+                    to: Point::new(n.cos() * 8.0, n / 50.0),
+                };
+                super::arc(&arc, &options, &mut memo, &mut drawn).unwrap();
+                assert_agree(
+                    &drawn,
+                    arc.from,
+                    &engine(&arc.shape().unwrap(), &options),
+                    60.0,
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn ellipses_are_those_of_the_engine() {
+        let mut drawn = Beziers::default();
+        for options in options() {
+            let mut memo = Memo::default();
+            for radii in [
+                Vec2::new(10.0, 10.0),
+                Vec2::new(3.0, 0.7),
+                Vec2::new(1e-3, 1.0),
+            ] {
+                ellipse(radii, &options, &mut memo, &mut drawn).unwrap();
+                let shape = Shape::Ellipse(Ellipse::new(Point::ZERO, radii, Angle::ZERO).unwrap());
+                assert_agree(&drawn, Point::ZERO, &engine(&shape, &options), 10.0);
+            }
+        }
+    }
+
+    #[test]
+    fn other_requests_go_to_the_engine() {
+        let (mut drawn, mut memo) = (Beziers::default(), Memo::default());
+        let free = Options {
+            rule: Rule::Method(Method::MinimaxFree),
+            ..Options::default()
+        };
+        let start = ellipse(Vec2::new(1.0, 1.0), &free, &mut memo, &mut drawn).unwrap();
+        assert!(start.x < 1.0 && drawn.points().last() == Some(&start));
+        let arc = SvgArc {
+            from: Point::ZERO,
+            radii: Vec2::new(1.0, 1.0),
+            rotation: Angle::ZERO,
+            large_arc: false,
+            sweep: true,
+            to: Point::new(1.0, 1.0),
+        };
+        assert_eq!(
+            super::arc(&arc, &free, &mut memo, &mut drawn)
+                .unwrap_err()
+                .code(),
+            "method"
+        );
+        let close = Options {
+            cut: Cut::Tolerance(crate::Tolerance::Absolute(1e-7)),
+            ..Options::default()
+        };
+        super::arc(&arc, &close, &mut memo, &mut drawn).unwrap();
+        assert!(drawn.segments().len() > 1);
+    }
+}

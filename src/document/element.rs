@@ -1,0 +1,294 @@
+//! `<circle>`, `<ellipse>` and `<rect>` as path data: SVG 2's equivalent paths, start point, direction and order included.
+
+use kurbo::{Point, Vec2};
+
+use super::arcs::Scratch;
+use super::bezier;
+use super::length::{self, Length, Reading};
+use super::number::Decimal;
+use super::pen::Pen;
+use super::property::Kind;
+use super::{Options, Reason};
+use crate::Angle;
+use crate::shape::endpoint::SvgArc;
+
+/// A shape with its used values: `auto` resolved, radii clamped.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Shape {
+    /// Centre and radii.
+    Ellipse([Length; 2], [Length; 2]),
+    /// Left top corner, size, corner radii.
+    Rect([Length; 2], [Length; 2], [Length; 2]),
+    /// A rectangle with square corners: nothing to do.
+    Square,
+}
+
+/// Reads a shape; `attribute` gives the resolved value of an attribute, if the element has it.
+pub(super) fn read<'v>(
+    kind: Kind,
+    attribute: impl Fn(&str) -> Option<&'v str>,
+) -> Result<Shape, Reason> {
+    let get = |name: &'static str| -> Result<Option<Length>, Reason> {
+        let Some(text) = attribute(name) else {
+            return Ok(None);
+        };
+        match length::read(text) {
+            Reading::Length(length) => Ok(Some(length)),
+            // `auto` is a value of rx and ry alone, and of width and height, where it is zero.
+            Reading::Auto if !matches!(name, "cx" | "cy" | "r" | "x" | "y") => Ok(None),
+            _ => Err(Reason::Length {
+                attribute: name,
+                value: text.chars().take(40).collect(),
+            }),
+        }
+    };
+    let place = |name| get(name).map(|found| found.unwrap_or_else(Length::zero));
+    match kind {
+        Kind::Circle => {
+            let radius = positive("r", get("r")?)?;
+            Ok(Shape::Ellipse([place("cx")?, place("cy")?], [radius; 2]))
+        }
+        Kind::Ellipse => {
+            let (rx, ry) = (get("rx")?, get("ry")?);
+            let radii = [positive("rx", rx.or(ry))?, positive("ry", ry.or(rx))?];
+            Ok(Shape::Ellipse([place("cx")?, place("cy")?], radii))
+        }
+        Kind::Rect => {
+            let (rx, ry) = (get("rx")?, get("ry")?);
+            for (name, radius) in [("rx", rx), ("ry", ry)] {
+                if radius.is_some_and(|radius| radius.value < 0.0) {
+                    return Err(Reason::NotDrawn(format!("`{name}` is negative")));
+                }
+            }
+            let radii =
+                [rx.or(ry), ry.or(rx)].map(|radius| radius.filter(|radius| radius.value > 0.0));
+            let [Some(rx), Some(ry)] = radii else {
+                return Ok(Shape::Square);
+            };
+            let size = [
+                positive("width", get("width")?)?,
+                positive("height", get("height")?)?,
+            ];
+            let radii = [clamp(rx, size[0]), clamp(ry, size[1])];
+            Ok(Shape::Rect([place("x")?, place("y")?], size, radii))
+        }
+        Kind::Path => Ok(Shape::Square),
+    }
+}
+
+fn positive(name: &str, length: Option<Length>) -> Result<Length, Reason> {
+    match length {
+        Some(length) if length.value > 0.0 => Ok(length),
+        Some(length) if length.value < 0.0 => {
+            Err(Reason::NotDrawn(format!("`{name}` is negative")))
+        }
+        Some(_) => Err(Reason::NotDrawn(format!("`{name}` is zero"))),
+        None => Err(Reason::NotDrawn(format!("`{name}` is missing"))),
+    }
+}
+
+/// A corner radius is at most half of the side.
+fn clamp(radius: Length, side: Length) -> Length {
+    let half = side.value / 2.0;
+    if radius.value <= half {
+        return radius;
+    }
+    let exact = side.exact;
+    match exact.units.checked_mul(5) {
+        Some(units) if exact.decimals < super::number::MAX_DECIMALS => Length {
+            value: half,
+            exact: Decimal {
+                units,
+                decimals: exact.decimals + 1,
+            },
+        },
+        _ => Length::computed(half),
+    }
+}
+
+/// Writes the path data of a shape to `out`.
+pub(super) fn path_data(
+    shape: &Shape,
+    options: &Options,
+    scratch: &mut Scratch,
+    out: &mut Vec<u8>,
+) -> Result<(), Reason> {
+    out.clear();
+    match shape {
+        Shape::Ellipse(center, radii) => {
+            let [rx, ry] = radii.map(|radius| radius.value);
+            check_size(&[center, radii], options, rx.min(ry))?;
+            let start = bezier::ellipse(
+                Vec2::new(rx, ry),
+                options,
+                &mut scratch.memo,
+                &mut scratch.beziers,
+            )?;
+            let drawn = &scratch.beziers;
+            let mut pen = Pen::new(options.precision, drawn.decimals, out);
+            pen.known = [radii[0], radii[1]];
+            pen.base = *center;
+            pen.move_to(pen.place(start));
+            pen.curves(drawn, true);
+            pen.close();
+        }
+        Shape::Rect(corner, size, radii) => rect(*corner, *size, *radii, options, scratch, out)?,
+        Shape::Square => {}
+    }
+    Ok(())
+}
+
+/// Refuses what arithmetic or the precision asked for cannot hold.
+fn check_size(lengths: &[&[Length; 2]], options: &Options, smallest: f64) -> Result<(), Reason> {
+    if lengths
+        .iter()
+        .flat_map(|pair| pair.iter())
+        .any(|length| length.value.abs() > 1e15)
+    {
+        return Err(Reason::TooLarge);
+    }
+    match options.precision {
+        Some(decimals) if smallest * 10_f64.powi(i32::from(decimals)) < 0.5 => {
+            Err(Reason::Collapses)
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The equivalent path of a rectangle: from (x + rx, y) clockwise, lines of no length left out.
+fn rect(
+    corner: [Length; 2],
+    size: [Length; 2],
+    radii: [Length; 2],
+    options: &Options,
+    scratch: &mut Scratch,
+    out: &mut Vec<u8>,
+) -> Result<(), Reason> {
+    let [rx, ry] = radii.map(|radius| radius.value);
+    check_size(&[&corner, &size, &radii], options, rx.min(ry))?;
+    let [x, y] = corner.map(|length| length.exact);
+    let [right, bottom] = [x.plus(size[0].exact), y.plus(size[1].exact)];
+    let [left_in, top_in] = [x.plus(radii[0].exact), y.plus(radii[1].exact)];
+    let [right_in, bottom_in] = [right.minus(radii[0].exact), bottom.minus(radii[1].exact)];
+    // Where each corner begins, its way to the end, and the line before it.
+    let corners = [
+        ([right_in, y], (rx, ry), b'H'),
+        ([right, bottom_in], (-rx, ry), b'V'),
+        ([left_in, bottom], (-rx, -ry), b'H'),
+        ([x, top_in], (rx, -ry), b'V'),
+    ];
+    let straight = [size[0].value > 2.0 * rx, size[1].value > 2.0 * ry];
+    let mut pen = Pen::new(options.precision, 0, out);
+    pen.known = radii;
+    for (index, (start, to, line)) in corners.into_iter().enumerate() {
+        let arc = SvgArc {
+            from: Point::ZERO,
+            radii: Vec2::new(rx, ry),
+            rotation: Angle::ZERO,
+            large_arc: false,
+            sweep: true,
+            to: to.into(),
+        };
+        bezier::arc(&arc, options, &mut scratch.memo, &mut scratch.beziers)?;
+        if index == 0 {
+            pen.decimals = scratch.beziers.decimals;
+            pen.move_to([left_in, y]);
+        }
+        if straight[index % 2] {
+            pen.line_to(line, start);
+        }
+        pen.base = start.map(|exact| Length {
+            value: exact.value(),
+            exact,
+        });
+        pen.curves(&scratch.beziers, index == 3);
+    }
+    pen.close();
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn path(kind: Kind, attributes: &[(&str, &str)]) -> Result<String, Reason> {
+        let shape = read(kind, |name| {
+            attributes
+                .iter()
+                .find(|(known, _)| *known == name)
+                .map(|(_, value)| *value)
+        })?;
+        let mut out = Vec::new();
+        path_data(
+            &shape,
+            &Options::default(),
+            &mut Scratch::default(),
+            &mut out,
+        )?;
+        Ok(String::from_utf8(out).unwrap())
+    }
+
+    #[test]
+    fn a_circle_starts_at_three_o_clock_and_closes_on_itself() {
+        let text = path(Kind::Circle, &[("cx", "12"), ("cy", "12"), ("r", "10")]).unwrap();
+        assert_eq!(
+            text,
+            "M22 12c0 5.5192-4.4808 10-10 10C6.4808 22 2 17.5192 2 12 2 6.4808 6.4808 2 12 2 17.5192 2 22 6.4808 22 12Z"
+        );
+    }
+
+    #[test]
+    fn radii_of_a_rectangle_are_shared_and_clamped() {
+        let size = [("width", "10"), ("height", "4")];
+        let rounded = path(Kind::Rect, &[&size[..], &[("ry", "9")]].concat()).unwrap();
+        assert!(rounded.starts_with("M5 0c"), "{rounded}");
+        let straight = path(Kind::Rect, &[&size[..], &[("rx", "1")]].concat()).unwrap();
+        assert!(
+            straight.starts_with("M1 0H9c")
+                && straight.contains("V3c")
+                && straight.ends_with(" 1 0Z"),
+            "{straight}"
+        );
+        assert_eq!(
+            path(
+                Kind::Rect,
+                &[&size[..], &[("rx", "0"), ("ry", "9")]].concat()
+            )
+            .unwrap(),
+            ""
+        );
+        assert_eq!(path(Kind::Rect, &size).unwrap(), "");
+    }
+
+    #[test]
+    fn what_draws_nothing_is_told() {
+        for (kind, attributes, code) in [
+            (Kind::Circle, &[("r", "0")][..], "not-drawn"),
+            (Kind::Circle, &[("r", "-1")], "not-drawn"),
+            (Kind::Circle, &[], "not-drawn"),
+            (Kind::Circle, &[("r", "50%")], "length"),
+            (Kind::Circle, &[("r", "auto")], "length"),
+            (Kind::Ellipse, &[("rx", "auto")], "not-drawn"),
+            (Kind::Ellipse, &[("rx", "2"), ("ry", "-1")], "not-drawn"),
+            (Kind::Rect, &[("rx", "2"), ("width", "3")], "not-drawn"),
+        ] {
+            assert_eq!(
+                path(kind, attributes).unwrap_err().code(),
+                code,
+                "{attributes:?}"
+            );
+        }
+        assert!(
+            path(Kind::Ellipse, &[("rx", "auto"), ("ry", "3")])
+                .unwrap()
+                .starts_with("M3 0C")
+        );
+    }
+
+    #[test]
+    fn vertices_keep_the_digits_of_the_file() {
+        let text = path(Kind::Circle, &[("cx", ".12345678"), ("r", "1")]).unwrap();
+        assert!(text.starts_with("M1.12345678 0c"), "{text}");
+        assert!(text.ends_with(" 1.12345678 0Z"), "{text}");
+    }
+}

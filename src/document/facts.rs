@@ -1,0 +1,418 @@
+//! What a whole document says about its elements from elsewhere: style sheets, scripts, animations, references.
+//!
+//! Most files have none of it. The rewriting pass starts without facts and asks for them at the first sign.
+
+use std::collections::{HashMap, HashSet};
+
+use super::attributes::Attribute;
+use super::css::{self, Rule, Sheet};
+use super::doctype::{Doctype, Resolved};
+use super::fault::Result;
+use super::namespace::Namespace;
+use super::property::{Kind, Markers, Properties, is_none};
+use super::reason::Reason;
+use super::scan::{Element, Node, Scanner};
+use super::selector::{Compound, Subject};
+use super::value;
+
+/// More rules than this are held to match everything, so that time stays linear.
+const MANY_RULES: usize = 64;
+
+/// Which element an animation changes.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+enum Target {
+    /// The element whose tag begins at this byte.
+    Parent(usize),
+    /// The elements with this id.
+    Id(String),
+}
+
+/// The facts.
+#[derive(Debug, Default)]
+pub(super) struct Facts {
+    sheet: Sheet,
+    /// What holds for the whole document, if anything does.
+    everywhere: Option<Reason>,
+    animated: HashMap<Target, Properties>,
+    /// Whether an animation sets `class`.
+    classes_change: bool,
+    /// Whether an animation or a keyframe sets a marker.
+    markers_anywhere: bool,
+    motion_paths: HashSet<String>,
+}
+
+/// Whether an element or one of its attributes may change what holds for other elements.
+pub(super) fn is_sign(element: &Element<'_>, attributes: &[Attribute<'_>]) -> bool {
+    const NAMES: [&str; 8] = [
+        "style",
+        "script",
+        "animate",
+        "set",
+        "animateColor",
+        "mpath",
+        "link",
+        "handler",
+    ];
+    NAMES.contains(&element.local) && element.namespace != Namespace::Other
+        || attributes.iter().any(|attribute| is_handler(attribute))
+}
+
+/// Whether an attribute holds a script. Names in a namespace (`a:onclick`) do not.
+fn is_handler(attribute: &Attribute<'_>) -> bool {
+    attribute.name.len() > 2
+        && attribute.name.starts_with("on")
+        && !attribute.value.trim().is_empty()
+}
+
+/// The element whose text is being collected.
+struct Collecting {
+    depth: usize,
+    css: String,
+}
+
+impl Facts {
+    /// Reads a whole document.
+    pub(super) fn read(source: &str) -> Result<Self> {
+        let mut facts = Self::default();
+        let mut scanner = Scanner::new(source)?;
+        let mut collecting: Option<Collecting> = None;
+        loop {
+            match scanner.next()? {
+                Node::Start(element) => {
+                    if facts.element(&element, &scanner) {
+                        collecting = Some(Collecting {
+                            depth: scanner.depth(),
+                            css: String::new(),
+                        });
+                    }
+                }
+                Node::End { .. } => {
+                    if let Some(done) =
+                        collecting.take_if(|collecting| scanner.depth() < collecting.depth)
+                    {
+                        css::read(&done.css, &mut facts.sheet);
+                    }
+                }
+                Node::Text(text) => {
+                    if let Some(collecting) = &mut collecting {
+                        collecting.css.push_str(text);
+                    }
+                }
+                Node::Reference(resolved) => {
+                    facts.reference(resolved, collecting.as_mut(), &scanner.doctype)
+                }
+                Node::Instruction(text) => {
+                    if text.starts_with("xml-stylesheet") {
+                        facts.set_everywhere(Reason::ExternalStyle);
+                    }
+                }
+                Node::Other => {}
+                Node::Done => break,
+            }
+        }
+        facts.finish();
+        Ok(facts)
+    }
+
+    fn set_everywhere(&mut self, reason: Reason) {
+        self.everywhere.get_or_insert(reason);
+    }
+
+    /// Notes what an element says; whether its text is a style sheet.
+    fn element(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
+        if scanner.attributes.iter().any(is_handler) {
+            self.set_everywhere(Reason::Script);
+        }
+        let attribute = |name: &str| {
+            let found = scanner
+                .attributes
+                .iter()
+                .find(|attribute| attribute.name == name)?;
+            Some(value::text(found.value, &scanner.doctype).unwrap_or_else(|| found.value.into()))
+        };
+        match element.local {
+            _ if element.namespace == Namespace::Other => {}
+            "script" | "handler" => self.set_everywhere(Reason::Script),
+            "link"
+                if attribute("rel")
+                    .is_none_or(|rel| rel.to_ascii_lowercase().contains("stylesheet")) =>
+            {
+                self.set_everywhere(Reason::ExternalStyle);
+            }
+            "style" => {
+                let kind = attribute("type").unwrap_or_default();
+                let kind = kind.trim();
+                return !element.empty
+                    && (kind.is_empty() || kind.to_ascii_lowercase().starts_with("text/css"));
+            }
+            "animate" | "set" | "animateColor" => {
+                if let Some(name) = attribute("attributeName") {
+                    self.animation(name.trim(), target(element, scanner));
+                }
+            }
+            "mpath" => {
+                if let Some(Target::Id(id)) = target(element, scanner) {
+                    self.motion_paths.insert(id);
+                }
+            }
+            _ => {}
+        }
+        false
+    }
+
+    fn animation(&mut self, name: &str, target: Option<Target>) {
+        let property = Properties::named(name);
+        self.classes_change |= name == "class";
+        self.markers_anywhere |= property.markers().any;
+        if let Some(target) = target
+            && !property.is_empty()
+        {
+            let entry = self.animated.entry(target).or_default();
+            *entry = entry.with(property);
+        }
+    }
+
+    fn reference(
+        &mut self,
+        resolved: Resolved,
+        collecting: Option<&mut Collecting>,
+        doctype: &Doctype<'_>,
+    ) {
+        match (resolved, collecting) {
+            (Resolved::Text(text, _), Some(collecting)) => collecting.css.push_str(&text),
+            (Resolved::Text(_, entity), None) if !entity || !doctype.may_hold_markup() => {}
+            _ => self.set_everywhere(Reason::EntityContent),
+        }
+    }
+
+    /// Keeps the rules that can matter, and few of them.
+    fn finish(&mut self) {
+        if self.sheet.imports {
+            self.set_everywhere(Reason::ExternalStyle);
+        }
+        self.markers_anywhere |= self.sheet.keyframes.markers().any;
+        let matters = |rule: &mut Rule| {
+            rule.compounds
+                .retain(|compound| Kind::ALL.iter().any(|kind| compound.is_sensitive(*kind)));
+            !rule.compounds.is_empty() || !rule.properties.is_empty()
+        };
+        self.sheet.rules.retain_mut(matters);
+        let compounds: usize = self
+            .sheet
+            .rules
+            .iter()
+            .map(|rule| rule.compounds.len() + rule.subjects.len())
+            .sum();
+        if compounds > MANY_RULES {
+            let all = self
+                .sheet
+                .rules
+                .iter()
+                .fold(Properties::NONE, |set, rule| set.with(rule.properties));
+            let named = self
+                .sheet
+                .rules
+                .iter()
+                .any(|rule| !rule.compounds.is_empty());
+            self.sheet.rules = vec![Rule {
+                compounds: if named {
+                    vec![Compound::unknown()]
+                } else {
+                    Vec::new()
+                },
+                subjects: vec![Compound::any()],
+                properties: all,
+            }];
+        }
+    }
+
+    /// Why an element of this kind cannot be replaced, if the document says so.
+    pub(super) fn forbid(
+        &self,
+        kind: Kind,
+        start: usize,
+        class: Option<&str>,
+        id: Option<&str>,
+    ) -> Option<Reason> {
+        if let Some(reason) = &self.everywhere {
+            return Some(reason.clone());
+        }
+        let subject = Subject {
+            name: kind.name(),
+            class,
+            id,
+            loose: self.classes_change,
+        };
+        let sensitive = kind.sensitive();
+        for rule in &self.sheet.rules {
+            let named =
+                |compound: &&Compound| compound.is_sensitive(kind) && compound.may_concern(subject);
+            if let Some(compound) = rule.compounds.iter().find(named) {
+                return Some(Reason::SelectedByName(compound.text().to_owned()));
+            }
+            let set = rule.properties.and(sensitive);
+            if !set.is_empty()
+                && rule
+                    .subjects
+                    .iter()
+                    .any(|compound| compound.may_match(subject))
+            {
+                return Some(Reason::StyleGeometry(set.first_name()));
+            }
+        }
+        let keyframes = self.sheet.keyframes.and(sensitive);
+        if !keyframes.is_empty() {
+            return Some(Reason::Animated(keyframes.first_name()));
+        }
+        let by_place = self.animated.get(&Target::Parent(start));
+        let by_id = id.and_then(|id| self.animated.get(&Target::Id(id.to_owned())));
+        let animated = [by_place, by_id]
+            .into_iter()
+            .flatten()
+            .map(|set| set.and(sensitive))
+            .find(|set| !set.is_empty());
+        if let Some(set) = animated {
+            return Some(Reason::Animated(set.first_name()));
+        }
+        id.is_some_and(|id| self.motion_paths.contains(id))
+            .then_some(Reason::MotionPath)
+    }
+
+    /// Whether a style rule may round the corners of a rectangle.
+    pub(super) fn may_round(&self, class: Option<&str>, id: Option<&str>) -> bool {
+        let subject = Subject {
+            name: "rect",
+            class,
+            id,
+            loose: self.classes_change,
+        };
+        let radii = Properties::named("rx").with(Properties::named("ry"));
+        self.sheet.rules.iter().any(|rule| {
+            rule.properties.meets(radii)
+                && rule
+                    .subjects
+                    .iter()
+                    .any(|compound| compound.may_match(subject))
+        })
+    }
+
+    /// The markers that style rules may put on an element.
+    pub(super) fn markers(&self, name: &str, class: Option<&str>, id: Option<&str>) -> Markers {
+        if self.markers_anywhere {
+            return Markers {
+                any: true,
+                middle: true,
+            };
+        }
+        let subject = Subject {
+            name,
+            class,
+            id,
+            loose: self.classes_change,
+        };
+        let mut markers = Markers::default();
+        for rule in self
+            .sheet
+            .rules
+            .iter()
+            .filter(|rule| rule.properties.markers().any)
+        {
+            if rule
+                .subjects
+                .iter()
+                .any(|compound| compound.may_match(subject))
+            {
+                markers.any = true;
+                markers.middle |= rule.properties.markers().middle;
+            }
+        }
+        markers
+    }
+}
+
+/// What an animation element changes: the element of its `href`, or else its parent.
+fn target(element: &Element<'_>, scanner: &Scanner<'_>) -> Option<Target> {
+    let Some(href) = scanner
+        .attributes
+        .iter()
+        .find(|attribute| attribute.local() == "href")
+    else {
+        let parent = if element.empty {
+            scanner.parent()
+        } else {
+            scanner.grandparent()
+        };
+        return parent.map(Target::Parent);
+    };
+    let text = value::text(href.value, &scanner.doctype)?;
+    text.trim()
+        .strip_prefix('#')
+        .map(|id| Target::Id(id.to_owned()))
+}
+
+/// The markers in effect on an element, from what its parent passes on and what it says itself.
+pub(super) fn own_markers(
+    inherited: Markers,
+    attributes: &[Attribute<'_>],
+    doctype: &Doctype<'_>,
+) -> Markers {
+    let mut markers = inherited;
+    for attribute in attributes {
+        match attribute.name {
+            "marker-start" | "marker-mid" | "marker-end" | "marker" => {
+                let on = value::text(attribute.value, doctype).is_none_or(|value| !is_none(&value));
+                let middle = Properties::named(attribute.name).markers().middle;
+                // A single `none` may leave other markers on.
+                markers.any |= on;
+                markers.middle = if middle { on } else { markers.middle };
+            }
+            "style" if may_say_marker(attribute.value) => {
+                let text =
+                    value::text(attribute.value, doctype).unwrap_or_else(|| attribute.value.into());
+                let set = css::declarations(&text).markers();
+                if set.any {
+                    markers = Markers {
+                        any: true,
+                        middle: markers.middle || set.middle,
+                    };
+                } else if switched_off(&text) {
+                    markers = Markers::default();
+                }
+            }
+            _ => {}
+        }
+    }
+    markers
+}
+
+/// Whether a style attribute may say `marker`: most do not, and need not be read.
+fn may_say_marker(style: &str) -> bool {
+    style.contains(['\\', '&'])
+        || style
+            .as_bytes()
+            .windows(6)
+            .any(|word| word.eq_ignore_ascii_case(b"marker"))
+}
+
+/// Whether a style attribute says `marker: none`.
+fn switched_off(text: &str) -> bool {
+    text.split(';')
+        .filter_map(|declaration| declaration.split_once(':'))
+        .any(|(name, value)| name.trim().eq_ignore_ascii_case("marker") && is_none(value))
+}
+
+/// The properties of a style attribute that forbid to replace this kind.
+pub(super) fn own_style(
+    kind: Kind,
+    attributes: &[Attribute<'_>],
+    doctype: &Doctype<'_>,
+) -> Properties {
+    let Some(style) = attributes
+        .iter()
+        .find(|attribute| attribute.name == "style")
+    else {
+        return Properties::NONE;
+    };
+    let text = value::text(style.value, doctype).unwrap_or_else(|| "\\:".into());
+    css::declarations(&text).and(kind.sensitive())
+}

@@ -1,0 +1,110 @@
+//! Lengths of geometry attributes in user units.
+
+use super::number::{self, Decimal};
+
+/// A length: its value, and its digits as the file spells them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Length {
+    pub(super) value: f64,
+    pub(super) exact: Decimal,
+}
+
+/// What an attribute says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Reading {
+    Length(Length),
+    /// The keyword `auto`.
+    Auto,
+    /// A unit that depends on something else, a function, or no length at all.
+    Unknown,
+}
+
+/// The CSS absolute units in user units.
+const UNITS: [(&str, f64); 7] = [
+    ("px", 1.0),
+    ("in", 96.0),
+    ("cm", 96.0 / 2.54),
+    ("mm", 96.0 / 25.4),
+    ("q", 96.0 / 101.6),
+    ("pt", 96.0 / 72.0),
+    ("pc", 16.0),
+];
+
+impl Length {
+    /// A value that was computed.
+    pub(super) fn computed(value: f64) -> Self {
+        let size = value.abs().max(1e-300).log10().ceil() as i32;
+        Self {
+            value,
+            exact: Decimal::round(value, (14 - size).clamp(0, 15).unsigned_abs()),
+        }
+    }
+
+    pub(super) fn zero() -> Self {
+        Self {
+            value: 0.0,
+            exact: Decimal {
+                units: 0,
+                decimals: 0,
+            },
+        }
+    }
+}
+
+/// Reads the value of a geometry attribute.
+pub(super) fn read(text: &str) -> Reading {
+    let text = text.trim_matches([' ', '\t', '\n', '\r', '\x0c']);
+    if text == "auto" {
+        return Reading::Auto;
+    }
+    let Some((value, end)) = number::read(text.as_bytes(), 0) else {
+        return Reading::Unknown;
+    };
+    let unit = &text[end..];
+    if unit.is_empty() || unit.eq_ignore_ascii_case("px") {
+        let exact = Decimal::read(&text[..end]).unwrap_or(Length::computed(value).exact);
+        return Reading::Length(Length { value, exact });
+    }
+    match UNITS
+        .iter()
+        .find(|(name, _)| name.eq_ignore_ascii_case(unit))
+    {
+        Some((_, factor)) => Reading::Length(Length::computed(value * factor)),
+        None => Reading::Unknown,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(text: &str) -> Option<f64> {
+        match read(text) {
+            Reading::Length(length) => Some(length.value),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn absolute_units_resolve_and_others_do_not() {
+        assert_eq!(value(" 12.5px "), Some(12.5));
+        assert_eq!(value("1IN"), Some(96.0));
+        assert_eq!(value("25.4mm"), Some(96.0));
+        assert_eq!(value("1e2"), Some(100.0));
+        assert_eq!(value("72pt"), Some(96.0));
+        for text in [
+            "50%",
+            "2em",
+            "calc(1px)",
+            "var(--r)",
+            "",
+            "5 5",
+            "inherit",
+            "1vw",
+            "1.",
+        ] {
+            assert_eq!(read(text), Reading::Unknown, "{text}");
+        }
+        assert_eq!(read("auto"), Reading::Auto);
+    }
+}

@@ -1,0 +1,95 @@
+//! Which elements are SVG.
+
+use std::collections::HashMap;
+
+use super::attributes::Attribute;
+use super::doctype::Doctype;
+use super::value;
+
+/// The namespaces that matter here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Namespace {
+    Svg,
+    Xhtml,
+    Other,
+}
+
+/// The declarations in scope.
+#[derive(Debug, Default)]
+pub(super) struct Namespaces<'a> {
+    /// The default namespaces, each with the depth that declared it.
+    default: Vec<(usize, Option<Namespace>)>,
+    prefixes: HashMap<&'a str, Vec<Namespace>>,
+    /// The prefixes in the order of declaration, to be undone.
+    declared: Vec<(usize, &'a str)>,
+    /// Whether names without a prefix and without a default namespace count as SVG: a fragment, as people paste it into HTML.
+    fragment: bool,
+}
+
+impl<'a> Namespaces<'a> {
+    /// Takes up the declarations of an element at `depth`.
+    pub(super) fn enter(
+        &mut self,
+        depth: usize,
+        attributes: &[Attribute<'a>],
+        doctype: &Doctype<'_>,
+    ) {
+        for attribute in attributes
+            .iter()
+            .filter(|attribute| attribute.name.starts_with("xmlns"))
+        {
+            let uri = value::text(attribute.value, doctype);
+            let namespace = match uri.as_deref() {
+                Some("http://www.w3.org/2000/svg") => Namespace::Svg,
+                Some("http://www.w3.org/1999/xhtml") => Namespace::Xhtml,
+                _ => Namespace::Other,
+            };
+            if attribute.name == "xmlns" {
+                let none = uri.as_deref() == Some("");
+                self.default.push((depth, (!none).then_some(namespace)));
+            } else if let Some(prefix) = attribute.name.strip_prefix("xmlns:") {
+                self.prefixes.entry(prefix).or_default().push(namespace);
+                self.declared.push((depth, prefix));
+            }
+        }
+    }
+
+    /// Forgets what the element at `depth` declared.
+    pub(super) fn leave(&mut self, depth: usize) {
+        while self
+            .default
+            .pop_if(|(declared, _)| *declared == depth)
+            .is_some()
+        {}
+        while let Some((_, prefix)) = self.declared.pop_if(|(declared, _)| *declared == depth) {
+            if let Some(stack) = self.prefixes.get_mut(prefix) {
+                stack.pop();
+            }
+        }
+    }
+
+    /// The namespace of an element.
+    pub(super) fn of_element(&mut self, prefix: &str, local: &str, root: bool) -> Namespace {
+        if !prefix.is_empty() {
+            return self
+                .prefixes
+                .get(prefix)
+                .and_then(|stack| stack.last())
+                .copied()
+                .unwrap_or(Namespace::Other);
+        }
+        let default = self.default.last().and_then(|(_, namespace)| *namespace);
+        if root {
+            const ROOTS: [&str; 12] = [
+                "svg", "g", "symbol", "defs", "circle", "ellipse", "rect", "path", "clipPath",
+                "mask", "pattern", "marker",
+            ];
+            self.fragment = default.is_none() && ROOTS.contains(&local);
+        }
+        default.unwrap_or(if self.fragment {
+            Namespace::Svg
+        } else {
+            Namespace::Other
+        })
+    }
+}

@@ -1,0 +1,321 @@
+//! Numbers as a file spells them: SVG 2's grammar, the exact byte span, and the decimal digits where they are needed exactly.
+
+/// The powers of ten that `f64` holds exactly.
+const EXACT_POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
+
+/// The index behind the number at `bytes[at..]`; `None` where none begins.
+///
+/// The grammar is SVG 2's: `[+-]? ([0-9]+ | [0-9]* "." [0-9]+) ([eE] [+-]? [0-9]+)?`. An `e` without digits behind it belongs to
+/// what follows (`1em`).
+#[inline]
+pub(super) fn skip(bytes: &[u8], at: usize) -> Option<usize> {
+    let whole = at + usize::from(matches!(bytes.get(at), Some(b'-' | b'+')));
+    let mut end = skip_digits(bytes, whole);
+    if let Some(b'.') = bytes.get(end)
+        && let fraction = skip_digits(bytes, end + 1)
+        && fraction > end + 1
+    {
+        end = fraction;
+    }
+    if end == whole {
+        return None;
+    }
+    Some(if let Some(b'e' | b'E') = bytes.get(end) {
+        behind_exponent(bytes, end)
+    } else {
+        end
+    })
+}
+
+#[inline]
+fn skip_digits(bytes: &[u8], mut at: usize) -> usize {
+    while let Some(b'0'..=b'9') = bytes.get(at) {
+        at += 1;
+    }
+    at
+}
+
+/// The number at `bytes[at..]` and the index behind it; `None` where none begins or where it is not finite.
+pub(super) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
+    let end = skip(bytes, at)?;
+    let text = &bytes[at..end];
+    // Up to 19 digits never wrap; a mantissa below 2^53 and an exact power give the correctly rounded quotient.
+    if text.len() <= 19 {
+        let (mut mantissa, mut point, mut plain) = (0_u64, text.len(), true);
+        for (i, byte) in text.iter().enumerate() {
+            match byte {
+                b'0'..=b'9' => mantissa = mantissa * 10 + u64::from(byte - b'0'),
+                b'.' => point = i + 1,
+                b'-' | b'+' if i == 0 => {}
+                _ => plain = false,
+            }
+        }
+        if plain && mantissa < 1 << 53 {
+            let value = mantissa as f64 / EXACT_POWERS[text.len() - point];
+            return Some((if text[0] == b'-' { -value } else { value }, end));
+        }
+    }
+    let value: f64 = core::str::from_utf8(text).ok()?.parse().ok()?;
+    value.is_finite().then_some((value, end))
+}
+
+/// The index behind the exponent at `bytes[at..]`; `at` itself where there is none.
+fn behind_exponent(bytes: &[u8], at: usize) -> usize {
+    if !matches!(bytes.get(at), Some(b'e' | b'E')) {
+        return at;
+    }
+    let digits = at + 1 + usize::from(matches!(bytes.get(at + 1), Some(b'+' | b'-')));
+    let count = bytes.get(digits..).map_or(0, |rest| {
+        rest.iter().take_while(|b| b.is_ascii_digit()).count()
+    });
+    if count == 0 { at } else { digits + count }
+}
+
+/// A decimal number held exactly: `units` times ten to the minus `decimals`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Decimal {
+    pub(super) units: i64,
+    pub(super) decimals: u32,
+}
+
+/// The most decimals that a generated number carries.
+pub(super) const MAX_DECIMALS: u32 = 15;
+
+impl Decimal {
+    /// The number that `text` spells, if it has no exponent and few enough digits to be held exactly.
+    pub(super) fn read(text: &str) -> Option<Self> {
+        let bytes = text.as_bytes();
+        let (negative, rest) = match bytes.first()? {
+            b'-' => (true, &bytes[1..]),
+            b'+' => (false, &bytes[1..]),
+            _ => (false, bytes),
+        };
+        let (mut units, mut decimals, mut point) = (0_i64, 0, false);
+        for &byte in rest {
+            match byte {
+                b'0'..=b'9' => {
+                    units = units.checked_mul(10)?.checked_add(i64::from(byte - b'0'))?;
+                    decimals += u32::from(point);
+                }
+                b'.' if !point => point = true,
+                _ => return None,
+            }
+        }
+        (decimals <= MAX_DECIMALS && units < 1 << 53).then_some(Self {
+            units: if negative { -units } else { units },
+            decimals,
+        })
+    }
+
+    /// The nearest multiple of ten to the minus `decimals`; fewer decimals where the digits would be noise.
+    pub(super) fn round(value: f64, decimals: u32) -> Self {
+        let mut decimals = decimals.min(MAX_DECIMALS);
+        let mut scaled = value * EXACT_POWERS[decimals as usize];
+        while decimals > 0 && scaled.abs() >= 9e15 {
+            decimals -= 1;
+            scaled = value * EXACT_POWERS[decimals as usize];
+        }
+        // Half away from zero, without a call into the mathematics library.
+        Self {
+            units: (scaled + 0.5_f64.copysign(scaled)) as i64,
+            decimals,
+        }
+    }
+
+    /// The difference, exact unless it leaves the range (then rounded).
+    pub(super) fn minus(self, other: Self) -> Self {
+        let decimals = self.decimals.max(other.decimals);
+        match (self.at(decimals), other.at(decimals)) {
+            (Some(a), Some(b)) => Self {
+                units: a.saturating_sub(b),
+                decimals,
+            },
+            _ => Self::round(self.value() - other.value(), decimals),
+        }
+    }
+
+    /// The sum, exact unless it leaves the range (then rounded).
+    pub(super) fn plus(self, other: Self) -> Self {
+        self.minus(Self {
+            units: -other.units,
+            ..other
+        })
+    }
+
+    fn at(self, decimals: u32) -> Option<i64> {
+        self.units
+            .checked_mul(10_i64.checked_pow(decimals - self.decimals)?)
+    }
+
+    /// The value, correctly rounded.
+    pub(super) fn value(self) -> f64 {
+        self.units as f64 / EXACT_POWERS[self.decimals as usize]
+    }
+
+    /// Writes the number without trailing zeros, a leading zero before the point, an exponent or a negative zero; with a space
+    /// before it where it would otherwise run into the number that `out` ends with. Returns whether it has a point.
+    pub(super) fn write(self, out: &mut Vec<u8>, after: After) -> bool {
+        const LENGTH: usize = 24;
+        let (mut units, mut decimals) = (self.units.unsigned_abs(), self.decimals);
+        while decimals > 0 && units.is_multiple_of(10) {
+            units /= 10;
+            decimals = if units == 0 { 0 } else { decimals - 1 };
+        }
+        let mut buffer = [b' '; LENGTH];
+        let mut at = LENGTH;
+        let mut put = |byte: u8| {
+            at -= 1;
+            buffer[at] = byte;
+        };
+        for _ in 0..decimals {
+            put(b'0' + (units % 10) as u8);
+            units /= 10;
+        }
+        if decimals > 0 {
+            put(b'.');
+        }
+        while units > 0 {
+            put(b'0' + (units % 10) as u8);
+            units /= 10;
+        }
+        if at == LENGTH {
+            at -= 1;
+            buffer[at] = b'0';
+        }
+        if self.units < 0 {
+            at -= 1;
+            buffer[at] = b'-';
+        }
+        // The buffer holds spaces before the text.
+        out.extend_from_slice(&buffer[at - usize::from(after.runs_into(buffer[at]))..]);
+        decimals > 0
+    }
+}
+
+/// What a text ends with, which decides whether a number behind it needs a separator.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum After {
+    /// A letter or a separator.
+    #[default]
+    Letter,
+    /// A number without a point: a digit or a point would continue it.
+    Whole,
+    /// A number with a point: only a digit would continue it.
+    Point,
+}
+
+impl After {
+    /// What a text of numbers ends with.
+    pub(super) fn text(text: &[u8]) -> Self {
+        let mut number = text
+            .iter()
+            .rev()
+            .take_while(|b| b.is_ascii_digit() || **b == b'.');
+        if number.any(|b| *b == b'.') {
+            Self::Point
+        } else {
+            Self::Whole
+        }
+    }
+
+    /// Whether a number that begins with this byte would be read as a part of what stands before.
+    pub(super) const fn runs_into(self, first: u8) -> bool {
+        match first {
+            b'-' | b'+' => false,
+            b'.' => matches!(self, Self::Whole),
+            _ => !matches!(self, Self::Letter),
+        }
+    }
+
+    /// Appends a number.
+    pub(super) fn push(&mut self, out: &mut Vec<u8>, number: Decimal) {
+        *self = if number.write(out, *self) {
+            Self::Point
+        } else {
+            Self::Whole
+        };
+    }
+
+    /// Appends the text of one or more numbers.
+    pub(super) fn push_text(&mut self, out: &mut Vec<u8>, text: &[u8]) {
+        if text.first().is_some_and(|first| self.runs_into(*first)) {
+            out.push(b' ');
+        }
+        out.extend_from_slice(text);
+        *self = Self::text(text);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_end_where_the_grammar_ends_them() {
+        for (text, value, end) in [
+            ("1", 1.0, 1),
+            ("-.5.5", -0.5, 3),
+            ("1.", 1.0, 1),
+            ("1e3", 1000.0, 3),
+            ("1em", 1.0, 1),
+            ("+1e-2x", 0.01, 5),
+            ("0150", 150.0, 4),
+            (
+                "123456789012345678901234567890",
+                123_456_789_012_345_678_901_234_567_890.0,
+                30,
+            ),
+            (
+                "0.1234567890123456789012",
+                0.123_456_789_012_345_678_901_2,
+                24,
+            ),
+        ] {
+            assert_eq!(read(text.as_bytes(), 0), Some((value, end)), "{text}");
+        }
+        for text in ["", ".", "-", "e5", ".e5", "1e999", "--1"] {
+            assert_eq!(read(text.as_bytes(), 0), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn decimals_are_exact_and_short() {
+        let text = |d: Decimal| {
+            let mut out = Vec::new();
+            d.write(&mut out, After::Letter);
+            String::from_utf8(out).unwrap()
+        };
+        assert_eq!(text(Decimal::round(0.5, 3)), ".5");
+        assert_eq!(text(Decimal::round(-0.0001, 3)), "0");
+        assert_eq!(text(Decimal::round(-12.3456, 2)), "-12.35");
+        assert_eq!(text(Decimal::round(100.0, 3)), "100");
+        let end = Decimal::read("-0.30").unwrap();
+        assert_eq!(text(end.minus(Decimal::round(1.0 / 3.0, 4))), "-.6333");
+        assert_eq!(Decimal::read("1e5"), None);
+        assert_eq!(text(Decimal::round(0.0, 4)), "0");
+    }
+
+    #[test]
+    fn numbers_are_parted_only_where_they_would_run_together() {
+        let mut out = Vec::new();
+        let mut after = After::Letter;
+        for value in [1.0, 0.5, 0.25, 2.0, -3.0, 4.0, 0.0, -0.5] {
+            after.push(&mut out, Decimal::round(value, 2));
+        }
+        after.push_text(&mut out, b"0.1,2");
+        after.push_text(&mut out, b".5");
+        assert_eq!(
+            String::from_utf8(out).unwrap(),
+            "1 .5.25 2-3 4 0-.5 0.1,2 .5"
+        );
+    }
+
+    #[test]
+    fn huge_numbers_lose_decimals_rather_than_their_value() {
+        let d = Decimal::round(1e14, 9);
+        assert_eq!(d.value(), 1e14);
+    }
+}

@@ -1,0 +1,157 @@
+//! Path data for a shape: exact vertices, rounded control points, and of the absolute and the relative form the shorter.
+
+use kurbo::Vec2;
+
+use super::bezier::Beziers;
+use super::length::Length;
+use super::number::{After, Decimal};
+
+/// A point by its digits.
+type Place = [Decimal; 2];
+
+/// Writes the path data of one shape.
+pub(super) struct Pen<'a> {
+    out: &'a mut Vec<u8>,
+    text: Text,
+    /// The decimals of control points.
+    pub(super) decimals: u32,
+    /// The precision asked for: then every number is rounded to it.
+    asked: Option<u32>,
+    /// What offsets are counted from.
+    pub(super) base: [Length; 2],
+    /// Offsets whose digits are known: a point there is written exactly.
+    pub(super) known: [Length; 2],
+    current: Place,
+}
+
+/// What path data end with.
+#[derive(Debug, Clone, Copy)]
+struct Text {
+    after: After,
+    letter: u8,
+}
+
+impl Text {
+    /// Writes a command's letter, unless it is the one that numbers repeat.
+    fn letter(&mut self, out: &mut Vec<u8>, letter: u8) {
+        if self.letter != letter {
+            out.push(letter);
+            *self = Self {
+                after: After::Letter,
+                letter,
+            };
+        }
+    }
+
+    fn points(&mut self, out: &mut Vec<u8>, points: &[Place], origin: Option<Place>) {
+        for point in points {
+            for (axis, number) in point.iter().enumerate() {
+                self.after.push(
+                    out,
+                    origin.map_or(*number, |origin| number.minus(origin[axis])),
+                );
+            }
+        }
+    }
+}
+
+impl<'a> Pen<'a> {
+    /// A pen that rounds control points to `decimals`, or everything to the precision that was asked for.
+    pub(super) fn new(asked: Option<u8>, decimals: u32, out: &'a mut Vec<u8>) -> Self {
+        Self {
+            out,
+            text: Text {
+                after: After::Letter,
+                letter: b' ',
+            },
+            decimals,
+            asked: asked.map(u32::from),
+            base: [Length::zero(); 2],
+            known: [Length::zero(); 2],
+            current: [Length::zero().exact; 2],
+        }
+    }
+
+    fn rounded(&self, place: Place) -> Place {
+        place.map(|number| match self.asked {
+            Some(decimals) if number.decimals > decimals => {
+                Decimal::round(number.value(), decimals)
+            }
+            _ => number,
+        })
+    }
+
+    /// The place at an offset from the base.
+    pub(super) fn place(&self, offset: Vec2) -> Place {
+        let axis = |value: f64, base: &Length, known: &Length| {
+            let rounded = if value == known.value {
+                known.exact
+            } else if value == -known.value {
+                Decimal {
+                    units: -known.exact.units,
+                    ..known.exact
+                }
+            } else if let Some(decimals) = self.asked {
+                return Decimal::round(value + base.value, decimals);
+            } else {
+                Decimal::round(value, self.decimals)
+            };
+            base.exact.plus(rounded)
+        };
+        self.rounded([
+            axis(offset.x, &self.base[0], &self.known[0]),
+            axis(offset.y, &self.base[1], &self.known[1]),
+        ])
+    }
+
+    /// Begins the path.
+    pub(super) fn move_to(&mut self, place: Place) {
+        self.current = self.rounded(place);
+        self.text.letter(self.out, b'M');
+        self.text.points(self.out, &[self.current], None);
+    }
+
+    /// A line along an axis.
+    pub(super) fn line_to(&mut self, letter: u8, place: Place) {
+        self.current = self.rounded(place);
+        self.text.letter(self.out, letter);
+        self.text
+            .after
+            .push(self.out, self.current[usize::from(letter == b'V')]);
+    }
+
+    /// Curves; where they close the path the last one is absolute, so that it ends on the first point digit for digit.
+    pub(super) fn curves(&mut self, drawn: &Beziers, closes: bool) {
+        let letter = if drawn.is_quadratic() { b'q' } else { b'c' };
+        let count = drawn.segments().len();
+        let (mut absolute, mut relative) = (Vec::new(), Vec::new());
+        for (i, offsets) in drawn.segments().enumerate() {
+            let mut places = [self.current; 3];
+            for (place, offset) in places.iter_mut().zip(offsets) {
+                *place = self.place(*offset);
+            }
+            let places = &places[..offsets.len()];
+            let (mut text_absolute, mut text_relative) = (self.text, self.text);
+            absolute.clear();
+            text_absolute.letter(&mut absolute, letter.to_ascii_uppercase());
+            text_absolute.points(&mut absolute, places, None);
+            relative.clear();
+            text_relative.letter(&mut relative, letter);
+            text_relative.points(&mut relative, places, Some(self.current));
+            let last = closes && i + 1 == count;
+            let (chosen, text) = if last || absolute.len() <= relative.len() {
+                (&absolute, text_absolute)
+            } else {
+                (&relative, text_relative)
+            };
+            self.out.extend_from_slice(chosen);
+            self.text = text;
+            self.current = places.last().copied().unwrap_or(self.current);
+        }
+    }
+
+    /// Closes the path.
+    pub(super) fn close(self) {
+        self.out.push(b'Z');
+    }
+}

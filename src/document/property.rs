@@ -1,0 +1,187 @@
+//! The properties and attributes on which the replacement of a shape depends.
+
+/// A set of properties.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Properties(u32);
+
+/// The names, each a bit of [`Properties`].
+const NAMES: [&str; 15] = [
+    "cx",
+    "cy",
+    "r",
+    "rx",
+    "ry",
+    "x",
+    "y",
+    "width",
+    "height",
+    "d",
+    "all",
+    "marker",
+    "marker-start",
+    "marker-mid",
+    "marker-end",
+];
+
+/// Which markers are in effect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Markers {
+    /// Some marker.
+    pub(super) any: bool,
+    /// A marker on inner vertices.
+    pub(super) middle: bool,
+}
+
+impl Properties {
+    pub(super) const NONE: Self = Self(0);
+    pub(super) const D: Self = Self(1 << 9);
+    const ALL: Self = Self(1 << 10);
+    const MARKER: u32 = 11;
+    const MARKER_MID: u32 = 13;
+    /// Every property that is known here: for rules that cannot be read.
+    pub(super) const ANY: Self = Self((1 << 15) - 1);
+
+    /// The property of that name (ASCII case does not matter in CSS).
+    pub(super) fn named(name: &str) -> Self {
+        NAMES
+            .iter()
+            .position(|known| known.eq_ignore_ascii_case(name))
+            .map_or(Self::NONE, |bit| Self(1 << bit))
+    }
+
+    /// The declaration `name: value`: a marker of `none` is none.
+    pub(super) fn declared(name: &str, value: &str) -> Self {
+        let property = Self::named(name);
+        if property.markers().any && is_none(value) {
+            Self::NONE
+        } else {
+            property
+        }
+    }
+
+    pub(super) const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    pub(super) const fn meets(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    pub(super) const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// The properties in both sets.
+    pub(super) const fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// The markers among the properties.
+    pub(super) const fn markers(self) -> Markers {
+        Markers {
+            any: self.0 >> Self::MARKER != 0,
+            middle: self.0 & (1 << Self::MARKER | 1 << Self::MARKER_MID) != 0,
+        }
+    }
+
+    /// The name of the first property of the set.
+    pub(super) fn first_name(self) -> &'static str {
+        NAMES
+            .get(self.0.trailing_zeros() as usize)
+            .copied()
+            .unwrap_or("all")
+    }
+}
+
+/// Whether a marker's value leaves it off.
+pub(super) fn is_none(value: &str) -> bool {
+    let value = value.split('!').next().unwrap_or_default().trim();
+    ["none", "initial", ""]
+        .iter()
+        .any(|word| word.eq_ignore_ascii_case(value))
+}
+
+/// The kinds of elements that are replaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// `<circle>`
+    Circle,
+    /// `<ellipse>`
+    Ellipse,
+    /// `<rect>` with round corners
+    Rect,
+    /// The arc commands of `<path>`
+    Path,
+}
+
+impl Kind {
+    /// All kinds, in the order in which they are told.
+    pub const ALL: [Self; 4] = [Self::Circle, Self::Ellipse, Self::Rect, Self::Path];
+
+    /// The name of the element.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Circle => "circle",
+            Self::Ellipse => "ellipse",
+            Self::Rect => "rect",
+            Self::Path => "path",
+        }
+    }
+
+    /// The kind of the element of that name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// The attributes that hold the geometry.
+    pub(super) const fn geometry(self) -> &'static [&'static str] {
+        match self {
+            Self::Circle => &["cx", "cy", "r"],
+            Self::Ellipse => &["cx", "cy", "rx", "ry"],
+            Self::Rect => &["x", "y", "width", "height", "rx", "ry"],
+            Self::Path => &["d"],
+        }
+    }
+
+    /// The properties that, set by a style or an animation, forbid a replacement.
+    pub(super) fn sensitive(self) -> Properties {
+        self.geometry()
+            .iter()
+            .fold(Properties::D.with(Properties::ALL), |set, name| {
+                set.with(Properties::named(name))
+            })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markers_of_none_are_none() {
+        assert!(Properties::declared("marker-end", " none !important").is_empty());
+        assert!(
+            !Properties::declared("marker-end", "url(#a)")
+                .markers()
+                .middle
+        );
+        assert!(Properties::declared("MARKER", "url(#a)").markers().middle);
+        assert!(!Properties::named("height").markers().any);
+    }
+
+    #[test]
+    fn each_kind_minds_its_own_geometry() {
+        assert!(Kind::Circle.sensitive().meets(Properties::named("r")));
+        assert!(!Kind::Circle.sensitive().meets(Properties::named("rx")));
+        assert!(Kind::Path.sensitive().meets(Properties::named("all")));
+        assert_eq!(
+            Kind::Rect
+                .sensitive()
+                .and(Properties::named("rx"))
+                .first_name(),
+            "rx"
+        );
+    }
+}

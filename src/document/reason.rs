@@ -1,0 +1,145 @@
+//! Why an element or an arc is left as it is.
+
+use core::fmt;
+
+/// Why something is left; [`Reason::code`] is the short form for programs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Reason {
+    /// An external or imported style sheet may select it by name or set its geometry.
+    ExternalStyle,
+    /// A script or an event handler may address it.
+    Script,
+    /// An entity in the content may hold markup or style that is not in the text itself.
+    EntityContent,
+    /// A style rule may select by element name, by type or by a geometry attribute.
+    SelectedByName(String),
+    /// A style may set this property.
+    StyleGeometry(&'static str),
+    /// An animation changes this attribute.
+    Animated(&'static str),
+    /// A marker is in effect, which a path may draw where this shape did not.
+    Marker,
+    /// An object moves along it and counts its vertices.
+    MotionPath,
+    /// The DTD declares default attributes for this element or for `path`.
+    AttributeDefaults,
+    /// It has an attribute `d` already.
+    HasPathData,
+    /// The attribute is not a length in user units.
+    Length {
+        /// The attribute.
+        attribute: &'static str,
+        /// Its value.
+        value: String,
+    },
+    /// Nothing is drawn.
+    NotDrawn(String),
+    /// The value depends on an entity.
+    Entity,
+    /// A marker stands on every vertex: no vertex may be added.
+    MarkerOnVertices,
+    /// The arc ends where it starts, and caps, markers or the next command may show it.
+    EmptyArc,
+    /// The path data have an error; renderers stop there.
+    PathError,
+    /// The path data have an error between this arc and a smooth command.
+    PathErrorBehindArc,
+    /// The coordinates are too large for arithmetic to stay exact.
+    TooLarge,
+    /// The precision asked for would collapse it.
+    Collapses,
+    /// The method refuses it.
+    Refused(String),
+    /// Path data with arcs in an attribute that is not a path's `d`.
+    Elsewhere(&'static str),
+}
+
+impl Reason {
+    /// A short, stable name.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::ExternalStyle => "external-style",
+            Self::Script => "script",
+            Self::EntityContent => "entity-content",
+            Self::SelectedByName(_) => "style-selector",
+            Self::StyleGeometry(_) => "style-geometry",
+            Self::Animated(_) => "animation",
+            Self::Marker => "marker",
+            Self::MotionPath => "motion-path",
+            Self::AttributeDefaults => "attribute-defaults",
+            Self::HasPathData => "has-d",
+            Self::Length { .. } => "length",
+            Self::NotDrawn(_) => "not-drawn",
+            Self::Entity => "entity",
+            Self::MarkerOnVertices => "marker-mid",
+            Self::EmptyArc => "empty-arc",
+            Self::PathError | Self::PathErrorBehindArc => "path-error",
+            Self::TooLarge => "too-large",
+            Self::Collapses => "precision",
+            Self::Refused(_) => "method",
+            Self::Elsewhere(_) => "elsewhere",
+        }
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ExternalStyle => {
+                f.write_str("an external style sheet may select it by name or set its geometry")
+            }
+            Self::Script => {
+                f.write_str("a script or an event handler of the document may address it")
+            }
+            Self::EntityContent => {
+                f.write_str("an entity in the content may hold styles or elements that change it")
+            }
+            Self::SelectedByName(selector) => {
+                write!(
+                    f,
+                    "the style selector `{selector}` may depend on its name or its attributes"
+                )
+            }
+            Self::StyleGeometry(property) => write!(f, "a style may set `{property}`"),
+            Self::Animated(attribute) => write!(f, "an animation changes `{attribute}`"),
+            Self::Marker => f.write_str(
+                "a marker is in effect, which renderers draw on paths but not on this element",
+            ),
+            Self::MotionPath => {
+                f.write_str("an animated motion follows it and may count its vertices")
+            }
+            Self::AttributeDefaults => {
+                f.write_str("the DTD declares attribute defaults that depend on element names")
+            }
+            Self::HasPathData => f.write_str("it has an attribute `d` already"),
+            Self::Length { attribute, value } => {
+                write!(
+                    f,
+                    "`{attribute}=\"{value}\"` is not a number or an absolute length"
+                )
+            }
+            Self::NotDrawn(why) => write!(f, "nothing is drawn: {why}"),
+            Self::Entity => f.write_str("its value depends on an entity"),
+            Self::MarkerOnVertices => {
+                f.write_str("a marker may stand on every vertex, and this arc needs new ones")
+            }
+            Self::EmptyArc => f.write_str(
+                "the arc ends where it starts, and a cap, a marker or the next command may show it",
+            ),
+            Self::PathError => {
+                f.write_str("the path data have an error here; nothing behind it is drawn")
+            }
+            Self::PathErrorBehindArc => {
+                f.write_str("the path data have an error between this arc and a smooth curve")
+            }
+            Self::TooLarge => f.write_str("its coordinates are too large"),
+            Self::Collapses => f.write_str("it would collapse at this precision"),
+            Self::Refused(why) => f.write_str(why),
+            Self::Elsewhere(attribute) => {
+                write!(f, "only `d` of a path is converted, not `{attribute}`")
+            }
+        }
+    }
+}

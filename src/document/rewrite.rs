@@ -1,0 +1,376 @@
+//! The pass that replaces: from the first byte to the last, with the facts of the document at hand.
+
+use core::ops::Range;
+
+use super::arcs;
+use super::attributes::Attribute;
+use super::element::{self, Shape};
+use super::facts::{self, Facts};
+use super::fault::Result;
+use super::namespace::Namespace;
+use super::place::Places;
+use super::property::{Kind, Markers};
+use super::reason::Reason;
+use super::scan::{Element, Node, Scanner};
+use super::splice::Splice;
+use super::value;
+use super::{Counts, Note, Options};
+
+/// What a pass came to.
+pub(super) enum Pass {
+    /// The new text, if anything was replaced.
+    Done(Option<String>, Counts, Vec<Note>),
+    /// The document has style sheets, scripts or animations: read them first.
+    NeedsFacts,
+}
+
+/// What an open element passes on to its end tag and its children.
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    renamed: bool,
+    markers: Markers,
+}
+
+struct Rewriter<'a, 'f> {
+    options: &'f Options,
+    facts: Option<&'f Facts>,
+    splice: Splice<'a>,
+    places: Places<'a>,
+    counts: Counts,
+    notes: Vec<Note>,
+    scratch: &'f mut arcs::Scratch,
+    data: Vec<u8>,
+}
+
+/// Rewrites a document.
+pub(super) fn run(
+    source: &str,
+    options: &Options,
+    facts: Option<&Facts>,
+    scratch: &mut arcs::Scratch,
+) -> Result<Pass> {
+    let mut scanner = Scanner::new(source)?;
+    let mut rewriter = Rewriter {
+        options,
+        facts,
+        splice: Splice::new(source),
+        places: Places::new(source),
+        counts: Counts::default(),
+        notes: Vec::new(),
+        scratch,
+        data: Vec::new(),
+    };
+    let mut open: Vec<Open> = Vec::new();
+    loop {
+        match scanner.next()? {
+            Node::Start(element) => {
+                if facts.is_none() && facts::is_sign(&element, &scanner.attributes) {
+                    return Ok(Pass::NeedsFacts);
+                }
+                let inherited = open
+                    .last()
+                    .map_or_else(Markers::default, |open| open.markers);
+                let markers = rewriter.markers(inherited, &element, &scanner);
+                let renamed = rewriter.element(&element, &scanner, markers);
+                if !element.empty {
+                    open.push(Open { renamed, markers });
+                }
+            }
+            Node::End { local } => {
+                if open.pop().is_some_and(|open| open.renamed) {
+                    rewriter.splice.replace(local, b"path");
+                }
+            }
+            Node::Instruction(text) if facts.is_none() && text.starts_with("xml-stylesheet") => {
+                return Ok(Pass::NeedsFacts);
+            }
+            Node::Reference(super::doctype::Resolved::Text(_, false)) => {}
+            Node::Reference(_) if facts.is_none() => return Ok(Pass::NeedsFacts),
+            Node::Done => break,
+            _ => {}
+        }
+    }
+    Ok(Pass::Done(
+        rewriter.splice.finish(),
+        rewriter.counts,
+        rewriter.notes,
+    ))
+}
+
+/// The resolved value of the attribute `name`; a value with an unknown entity reads as the entity.
+fn attribute<'s>(scanner: &'s Scanner<'_>, name: &str) -> Option<std::borrow::Cow<'s, str>> {
+    let found = scanner
+        .attributes
+        .iter()
+        .find(|attribute| attribute.name == name)?;
+    Some(value::text(found.value, &scanner.doctype).unwrap_or_else(|| found.value.into()))
+}
+
+impl<'a> Rewriter<'a, '_> {
+    fn note(&mut self, element: &str, at: usize, reason: &Reason) {
+        let (line, column) = self.places.locate(at);
+        self.notes.push(Note {
+            line,
+            column,
+            element: element.to_owned(),
+            code: reason.code().to_owned(),
+            reason: reason.to_string(),
+        });
+    }
+
+    fn markers(&self, inherited: Markers, element: &Element<'_>, scanner: &Scanner<'_>) -> Markers {
+        let mut markers = facts::own_markers(inherited, &scanner.attributes, &scanner.doctype);
+        if let Some(facts) = self.facts {
+            let (class, id) = (attribute(scanner, "class"), attribute(scanner, "id"));
+            let styled = facts.markers(element.local, class.as_deref(), id.as_deref());
+            markers = Markers {
+                any: markers.any || styled.any,
+                middle: markers.middle || styled.middle,
+            };
+        }
+        markers
+    }
+
+    /// Replaces an element or notes why not; whether its end tag has a new name.
+    fn element(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) -> bool {
+        if element.namespace != Namespace::Svg {
+            return false;
+        }
+        match Kind::named(element.local) {
+            Some(kind) if !self.options.only.contains(kind) => false,
+            Some(Kind::Path) => {
+                self.path(element, scanner, markers);
+                false
+            }
+            Some(kind) => self.shape(kind, element, scanner, markers),
+            None => {
+                self.elsewhere(element, scanner);
+                false
+            }
+        }
+    }
+
+    /// Path data that are not a path's `d`.
+    fn elsewhere(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) {
+        let name = match element.local {
+            "glyph" | "missing-glyph" | "hatchpath" | "hatchPath" => "d",
+            "animateMotion" | "textPath" => "path",
+            _ => return,
+        };
+        let has_arcs = |attribute: &&Attribute<'_>| {
+            attribute.name == name && attribute.value.contains(['a', 'A'])
+        };
+        if self.options.only.contains(Kind::Path)
+            && let Some(found) = scanner.attributes.iter().find(has_arcs)
+        {
+            self.note(
+                element.local,
+                found.start,
+                &Reason::Elsewhere(if name == "d" { "d" } else { "path" }),
+            );
+        }
+    }
+
+    /// Why the document forbids to replace the element.
+    fn forbidden(
+        &self,
+        kind: Kind,
+        element: &Element<'_>,
+        scanner: &Scanner<'_>,
+    ) -> Option<Reason> {
+        let by_document = self.facts.and_then(|facts| {
+            let (class, id) = (attribute(scanner, "class"), attribute(scanner, "id"));
+            facts.forbid(kind, element.start, class.as_deref(), id.as_deref())
+        });
+        by_document
+            .or_else(|| {
+                let set = facts::own_style(kind, &scanner.attributes, &scanner.doctype);
+                (!set.is_empty()).then(|| Reason::StyleGeometry(set.first_name()))
+            })
+            .or_else(|| {
+                let lists = &scanner.doctype.attribute_lists;
+                let path = element.name.replace(element.local, "path");
+                let matters = |(name, text): &(&str, &str)| {
+                    *name == element.name
+                        || *name == path
+                        || ["marker", "style", "class", "id "]
+                            .iter()
+                            .any(|word| text.contains(word))
+                };
+                lists
+                    .iter()
+                    .any(matters)
+                    .then_some(Reason::AttributeDefaults)
+            })
+    }
+
+    /// A circle, an ellipse or a rectangle; whether it became a path.
+    fn shape(
+        &mut self,
+        kind: Kind,
+        element: &Element<'_>,
+        scanner: &Scanner<'a>,
+        markers: Markers,
+    ) -> bool {
+        let has = |name: &str| {
+            scanner
+                .attributes
+                .iter()
+                .any(|attribute| attribute.name == name)
+        };
+        let rounded = kind != Kind::Rect || has("rx") || has("ry");
+        if !rounded && !self.may_be_rounded(scanner) {
+            return false;
+        }
+        let mut reason = None;
+        let shape = match read_shape(kind, scanner) {
+            Ok(Shape::Square) if !self.may_be_rounded(scanner) => return false,
+            Ok(Shape::Square) => {
+                reason = Some(Reason::StyleGeometry("rx"));
+                Shape::Square
+            }
+            Ok(shape) => shape,
+            Err(why) => {
+                reason = Some(why);
+                Shape::Square
+            }
+        };
+        let reason = self
+            .forbidden(kind, element, scanner)
+            .or(reason)
+            .or_else(|| has("d").then_some(Reason::HasPathData))
+            .or_else(|| markers.any.then_some(Reason::Marker));
+        let mut data = core::mem::take(&mut self.data);
+        let reason = reason
+            .map_or_else(
+                || element::path_data(&shape, self.options, self.scratch, &mut data),
+                Err,
+            )
+            .err();
+        if let Some(reason) = &reason {
+            self.note(kind.name(), element.start, reason);
+        } else {
+            self.replace(kind, element, scanner, &data);
+            self.counts.count(kind, 1);
+        }
+        self.data = data;
+        reason.is_none()
+    }
+
+    /// Whether a style may give a rectangle round corners that its attributes do not.
+    fn may_be_rounded(&self, scanner: &Scanner<'_>) -> bool {
+        let by_sheet = self.facts.is_some_and(|facts| {
+            let (class, id) = (attribute(scanner, "class"), attribute(scanner, "id"));
+            facts.may_round(class.as_deref(), id.as_deref())
+        });
+        let own = facts::own_style(Kind::Rect, &scanner.attributes, &scanner.doctype);
+        by_sheet || matches!(own.first_name(), "rx" | "ry") && !own.is_empty()
+    }
+
+    /// The tag's name becomes `path`, the first geometry attribute `d`; the other ones go with the space before them.
+    fn replace(&mut self, kind: Kind, element: &Element<'_>, scanner: &Scanner<'_>, data: &[u8]) {
+        self.splice.replace(element.local_span.clone(), b"path");
+        let mut written = false;
+        for attribute in scanner
+            .attributes
+            .iter()
+            .filter(|attribute| kind.geometry().contains(&attribute.name))
+        {
+            if written {
+                self.splice.replace(attribute.span.clone(), b"");
+            } else {
+                self.splice.replace(
+                    attribute.start..attribute.start + attribute.name.len(),
+                    b"d",
+                );
+                self.splice.replace(attribute.value_span.clone(), data);
+                written = true;
+            }
+        }
+    }
+
+    fn path(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) {
+        let Some(d) = scanner
+            .attributes
+            .iter()
+            .find(|attribute| attribute.name == "d")
+        else {
+            return;
+        };
+        if !d.has_references && memchr::memchr2(b'a', b'A', d.value.as_bytes()).is_none() {
+            return;
+        }
+        let traced = if d.has_references {
+            match value::traced(d.value, &scanner.doctype) {
+                Some(traced) if !traced.text.contains(['a', 'A']) => return,
+                Some(traced) if !traced.entities => Some(traced),
+                _ => return self.note("path", d.start, &Reason::Entity),
+            }
+        } else {
+            None
+        };
+        if let Some(reason) = self.forbidden(Kind::Path, element, scanner) {
+            return self.note("path", element.start, &reason);
+        }
+        let (text, origin) = traced.as_ref().map_or((d.value, None), |traced| {
+            (traced.text.as_str(), Some(&traced.origin[..]))
+        });
+        let context = arcs::Context {
+            options: self.options,
+            vertices_show: markers.middle,
+        };
+        let mut scratch = core::mem::take(self.scratch);
+        let mut sink = Sink {
+            rewriter: self,
+            base: d.value_span.start,
+            origin,
+        };
+        let outcome = arcs::rewrite(text, context, &mut scratch, &mut sink);
+        *self.scratch = scratch;
+        self.counts.count(Kind::Path, outcome.arcs);
+        self.counts.smooth += outcome.smooth;
+    }
+}
+
+fn read_shape(kind: Kind, scanner: &Scanner<'_>) -> core::result::Result<Shape, Reason> {
+    let found: Vec<_> = kind
+        .geometry()
+        .iter()
+        .map(|name| (*name, attribute(scanner, name)))
+        .collect();
+    element::read(kind, |name| {
+        found
+            .iter()
+            .find(|(known, _)| *known == name)
+            .and_then(|(_, value)| value.as_deref())
+    })
+}
+
+/// Brings edits of path data to their place in the file.
+struct Sink<'r, 'a, 'f> {
+    rewriter: &'r mut Rewriter<'a, 'f>,
+    base: usize,
+    /// The way back from resolved references.
+    origin: Option<&'r [usize]>,
+}
+
+impl Sink<'_, '_, '_> {
+    fn place(&self, at: usize) -> usize {
+        self.base
+            + self
+                .origin
+                .map_or(at, |origin| origin.get(at).copied().unwrap_or(at))
+    }
+}
+
+impl arcs::Sink for Sink<'_, '_, '_> {
+    fn edit(&mut self, range: Range<usize>, text: &[u8]) {
+        let range = self.place(range.start)..self.place(range.end);
+        self.rewriter.splice.replace(range, text);
+    }
+
+    fn note(&mut self, at: usize, reason: Reason) {
+        let place = self.place(at);
+        self.rewriter.note("path", place, &reason);
+    }
+}

@@ -1,0 +1,65 @@
+//! The output: the source, byte for byte, with replacements where it was told so.
+
+use core::ops::Range;
+
+/// Copies a text lazily; edits come in the order of their place.
+#[derive(Debug)]
+pub(super) struct Splice<'a> {
+    source: &'a str,
+    out: Vec<u8>,
+    copied: usize,
+}
+
+impl<'a> Splice<'a> {
+    pub(super) const fn new(source: &'a str) -> Self {
+        Self {
+            source,
+            out: Vec::new(),
+            copied: 0,
+        }
+    }
+
+    /// The bytes of `range` become `text`. Ranges ascend and do not overlap.
+    pub(super) fn replace(&mut self, range: Range<usize>, text: &[u8]) {
+        if self.copied == 0 {
+            self.out.reserve(self.source.len() / 2 * 3);
+        }
+        if let Some(kept) = self.source.get(self.copied..range.start) {
+            self.out.extend_from_slice(kept.as_bytes());
+        }
+        self.out.extend_from_slice(text);
+        self.copied = range.end;
+    }
+
+    /// The finished text; `None` where nothing was replaced.
+    pub(super) fn finish(mut self) -> Option<String> {
+        if self.copied == 0 {
+            return None;
+        }
+        self.out.extend_from_slice(
+            self.source
+                .get(self.copied..)
+                .unwrap_or_default()
+                .as_bytes(),
+        );
+        // Whole pieces of a text, and ASCII between them.
+        Some(
+            String::from_utf8(self.out)
+                .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_replaced_stays() {
+        let mut splice = Splice::new("abcdef");
+        splice.replace(1..2, b"XY");
+        splice.replace(4..4, b"-");
+        assert_eq!(splice.finish().as_deref(), Some("aXYcd-ef"));
+        assert_eq!(Splice::new("abc").finish(), None);
+    }
+}
