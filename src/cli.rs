@@ -1,6 +1,7 @@
 //! The command line: words to library calls, results to bytes, errors to messages and exit codes.
 
 mod args;
+mod convert;
 mod draw;
 mod failure;
 mod methods;
@@ -46,6 +47,7 @@ fn run(command: Command) -> Outcome {
         Command::Sphere(args) => sphere::run(&args),
         Command::Procset(args) => procset::run(&args),
         Command::Methods(args) => methods::run(&args),
+        Command::Convert(args) => convert::run(&args),
         Command::Completions(args) => shell::completions(&args),
         Command::Man(args) => shell::man(&args),
     }

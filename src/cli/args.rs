@@ -1,6 +1,7 @@
 //! The words of the command line, as clap reads them; nothing is computed here.
 
 mod approximation;
+mod convert;
 pub(crate) mod methods;
 mod output;
 mod picture;
@@ -10,6 +11,7 @@ mod spline;
 mod values;
 
 pub(crate) use approximation::ApproximationArgs;
+pub(crate) use convert::{ConvertArgs, DestinationArgs, Report};
 pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
@@ -51,6 +53,8 @@ pub(crate) enum Command {
     Procset(ProcsetArgs),
     /// Tell what is known of the methods
     Methods(MethodsArgs),
+    /// Replace circles, ellipses, rounded rectangles and path arcs in SVG files by Béziers; every other byte stays
+    Convert(ConvertArgs),
     /// Print a completion script for a shell
     Completions(CompletionsArgs),
     /// Print the manual page, or write those of all commands

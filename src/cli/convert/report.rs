@@ -1,0 +1,165 @@
+//! What `convert` tells on standard error.
+
+use std::io::Write;
+
+use curveto::document::{Converted, Counts, Kind, Note};
+use serde::Serialize;
+
+use super::Trouble;
+use super::tree::Job;
+use crate::cli::args::Report;
+use crate::cli::failure::Failure;
+
+/// What became of one file.
+#[derive(Debug, Serialize)]
+pub(super) struct FileReport {
+    pub(super) file: String,
+    /// Whether something was replaced, or would be.
+    pub(super) changed: bool,
+    replaced: Counts,
+    notes: Vec<Note>,
+    /// Why it failed.
+    pub(super) error: Option<String>,
+    /// What would help.
+    #[serde(skip)]
+    hint: Option<String>,
+    #[serde(skip)]
+    closed_pipe: bool,
+}
+
+/// The whole report.
+#[derive(Debug, Serialize)]
+struct Document<'a> {
+    version: u32,
+    replaced: Counts,
+    changed: usize,
+    failed: usize,
+    notes: usize,
+    files: &'a [FileReport],
+}
+
+impl FileReport {
+    pub(super) fn of(job: &Job, result: Result<Converted, Trouble>) -> Self {
+        let mut report = Self {
+            file: job.name(),
+            changed: false,
+            replaced: Counts::default(),
+            notes: Vec::new(),
+            error: None,
+            hint: None,
+            closed_pipe: false,
+        };
+        match result {
+            Ok(Converted {
+                replaced, notes, ..
+            }) => {
+                report.changed = replaced.total() > 0;
+                report.replaced = replaced;
+                report.notes = notes;
+            }
+            Err(Trouble::Document(error)) => {
+                report.error = Some(format!("{}:{error}", report.file))
+            }
+            Err(Trouble::Other(Failure::ClosedPipe)) => report.closed_pipe = true,
+            Err(Trouble::Other(Failure::Request { message, hint })) => {
+                report.error = Some(format!("{}: {message}", report.file));
+                report.hint = hint;
+            }
+            Err(Trouble::Other(Failure::Running(error))) => {
+                report.error = Some(format!("{}: {error:#}", report.file))
+            }
+        }
+        report
+    }
+
+    pub(super) fn is_closed_pipe(&self) -> bool {
+        self.closed_pipe
+    }
+}
+
+/// Tells about all files: errors and what was left, and with `--report` the counts.
+pub(super) fn tell(reports: &[FileReport], form: Option<Report>) {
+    let text = if form == Some(Report::Json) {
+        json(reports)
+    } else {
+        text(reports, form.is_some())
+    };
+    // Where standard error is gone, nobody is left to tell.
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+}
+
+fn total(reports: &[FileReport]) -> Counts {
+    reports
+        .iter()
+        .fold(Counts::default(), |sum, report| sum + report.replaced)
+}
+
+fn json(reports: &[FileReport]) -> String {
+    let document = Document {
+        version: 1,
+        replaced: total(reports),
+        changed: reports.iter().filter(|report| report.changed).count(),
+        failed: reports
+            .iter()
+            .filter(|report| report.error.is_some())
+            .count(),
+        notes: reports.iter().map(|report| report.notes.len()).sum(),
+        files: reports,
+    };
+    serde_json::to_string_pretty(&document).unwrap_or_default() + "\n"
+}
+
+fn text(reports: &[FileReport], counts: bool) -> String {
+    let mut lines = Vec::new();
+    for report in reports {
+        lines.extend(report.error.iter().map(|error| format!("error: {error}\n")));
+        lines.extend(report.hint.iter().map(|hint| format!("hint: {hint}\n")));
+        lines.extend(report.notes.iter().map(|note| {
+            let Note {
+                line,
+                column,
+                element,
+                reason,
+                ..
+            } = note;
+            format!(
+                "note: {}:{line}:{column}: <{element}> is left: {reason}\n",
+                report.file
+            )
+        }));
+        if counts && report.error.is_none() {
+            lines.push(format!("{}: {}\n", report.file, told(&report.replaced)));
+        }
+    }
+    if counts && reports.len() > 1 {
+        let changed = reports.iter().filter(|report| report.changed).count();
+        lines.push(format!(
+            "{changed} of {} files: {}\n",
+            reports.len(),
+            told(&total(reports))
+        ));
+    }
+    lines.concat()
+}
+
+/// The counts in words.
+fn told(counts: &Counts) -> String {
+    let words: Vec<String> = Kind::ALL
+        .into_iter()
+        .filter(|kind| counts.of(*kind) > 0)
+        .map(|kind| {
+            let count = counts.of(kind);
+            let noun = if kind == Kind::Path {
+                "arc"
+            } else {
+                kind.name()
+            };
+            format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+        })
+        .collect();
+    if words.is_empty() {
+        "nothing to replace".to_owned()
+    } else {
+        format!("{} replaced", words.join(", "))
+    }
+}
