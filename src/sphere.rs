@@ -150,25 +150,7 @@ impl Sphere {
             return Err(Error::Count { count, most });
         }
         let space = Space::new(self, view)?;
-        let circle = unit_circle(options)?;
-        let mut error = circle.error;
-        let mut lines: Vec<(Line, Ring, &Curve)> = Vec::new();
-        for latitude in self.latitudes() {
-            let ring = space.parallel(latitude);
-            lines.push((Line::Parallel(latitude), ring, &circle.curve));
-        }
-        let half;
-        let meridian = if !self.meridians.is_multiple_of(2) {
-            half = unit_half_circle(options)?;
-            error = error.with(half.error);
-            &half.curve
-        } else {
-            &circle.curve
-        };
-        for longitude in self.longitudes() {
-            let ring = space.meridian(longitude);
-            lines.push((Line::Meridian(longitude), ring, meridian));
-        }
+        let units = Units::new(self, options)?;
         let mut picture = Picture {
             sphere: *self,
             view,
@@ -177,12 +159,12 @@ impl Sphere {
             back: Vec::new(),
             outline: Part {
                 line: Line::Outline,
-                curve: circle.curve.transformed(space.outline()),
+                curve: units.circle.curve.transformed(space.outline()),
             },
-            error: error.times(self.radius),
+            error: units.error().times(self.radius),
         };
-        for (line, ring, unit) in lines {
-            for (side, curve) in limb::cut(unit, ring.depth) {
+        for (line, ring) in self.lines(&space) {
+            for (side, curve) in limb::cut(units.curve(line), ring.depth) {
                 let curve = curve.transformed(ring.screen);
                 match side {
                     Side::Front => picture.front.push(Part { line, curve }),
@@ -191,6 +173,14 @@ impl Sphere {
             }
         }
         picture.finished()
+    }
+
+    /// The lines on the sphere and where they lie.
+    fn lines(&self, space: &Space) -> impl Iterator<Item = (Line, Ring)> {
+        let parallel = |latitude| (Line::Parallel(latitude), space.parallel(latitude));
+        let meridian = |longitude| (Line::Meridian(longitude), space.meridian(longitude));
+        let parallels = self.latitudes().map(parallel);
+        parallels.chain(self.longitudes().map(meridian))
     }
 
     /// The latitudes of the parallels, from the north.
@@ -264,26 +254,48 @@ impl Picture {
 /// The most meridians, and the most parallels.
 const MOST_LINES: usize = 10_000;
 
-/// The whole unit circle by the rule.
-fn unit_circle(options: &Options) -> Result<Drawing> {
-    let circle = Shape::Circle(Circle::new((0.0, 0.0), 1.0)?);
-    draw(&circle, options.segments, options)
+/// What the lines are images of: the unit circle by the rule, and its half where meridians are half circles.
+struct Units {
+    circle: Drawing,
+    half: Option<Drawing>,
 }
 
-/// The unit circle's half from angle 0 to 180 degrees by the rule.
-fn unit_half_circle(options: &Options) -> Result<Drawing> {
-    let half_turn = Angle::from_degrees(180.0);
-    let half = Arc::new((0.0, 0.0), (1.0, 1.0), Angle::ZERO, Angle::ZERO, half_turn)?;
-    let segments = options.segments.map(|n| n.div_ceil(2));
-    draw(&Shape::Arc(half), segments, options)
+impl Units {
+    fn new(sphere: &Sphere, options: &Options) -> Result<Self> {
+        let circle = Shape::Circle(Circle::new((0.0, 0.0), 1.0)?);
+        let half_turn = Angle::from_degrees(180.0);
+        let half = Arc::new((0.0, 0.0), (1.0, 1.0), Angle::ZERO, Angle::ZERO, half_turn)?;
+        let segments = options.segments;
+        let draw_half = || draw(&Shape::Arc(half), segments.map(|n| n.div_ceil(2)), options);
+        let in_pairs = sphere.meridians.is_multiple_of(2);
+        Ok(Self {
+            circle: draw(&circle, segments, options)?,
+            half: (!in_pairs).then(draw_half).transpose()?,
+        })
+    }
+
+    /// The curve in the plane of a line.
+    fn curve(&self, line: Line) -> &Curve {
+        match (line, &self.half) {
+            (Line::Meridian(_), Some(half)) => &half.curve,
+            _ => &self.circle.curve,
+        }
+    }
+
+    fn error(&self) -> RadialError {
+        self.half
+            .iter()
+            .fold(self.circle.error, |error, half| error.with(half.error))
+    }
 }
 
+/// The shape by the rule, in full digits.
 fn draw(shape: &Shape, segments: Option<usize>, options: &Options) -> Result<Drawing> {
-    let exactly = approximate::Options {
+    let options = approximate::Options {
         rule: options.rule,
         cut: segments.map_or(Cut::Quarters, Cut::Count),
         precision: Some(Precision::Full),
         transform: Affine::IDENTITY,
     };
-    approximate(shape, &exactly)
+    approximate(shape, &options)
 }
