@@ -23,7 +23,46 @@
 //! assert_eq!(control_points(equation), graph);
 //! ```
 
+use kurbo::{PathSeg, Point, Vec2};
+
+use crate::curve::control_points as points_of;
 use crate::measure::exact::Double;
+
+/// A segment of a plane curve in equation space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Equation {
+    /// [A, B, C, D] of x.
+    pub x: [f64; 4],
+    /// [E, F, G, H] of y.
+    pub y: [f64; 4],
+}
+
+impl Equation {
+    /// The point at t, cube-free.
+    #[must_use]
+    pub fn point(&self, t: f64) -> Point {
+        Point::new(value(self.x, t), value(self.y, t))
+    }
+
+    /// The derivative at t, cube-free.
+    #[must_use]
+    pub fn derivative(&self, t: f64) -> Vec2 {
+        Vec2::new(slope(self.x, t), slope(self.y, t))
+    }
+}
+
+impl From<&PathSeg> for Equation {
+    fn from(segment: &PathSeg) -> Self {
+        let points = points_of(segment);
+        let of = |coordinate: fn(&Point) -> f64| {
+            coefficients(&points.iter().map(coordinate).collect::<Vec<f64>>())
+        };
+        Self {
+            x: of(|p| p.x),
+            y: of(|p| p.y),
+        }
+    }
+}
 
 /// The equation-space coefficients [A, B, C, D] of one coordinate of the control points: two of a line, three of a quadratic,
 /// four of a cubic. What a curve of lower degree lacks is 0.
@@ -111,6 +150,29 @@ mod tests {
             control_points(coefficients(&[0.0, 3.0, 0.0])),
             [0.0, 2.0, 2.0, 0.0]
         );
+    }
+
+    #[test]
+    fn segments_of_every_degree_are_traced() {
+        use kurbo::{CubicBez, Line, ParamCurve, QuadBez};
+        let line = PathSeg::Line(Line::new((1.0, 2.0), (3.0, -1.0)));
+        let quad = PathSeg::Quad(QuadBez::new((1.0, 2.0), (3.0, -1.0), (0.5, 4.0)));
+        let cubic = PathSeg::Cubic(CubicBez::new(
+            (1.0, 2.0),
+            (3.0, -1.0),
+            (0.5, 4.0),
+            (0.0, 7.0),
+        ));
+        for segment in [line, quad, cubic] {
+            let equation = Equation::from(&segment);
+            for i in 0..=16 {
+                let t = f64::from(i) / 16.0;
+                assert!(equation.point(t).distance(segment.eval(t)) < 4e-15);
+                let [before, after] = [t - 0.5f64.powi(20), t + 0.5f64.powi(20)];
+                let secant = (segment.eval(after) - segment.eval(before)) * 2.0_f64.powi(19);
+                assert!((equation.derivative(t) - secant).hypot() < 1e-8);
+            }
+        }
     }
 
     proptest! {

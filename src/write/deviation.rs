@@ -3,11 +3,12 @@
 //! With q the point of the true shape nearest to the point p of the curve, n the outward normal there and d = (p - q)·n, the
 //! magnified curve is q + K d n: the true shape for K = 0, the curve itself for K = 1.
 
-use kurbo::{CubicBez, ParamCurve, PathSeg, Point};
+use kurbo::{CubicBez, PathSeg, Point};
 
 use crate::curve::Curve;
 use crate::measure::radial::{distance, nearest, visit_extremes};
 use crate::method::numeric::root;
+use crate::power::Equation;
 use crate::shape::Truth;
 
 /// How many cubics draw the magnified curve between two neighbours among its zeros and extremes.
@@ -26,8 +27,9 @@ impl Lobes {
     /// Adds the regions of a curve, its deviation drawn `factor` times as large.
     pub(super) fn add(&mut self, curve: &Curve, truth: &Truth, factor: f64) {
         for segment in &curve.segments {
+            let equation = Equation::from(segment);
             let magnified = |factor| Magnified {
-                segment,
+                equation,
                 truth,
                 factor,
             };
@@ -51,6 +53,7 @@ impl Lobes {
 
 /// The parameters of a segment's zeros and extremes, from zero to zero (or end), and whether the curve is outside there.
 fn between_zeros(segment: &PathSeg, truth: &Truth) -> Vec<(Vec<f64>, bool)> {
+    let equation = Equation::from(segment);
     let mut extremes = Vec::new();
     visit_extremes(segment, truth, |t, distance| extremes.push((t, distance)));
     let mut runs = Vec::new();
@@ -61,7 +64,7 @@ fn between_zeros(segment: &PathSeg, truth: &Truth) -> Vec<(Vec<f64>, bool)> {
             && d != 0.0
             && (d > 0.0) != side
         {
-            let zero = root(|t| distance(truth, segment.eval(t)), before, t);
+            let zero = root(|t| distance(truth, equation.point(t)), before, t);
             run.push(zero);
             runs.push((core::mem::replace(&mut run, vec![zero]), side));
             outside = None;
@@ -77,14 +80,14 @@ fn between_zeros(segment: &PathSeg, truth: &Truth) -> Vec<(Vec<f64>, bool)> {
 
 /// A segment, its deviation drawn `factor` times as large.
 struct Magnified<'a> {
-    segment: &'a PathSeg,
+    equation: Equation,
     truth: &'a Truth,
     factor: f64,
 }
 
 impl Magnified<'_> {
     fn point(&self, t: f64) -> Point {
-        let p = self.segment.eval(t);
+        let p = self.equation.point(t);
         let nearest = nearest(self.truth, p);
         p + nearest.outward * ((self.factor - 1.0) * nearest.distance)
     }
@@ -118,7 +121,7 @@ impl Magnified<'_> {
 
 #[cfg(test)]
 mod tests {
-    use kurbo::Shape as _;
+    use kurbo::{ParamCurve, Shape as _};
 
     use super::*;
     use crate::write::number::Precision;
