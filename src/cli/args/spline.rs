@@ -12,6 +12,9 @@ use super::values;
 use crate::cli::failure::Failure;
 
 #[derive(Debug, Args)]
+#[command(
+    after_help = "A curve through points states no error: -p auto keeps the points as they were given and moves no control point farther than a ten-thousandth of the shortest distance between neighbours."
+)]
 pub(crate) struct SplineArgs {
     #[command(flatten)]
     pub(crate) source: SplineSource,
