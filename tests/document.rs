@@ -1,7 +1,13 @@
 //! The promises of `document::convert`: what is replaced is drawn alike, what is not replaced keeps its bytes, and what cannot be
 //! replaced safely is left with a note.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::expect_used,
+    clippy::too_many_lines,
+    clippy::format_collect
+)]
 
 mod independent;
 

@@ -3,8 +3,9 @@
 //! Icon sets hold tens of thousands of arcs, so what every file asks for, equal segments of a rule whose ends lie on the circle,
 //! is placed here without an allocation; a test holds it against [`approximate`], which serves everything else.
 
-use kurbo::{ParamCurve, PathSeg, Point, Vec2};
+use kurbo::{PathSeg, Point, Vec2};
 
+use super::decimals::decimals;
 use super::memo::Memo;
 use super::number::MAX_DECIMALS;
 use super::{Options, Reason};
@@ -12,7 +13,6 @@ use crate::Angle;
 use crate::approximate::{self, approximate};
 use crate::curve::control_points;
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
-use crate::measure::radial;
 use crate::method::{Degree, Ends, Method, Piece, Rule};
 use crate::shape::endpoint::SvgArc;
 use crate::shape::{Ellipse, Outline, Shape};
@@ -72,7 +72,7 @@ pub(super) fn arc(
     memo: &mut Memo,
     out: &mut Beziers,
 ) -> Result<(), Reason> {
-    let shape = arc.shape().map_err(refused)?;
+    let shape = arc.shape().map_err(|error| refused(&error))?;
     let Some(outline) = shape.outline() else {
         return Err(Reason::TooLarge);
     };
@@ -89,13 +89,15 @@ pub(super) fn ellipse(
     memo: &mut Memo,
     out: &mut Beziers,
 ) -> Result<Vec2, Reason> {
-    let shape = Shape::Ellipse(Ellipse::new(Point::ZERO, radii, Angle::ZERO).map_err(refused)?);
+    let shape = Shape::Ellipse(
+        Ellipse::new(Point::ZERO, radii, Angle::ZERO).map_err(|error| refused(&error))?,
+    );
     let (Some(outline), Some(count)) = (shape.outline(), count(options, Angle::TURN)) else {
         return by_engine(&shape, Point::ZERO, options, out);
     };
     let (piece, error) = memo
         .piece(options.rule, 360.0 / count as f64)
-        .map_err(refused)?;
+        .map_err(|error| refused(&error))?;
     out.begin(piece.degree);
     let place = |v: Vec2| Vec2::new(radii.x * v.x, radii.y * v.y);
     let joint = |i: usize| Joint {
@@ -112,7 +114,7 @@ pub(super) fn ellipse(
     Ok(start)
 }
 
-fn refused(error: crate::Error) -> Reason {
+fn refused(error: &crate::Error) -> Reason {
     Reason::Refused(error.to_string())
 }
 
@@ -143,7 +145,7 @@ fn by_engine(
         precision: options.precision.map(Precision::Fixed),
         ..approximate::Options::default()
     };
-    let drawing = approximate(shape, &asked).map_err(refused)?;
+    let drawing = approximate(shape, &asked).map_err(|error| refused(&error))?;
     let quadratic = matches!(drawing.curve.segments.first(), Some(PathSeg::Quad(_)));
     out.begin(if quadratic {
         Degree::Quadratic
@@ -176,7 +178,7 @@ fn equal(
     let (start, sweep) = (outline.unit.start.degrees(), outline.unit.sweep.degrees());
     let (piece, error) = memo
         .piece(options.rule, (sweep / count as f64).abs())
-        .map_err(refused)?;
+        .map_err(|error| refused(&error))?;
     out.begin(piece.degree);
     let [a, b, c, d, _, _] = outline.placement.as_coeffs();
     let place = |v: Vec2| Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y);
@@ -254,101 +256,6 @@ impl Joint {
 fn chord(from: f64, to: f64) -> Vec2 {
     let halfway = Angle::from_degrees(f64::midpoint(from, to)).direction();
     Vec2::new(-halfway.y, halfway.x) * (2.0 * ((to - from) / 2.0).to_radians().sin())
-}
-
-/// The decimals for the control points: those asked for, or the fewest d for which 10^-d/√2 is at most a tenth of the peak error.
-/// The curve begins at `start`; that and its points are offsets from `base`. On the unit circle its peak error is `error`.
-fn decimals(
-    outline: &Outline,
-    start: Vec2,
-    base: Point,
-    error: f64,
-    options: &Options,
-    drawn: &Beziers,
-) -> u32 {
-    if let Some(decimals) = options.precision {
-        return u32::from(decimals).min(MAX_DECIMALS);
-    }
-    let size = |p: &Vec2| (base.x + p.x).abs().max((base.y + p.y).abs());
-    let largest = drawn
-        .points
-        .iter()
-        .map(size)
-        .fold(f64::MIN_POSITIVE, f64::max);
-    let truth = &outline.truth;
-    if truth.is_circle() {
-        return fewest(error * truth.radii.x, largest);
-    }
-    // Mostly a rough measure asks for as many decimals as the exact one; on a flat ellipse it is too rough.
-    if truth.radii.x.max(truth.radii.y) < 10.0 * truth.radii.x.min(truth.radii.y) {
-        let about = sampled_error(outline, start, base, drawn);
-        let (most, least) = (fewest(about * 0.99, largest), fewest(about * 1.03, largest));
-        if most == least {
-            return most;
-        }
-    }
-    let segments: Vec<PathSeg> = path_segments(start, base, drawn).collect();
-    fewest(radial::error(&segments, truth).peak(), largest)
-}
-
-/// The segments of a curve in the plane.
-fn path_segments(start: Vec2, base: Point, drawn: &Beziers) -> impl Iterator<Item = PathSeg> {
-    let mut from = base + start;
-    drawn.segments().map(move |points| {
-        let segment = match points {
-            [p1, p2] => PathSeg::Quad(kurbo::QuadBez::new(from, base + *p1, base + *p2)),
-            _ => PathSeg::Cubic(kurbo::CubicBez::new(
-                from,
-                base + points[0],
-                base + points[1],
-                base + points[2],
-            )),
-        };
-        from = segment.end();
-        segment
-    })
-}
-
-/// The largest distance from an ellipse at 24 points of each segment, to first order: a radial distance δ on the unit circle at
-/// (c, s) is δ/√((c/rx)² + (s/ry)²) along the normal.
-fn sampled_error(outline: &Outline, start: Vec2, base: Point, drawn: &Beziers) -> f64 {
-    const SAMPLES: u32 = 24;
-    let to_unit = outline.placement.inverse();
-    let radii = outline.truth.radii;
-    path_segments(start, base, drawn)
-        .flat_map(|segment| {
-            let segment = to_unit * segment;
-            (1..SAMPLES).map(move |i| {
-                let p = segment.eval(f64::from(i) / f64::from(SAMPLES)).to_vec2();
-                let length = p.hypot();
-                (length - 1.0).abs() * length / (p.x / radii.x).hypot(p.y / radii.y)
-            })
-        })
-        .fold(0.0, f64::max)
-}
-
-/// 10^-d/√2 for every d.
-const MOVED: [f64; MAX_DECIMALS as usize + 1] = {
-    let mut moved = [core::f64::consts::FRAC_1_SQRT_2; MAX_DECIMALS as usize + 1];
-    let mut d = 1;
-    while d < moved.len() {
-        moved[d] = moved[d - 1] / 10.0;
-        d += 1;
-    }
-    moved
-};
-
-/// The fewest decimals for this peak error; no more than coordinates up to `largest` have digits.
-fn fewest(peak: f64, largest: f64) -> u32 {
-    let needed = MOVED
-        .iter()
-        .position(|moved| *moved <= 0.1 * peak)
-        .unwrap_or(MAX_DECIMALS as usize) as u32;
-    // Only beyond ten decimals can the digits of a coordinate run out first, unless it is huge.
-    if needed < 5 && largest < 1e9 || needed < 10 && largest < 1e5 {
-        return needed;
-    }
-    needed.min((15.0 - largest.log10().ceil()).clamp(0.0, f64::from(MAX_DECIMALS)) as u32)
 }
 
 #[cfg(test)]

@@ -178,7 +178,6 @@ fn item_end(text: &str) -> (usize, Option<u8>) {
             (_, b'\\') => at += 1,
             (Some(open), _) if open == byte => quote = None,
             (Some(_), b'\n') => quote = None,
-            (Some(_), _) => {}
             (None, b'"' | b'\'') => quote = Some(byte),
             (None, b'(' | b'[') => depth += 1,
             (None, b')' | b']') => depth = depth.saturating_sub(1),

@@ -6,7 +6,8 @@
 use core::cell::RefCell;
 
 use super::Options;
-use super::arcs::{Body, Scratch};
+use super::arcs::Scratch;
+use super::curve_text::Body;
 use super::number::After;
 use crate::joints::Cut;
 use crate::method::{Piece, Rule, Span};

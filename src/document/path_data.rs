@@ -164,9 +164,9 @@ impl<'a> Segments<'a> {
                 segment.tail = self.at;
             }
             if is_flag(kind, index) {
-                self.skip_flag()?
+                self.skip_flag()?;
             } else {
-                self.skip_number()?
+                self.skip_number()?;
             }
             segment.end = self.at;
         }

@@ -37,7 +37,11 @@ impl<'a> Places<'a> {
                 _ => self.column += 1,
             }
         }
-        self.offset = self.text.floor_char_boundary(offset);
+        let mut boundary = offset.min(self.text.len());
+        while !self.text.is_char_boundary(boundary) {
+            boundary -= 1;
+        }
+        self.offset = boundary;
         (self.line, self.column)
     }
 }

@@ -8,6 +8,7 @@ use super::element::{self, Shape};
 use super::facts::{self, Facts};
 use super::fault::Result;
 use super::namespace::Namespace;
+use super::own;
 use super::place::Places;
 use super::property::{Kind, Markers};
 use super::reason::Reason;
@@ -76,11 +77,7 @@ pub(super) fn run(
                     open.push(Open { renamed, markers });
                 }
             }
-            Node::End { local } => {
-                if open.pop().is_some_and(|open| open.renamed) {
-                    rewriter.splice.replace(local, b"path");
-                }
-            }
+            Node::End { local } => rewriter.end(open.pop(), local),
             Node::Instruction(text) if facts.is_none() && text.starts_with("xml-stylesheet") => {
                 return Ok(Pass::NeedsFacts);
             }
@@ -119,7 +116,7 @@ impl<'a> Rewriter<'a, '_> {
     }
 
     fn markers(&self, inherited: Markers, element: &Element<'_>, scanner: &Scanner<'_>) -> Markers {
-        let mut markers = facts::own_markers(inherited, &scanner.attributes, &scanner.doctype);
+        let mut markers = own::markers(inherited, &scanner.attributes, &scanner.doctype);
         if let Some(facts) = self.facts {
             let (class, id) = (attribute(scanner, "class"), attribute(scanner, "id"));
             let styled = facts.markers(element.local, class.as_deref(), id.as_deref());
@@ -129,6 +126,13 @@ impl<'a> Rewriter<'a, '_> {
             };
         }
         markers
+    }
+
+    /// The end tag of an element that became a path gets the new name.
+    fn end(&mut self, open: Option<Open>, local: Range<usize>) {
+        if open.is_some_and(|open| open.renamed) {
+            self.splice.replace(local, b"path");
+        }
     }
 
     /// Replaces an element or notes why not; whether its end tag has a new name.
@@ -184,7 +188,7 @@ impl<'a> Rewriter<'a, '_> {
         });
         by_document
             .or_else(|| {
-                let set = facts::own_style(kind, &scanner.attributes, &scanner.doctype);
+                let set = own::style(kind, &scanner.attributes, &scanner.doctype);
                 (!set.is_empty()).then(|| Reason::StyleGeometry(set.first_name()))
             })
             .or_else(|| {
@@ -263,7 +267,7 @@ impl<'a> Rewriter<'a, '_> {
             let (class, id) = (attribute(scanner, "class"), attribute(scanner, "id"));
             facts.may_round(class.as_deref(), id.as_deref())
         });
-        let own = facts::own_style(Kind::Rect, &scanner.attributes, &scanner.doctype);
+        let own = own::style(Kind::Rect, &scanner.attributes, &scanner.doctype);
         by_sheet || matches!(own.first_name(), "rx" | "ry") && !own.is_empty()
     }
 

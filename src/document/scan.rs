@@ -124,7 +124,7 @@ impl<'a> Scanner<'a> {
                     .unwrap_or_default(),
             )),
             Event::GeneralRef(_) => self.reference(start, span),
-            Event::PI(_) => self.instruction(start, span),
+            Event::PI(_) => Self::instruction(start, span),
             Event::Decl(_) => self.declaration(start, span),
             Event::DocType(_) => self.document_type(start, span),
             Event::Comment(_) => Ok(Node::Other),
@@ -245,7 +245,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    fn instruction(&self, start: usize, span: &'a str) -> Result<Node<'a>> {
+    fn instruction(start: usize, span: &'a str) -> Result<Node<'a>> {
         let inner = span
             .strip_prefix("<?")
             .and_then(|s| s.strip_suffix("?>"))

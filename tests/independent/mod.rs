@@ -1,7 +1,14 @@
 //! A judge of conversions that shares no code with the converter: roxmltree reads the XML, svgtypes the path data, and arcs are
 //! put into centre form by the formulas of SVG 2, appendix B.2.4, as they stand.
 
-#![allow(dead_code, clippy::unwrap_used, clippy::panic, missing_docs)]
+#![allow(
+    dead_code,
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::needless_pass_by_value,
+    clippy::struct_field_names
+)]
 
 use resvg::usvg::roxmltree::{Document, Node, NodeType, ParsingOptions};
 use svgtypes::{PathParser, PathSegment};

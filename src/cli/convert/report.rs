@@ -58,7 +58,7 @@ impl FileReport {
                 report.notes = notes;
             }
             Err(Trouble::Document(error)) => {
-                report.error = Some(format!("{}:{error}", report.file))
+                report.error = Some(format!("{}:{error}", report.file));
             }
             Err(Trouble::Other(Failure::ClosedPipe)) => report.closed_pipe = true,
             Err(Trouble::Other(Failure::Request { message, hint })) => {
@@ -66,7 +66,7 @@ impl FileReport {
                 report.hint = hint;
             }
             Err(Trouble::Other(Failure::Running(error))) => {
-                report.error = Some(format!("{}: {error:#}", report.file))
+                report.error = Some(format!("{}: {error:#}", report.file));
             }
         }
         report

@@ -1,0 +1,108 @@
+//! The arguments of the curve commands that an arc becomes.
+
+use kurbo::Vec2;
+
+use super::Reason;
+use super::bezier::Beziers;
+use super::number::{self, After, Decimal};
+use super::path_data::Segment;
+
+/// Coordinates beyond this are left alone.
+const FARTHEST: f64 = 1e15;
+
+/// The arguments of the curve commands for one arc, before they are joined to what stands before them.
+#[derive(Debug, Default)]
+pub(super) struct Body {
+    pub(super) text: Vec<u8>,
+    /// What they end with.
+    pub(super) after: After,
+    pub(super) quadratic: bool,
+    pub(super) segments: usize,
+}
+
+/// The arguments of absolute curves; returns what they end with.
+pub(super) fn absolute(
+    data: &str,
+    segment: &Segment,
+    from: Vec2,
+    drawn: &Beziers,
+    out: &mut Vec<u8>,
+) -> Result<After, Reason> {
+    let inner = &drawn.points()[..drawn.points().len() - 1];
+    let mut after = After::Letter;
+    for offset in inner {
+        let at = from + *offset;
+        // Written so that what is not a number is refused too.
+        if !(at.x.abs() < FARTHEST && at.y.abs() < FARTHEST) {
+            return Err(Reason::TooLarge);
+        }
+        after.push(out, Decimal::round(at.x, drawn.decimals));
+        after.push(out, Decimal::round(at.y, drawn.decimals));
+    }
+    after.push_text(out, &data.as_bytes()[segment.tail..segment.end]);
+    Ok(after)
+}
+
+/// The arguments of relative curves, on a grid that begins at the arc's start: each number is a difference of two rounded ones.
+pub(super) fn relative(
+    data: &str,
+    segment: &Segment,
+    drawn: &Beziers,
+    out: &mut Vec<u8>,
+) -> Result<After, Reason> {
+    let grid = |p: Vec2| {
+        [
+            Decimal::round(p.x, drawn.decimals),
+            Decimal::round(p.y, drawn.decimals),
+        ]
+    };
+    let count = drawn.segments().len();
+    let mut joint = [Decimal {
+        units: 0,
+        decimals: 0,
+    }; 2];
+    let mut after = After::Letter;
+    for (i, points) in drawn.segments().enumerate() {
+        let mut at = joint;
+        for point in &points[..points.len() - usize::from(i + 1 == count)] {
+            if !(point.x.abs() < FARTHEST && point.y.abs() < FARTHEST) {
+                return Err(Reason::TooLarge);
+            }
+            at = grid(*point);
+            after.push(out, at[0].minus(joint[0]));
+            after.push(out, at[1].minus(joint[1]));
+        }
+        if i + 1 < count {
+            joint = at;
+        }
+    }
+    if count == 1 {
+        after.push_text(out, &data.as_bytes()[segment.tail..segment.end]);
+    } else {
+        // The end point as spelled, counted from the last joint: exactly where the file put it.
+        let [x, y] = end_point(data, segment);
+        after.push(out, x.minus(joint[0]));
+        after.push(out, y.minus(joint[1]));
+    }
+    Ok(after)
+}
+
+/// The two numbers of an arc's end point, as exactly as they can be held.
+fn end_point(data: &str, segment: &Segment) -> [Decimal; 2] {
+    let bytes = data.as_bytes();
+    let middle = number::skip(bytes, segment.tail).unwrap_or(segment.tail);
+    let second = data[middle..segment.end]
+        .find(|c: char| !matches!(c, ' ' | '\t' | '\n' | '\r' | '\x0c' | ','))
+        .unwrap_or(0);
+    let read = |text: &str| {
+        Decimal::read(text).unwrap_or_else(|| {
+            let value: f64 = text.parse().unwrap_or_default();
+            let digits = 15 - value.abs().max(1e-300).log10().ceil() as i32;
+            Decimal::round(value, digits.max(0).unsigned_abs())
+        })
+    };
+    [
+        read(&data[segment.tail..middle]),
+        read(&data[middle + second..segment.end]),
+    ]
+}
