@@ -2,7 +2,12 @@
 //!
 //! Throughput on one thread, the files in memory, and what the output weighs in times of the input.
 
-#![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
+#![allow(
+    missing_docs,
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::format_collect
+)]
 
 use std::hint::black_box;
 use std::path::Path;

@@ -401,6 +401,7 @@ fn elements_that_depend_on_something_else_are_left_with_the_reason() {
             r#"<style>@import "a.css";</style><circle r="5"/>"#,
         ),
         ("script", r#"<circle r="5"/><script>1</script>"#),
+        ("script", r#"<a href="JavaScript:go()"><circle r="5"/></a>"#),
         ("script", r#"<circle r="5" onclick="go()"/>"#),
         (
             "animation",

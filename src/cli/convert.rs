@@ -104,7 +104,7 @@ fn process(job: &Job, options: &Options) -> Result<Converted, Trouble> {
     };
     let text =
         document::decode(if compressed { &bytes } else { &raw }).map_err(Trouble::Document)?;
-    let converted = document::convert(text, options).map_err(Trouble::Document)?;
+    let mut converted = document::convert(text, options).map_err(Trouble::Document)?;
     let changed = converted.replaced.total() > 0;
     let target = match &job.destination {
         Destination::Nowhere => return Ok(converted),
@@ -122,7 +122,7 @@ fn process(job: &Job, options: &Options) -> Result<Converted, Trouble> {
     let output = match (changed, compress) {
         (false, _) if compress == compressed => raw,
         (_, true) => deflate(converted.text.as_bytes())?,
-        (_, false) => converted.text.clone().into_bytes(),
+        (_, false) => core::mem::take(&mut converted.text).into_bytes(),
     };
     write(&target, &output)?;
     Ok(converted)

@@ -57,11 +57,18 @@ pub(super) fn is_sign(element: &Element<'_>, attributes: &[Attribute<'_>]) -> bo
         || attributes.iter().any(|attribute| is_handler(attribute))
 }
 
-/// Whether an attribute holds a script. Names in a namespace (`a:onclick`) do not.
+/// Whether an attribute holds a script. Event attributes in a namespace (`a:onclick`) do not.
 fn is_handler(attribute: &Attribute<'_>) -> bool {
+    let scheme = "javascript:";
     attribute.name.len() > 2
         && attribute.name.starts_with("on")
         && !attribute.value.trim().is_empty()
+        || attribute.name.ends_with("href")
+            && attribute
+                .value
+                .trim_start()
+                .get(..scheme.len())
+                .is_some_and(|start| start.eq_ignore_ascii_case(scheme))
 }
 
 /// The element whose text is being collected.
