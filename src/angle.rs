@@ -57,13 +57,20 @@ impl Angle {
     /// (cosine, sine), exact at every multiple of 30 and 45 degrees that has a rational or square-root-of-two value,
     /// and equal to the last digit at angles that mirror one another in an axis or a diagonal.
     #[must_use]
+    #[inline]
     pub fn direction(self) -> Vec2 {
+        // Added to 3 2^51 a small number is rounded to a whole one, which the lowest bits of the sum then hold.
+        const ROUNDING: f64 = 6_755_399_441_055_744.0;
         // Both the remainder and the subtraction of a whole number of quarters are exact in f64.
-        let within = self.degrees % 360.0;
-        let quarters = (within / 90.0).round();
+        let within = if self.degrees.abs() <= 360.0 {
+            self.degrees
+        } else {
+            self.degrees % 360.0
+        };
+        let quarters = within * (1.0 / 90.0) + ROUNDING;
         quarter_turns(
-            residual_direction(within - quarters * 90.0),
-            quarters as i64,
+            residual_direction(within - (quarters - ROUNDING) * 90.0),
+            quarters.to_bits(),
         )
     }
 
@@ -79,11 +86,15 @@ impl Angle {
         let rest = (4 * part) as f64 - (quarters * parts) as f64;
         let within = residual_direction(sign * 90.0 * rest / parts as f64);
         let start = (self.degrees % 360.0 / 90.0) as i64;
-        quarter_turns(within, start + (sign * quarters as f64) as i64)
+        quarter_turns(
+            within,
+            (start + (sign * quarters as f64) as i64).cast_unsigned(),
+        )
     }
 }
 
 /// The direction of an angle of at most 45 degrees (a little more where rounding made it so).
+#[inline]
 fn residual_direction(degrees: f64) -> Vec2 {
     let size = degrees.abs();
     let (sin, cos) = if size == 45.0 {
@@ -91,20 +102,64 @@ fn residual_direction(degrees: f64) -> Vec2 {
     } else if size == 30.0 {
         (0.5, 0.75_f64.sqrt())
     } else {
-        size.to_radians().sin_cos()
+        sin_cos(size.to_radians())
     };
     Vec2::new(cos, sin.copysign(degrees))
 }
 
-/// `v` turned by a whole number of quarters, without a rounding error and without a negative zero.
-fn quarter_turns(v: Vec2, quarters: i64) -> Vec2 {
-    let turned = match quarters.rem_euclid(4) {
-        0 => v,
-        1 => Vec2::new(-v.y, v.x),
-        2 => -v,
-        _ => Vec2::new(v.y, -v.x),
-    };
-    Vec2::new(turned.x + 0.0, turned.y + 0.0)
+/// Sine and cosine of an angle of at most an eighth of a turn, from Taylor's series up to the 17th power, whose rest is below 1e-19
+/// there. The sums are nested in pairs, which a processor adds side by side.
+#[inline]
+fn sin_cos(x: f64) -> (f64, f64) {
+    let y = x * x;
+    let sin = sum(
+        y,
+        [
+            -1.0 / 6.0,
+            1.0 / 120.0,
+            -1.0 / 5_040.0,
+            1.0 / 362_880.0,
+            -1.0 / 39_916_800.0,
+            1.0 / 6_227_020_800.0,
+            -1.0 / 1_307_674_368_000.0,
+            1.0 / 355_687_428_096_000.0,
+        ],
+    );
+    let cos = sum(
+        y,
+        [
+            1.0 / 24.0,
+            -1.0 / 720.0,
+            1.0 / 40_320.0,
+            -1.0 / 3_628_800.0,
+            1.0 / 479_001_600.0,
+            -1.0 / 87_178_291_200.0,
+            1.0 / 20_922_789_888_000.0,
+            -1.0 / 6_402_373_705_728_000.0,
+        ],
+    );
+    (x + x * (y * sin), 1.0 - (0.5 * y - y * y * cos))
+}
+
+/// c0 + c1 y + ... + c7 y⁷.
+#[inline]
+pub(crate) fn sum(y: f64, c: [f64; 8]) -> f64 {
+    let (y2, y4) = (y * y, (y * y) * (y * y));
+    let low = (c[0] + c[1] * y) + y2 * (c[2] + c[3] * y);
+    let high = (c[4] + c[5] * y) + y2 * (c[6] + c[7] * y);
+    low + y4 * high
+}
+
+/// `v` turned by a whole number of quarters, of which the last two bits count, without a rounding error, a negative zero, or a branch that random angles would
+/// mispredict.
+#[inline]
+fn quarter_turns(v: Vec2, quarters: u64) -> Vec2 {
+    let (x, y) = (v.x.to_bits(), v.y.to_bits());
+    // One and three quarters swap the coordinates; x turns its sign for one and two of them, y for two and three.
+    let exchange = (x ^ y) & (quarters & 1).wrapping_neg();
+    let x = (x ^ exchange) ^ ((quarters.wrapping_add(1) & 2) << 62);
+    let y = (y ^ exchange) ^ ((quarters & 2) << 62);
+    Vec2::new(f64::from_bits(x) + 0.0, f64::from_bits(y) + 0.0)
 }
 
 impl fmt::Display for Angle {

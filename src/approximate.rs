@@ -1,9 +1,12 @@
 //! A shape, a rule and a cut become a curve whose error is known.
 
-use kurbo::{Affine, PathSeg, Vec2};
+use core::f64::consts::FRAC_1_SQRT_2;
+
+use kurbo::{Affine, PathSeg, Point, Vec2};
 
 use crate::curve::Curve;
 use crate::error::{Error, Result};
+use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, MOST_SEGMENTS, Tolerance, quarters};
 use crate::measure::{RadialError, radial};
 use crate::method::{Method, Rule, Span};
@@ -12,6 +15,9 @@ use crate::write::number::Precision;
 
 /// The part of the peak error, or of the tolerance, that rounding for output may add.
 const ROUNDING_SHARE: f64 = 0.1;
+
+/// How many counts beyond the estimate are tried.
+const MOST_TRIES: usize = 64;
 
 /// How to draw.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,21 +117,25 @@ impl Drawing {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn approximate(shape: &Shape, options: &Options) -> Result<Drawing> {
-    let Some(outline) = shape.outline() else {
-        return Ok(straight(shape, options));
-    };
-    let outline = outline.transformed(options.transform)?;
-    let asked = Request {
-        shape,
-        options,
-        outline,
-    };
-    match &options.cut {
-        Cut::Quarters => asked.equal(quarters(outline.unit.sweep), None),
-        Cut::Count(count) => asked.equal(*count, None),
-        Cut::At(angles) => asked.draw(&Joints::at(&outline.unit, angles)?, None),
-        Cut::Tolerance(tolerance) => asked.fewest(*tolerance),
+    match Request::new(shape, options)? {
+        Some(request) => request.drawing(),
+        None => Ok(straight(shape, options)),
     }
+}
+
+/// The curve of [`approximate`] without its error, which costs most of the time, and before rounding.
+pub(crate) fn sketch(shape: &Shape, options: &Options) -> Result<Sketch> {
+    if let Some(request) = Request::new(shape, options)? {
+        return request.sketch();
+    }
+    let drawing = straight(shape, options);
+    Ok(Sketch {
+        joints: None,
+        curve: drawing.curve,
+        kept: None,
+        precision: drawing.precision,
+        peak: None,
+    })
 }
 
 /// A line, or nothing: both are exact.
@@ -154,55 +164,157 @@ fn straight(shape: &Shape, options: &Options) -> Drawing {
     }
 }
 
+/// A curve before rounding, and how it is to be rounded.
+pub(crate) struct Sketch {
+    joints: Option<Joints>,
+    pub(crate) curve: Curve,
+    /// Points that are not rounded.
+    pub(crate) kept: Option<[Point; 2]>,
+    pub(crate) precision: Precision,
+    /// The peak error before rounding, where a formula tells it.
+    peak: Option<f64>,
+}
+
+impl Sketch {
+    /// The curve as it is written.
+    pub(crate) fn rounded(&self) -> Curve {
+        let kept = self.kept.as_ref().map_or(&[][..], |ends| &ends[..]);
+        self.curve.rounded(self.precision, kept)
+    }
+}
+
 struct Request<'a> {
     shape: &'a Shape,
     options: &'a Options,
     outline: Outline,
 }
 
-impl Request<'_> {
-    fn equal(&self, count: usize, tolerance: Option<f64>) -> Result<Drawing> {
-        self.draw(&Joints::equal(&self.outline.unit, count)?, tolerance)
+impl<'a> Request<'a> {
+    /// `None` for a line and for nothing.
+    fn new(shape: &'a Shape, options: &'a Options) -> Result<Option<Self>> {
+        let Some(outline) = shape.outline() else {
+            return Ok(None);
+        };
+        Ok(Some(Self {
+            shape,
+            options,
+            outline: outline.transformed(options.transform)?,
+        }))
     }
 
-    /// The curve through these joints before rounding.
-    fn curve(&self, joints: &Joints) -> Result<Curve> {
+    fn drawing(&self) -> Result<Drawing> {
+        match self.options.cut {
+            Cut::Adaptive(count) => self.adaptive(count),
+            _ => self.sketch().map(|sketch| self.finish(sketch)),
+        }
+    }
+
+    fn sketch(&self) -> Result<Sketch> {
+        match &self.options.cut {
+            Cut::Quarters => self.equal(quarters(self.outline.unit.sweep), None),
+            Cut::Count(count) => self.equal(*count, None),
+            Cut::Adaptive(count) => {
+                // Which of the two ways to place joints is better, only the measured errors tell.
+                let drawing = self.adaptive(*count)?;
+                Ok(Sketch {
+                    joints: None,
+                    curve: drawing.curve,
+                    kept: None,
+                    precision: Precision::Full,
+                    peak: None,
+                })
+            }
+            Cut::At(angles) => self.cut(Joints::at(&self.outline.unit, angles)?, None),
+            Cut::Tolerance(tolerance) => self.fewest(*tolerance),
+        }
+    }
+
+    fn equal(&self, count: usize, tolerance: Option<f64>) -> Result<Sketch> {
+        self.cut(Joints::equal(&self.outline.unit, count)?, tolerance)
+    }
+
+    /// So many segments at joints that equalise the error, or at equal angles where those do better.
+    fn adaptive(&self, count: usize) -> Result<Drawing> {
+        let equal = self.equal(count, None).map(|sketch| self.finish(sketch));
+        let Some(balance) = Balance::new(&self.outline, self.options.rule) else {
+            return equal;
+        };
+        let adaptive = self.finish(self.cut(balance.joints(count)?, None)?);
+        Ok(match equal {
+            Ok(equal) if equal.error.peak() < adaptive.error.peak() => equal,
+            _ => adaptive,
+        })
+    }
+
+    /// The curve through these joints.
+    fn cut(&self, joints: Joints, tolerance: Option<f64>) -> Result<Sketch> {
         let pieces = self.options.rule.pieces(&joints.spans, joints.closed)?;
-        Ok(Curve::place(&self.outline, joints, &pieces))
-    }
-
-    fn draw(&self, joints: &Joints, tolerance: Option<f64>) -> Result<Drawing> {
-        let exact = self.curve(joints)?;
-        let truth = &self.outline.truth;
+        let curve = Curve::place(&self.outline, &joints, &pieces);
+        let peak = self.peak_by_formula(&joints);
         let precision = self.options.precision.unwrap_or_else(|| {
-            let peak = radial::error(&exact.segments, truth).peak();
+            let peak =
+                peak.unwrap_or_else(|| radial::error(&curve.segments, &self.outline.truth).peak());
             automatic_precision(
                 peak.min(tolerance.unwrap_or(f64::INFINITY)),
-                &exact.segments,
+                &curve.segments,
             )
         });
-        // What was given is not rounded unless a precision was asked for.
-        let kept = if self.options.precision.is_none() {
-            self.outline.ends
-        } else {
-            None
-        };
-        let curve = exact.rounded(precision, kept.as_ref().map_or(&[], |ends| &ends[..]));
-        let error = radial::error(&curve.segments, truth);
-        Ok(Drawing {
+        Ok(Sketch {
+            joints: Some(joints),
+            curve,
+            // What was given is not rounded unless a precision was asked for.
+            kept: self
+                .outline
+                .ends
+                .filter(|_| self.options.precision.is_none()),
+            precision,
+            peak,
+        })
+    }
+
+    /// The peak error before rounding of equal pieces of a circle, each taken on its own.
+    fn peak_by_formula(&self, joints: &Joints) -> Option<f64> {
+        let truth = &self.outline.truth;
+        let first = joints.spans.first()?;
+        let alike = joints.spans.iter().all(|span| span == first);
+        if !truth.is_circle() || !alike || self.options.rule.method() == Some(Method::Chen1) {
+            return None;
+        }
+        let error = self.options.rule.radial_error(first).ok()?;
+        Some(error.peak() * truth.radii.x)
+    }
+
+    /// The drawing, measured as it is written.
+    fn finish(&self, sketch: Sketch) -> Drawing {
+        let curve = sketch.rounded();
+        let error = radial::error(&curve.segments, &self.outline.truth);
+        Drawing {
             shape: *self.shape,
             rule: self.options.rule,
             transform: self.options.transform,
             outline: Some(self.outline),
             curve,
-            angles: joints.angles.clone(),
+            angles: sketch.joints.map_or_else(Vec::new, |joints| joints.angles),
             error,
-            precision,
-        })
+            precision: sketch.precision,
+        }
     }
 
-    /// The fewest equal segments whose rounded curve is within the tolerance.
-    fn fewest(&self, tolerance: Tolerance) -> Result<Drawing> {
+    /// Whether the curve as it is written is within the tolerance; measured only where rounding decides.
+    fn is_within(&self, sketch: &Sketch, tolerance: f64) -> bool {
+        let truth = &self.outline.truth;
+        if let (Some(peak), Precision::Fixed(decimals)) = (sketch.peak, sketch.precision) {
+            let reach = truth.center.to_vec2().hypot() + truth.larger_radius();
+            let moved = farthest_moved(decimals) + 8.0 * f64::EPSILON * reach;
+            if peak + moved <= tolerance {
+                return true;
+            }
+        }
+        radial::error(&sketch.rounded().segments, truth).peak() <= tolerance
+    }
+
+    /// The fewest segments whose rounded curve is within the tolerance.
+    fn fewest(&self, tolerance: Tolerance) -> Result<Sketch> {
         let truth = &self.outline.truth;
         let tolerance = tolerance.for_radius(truth.larger_radius());
         if tolerance <= 0.0 || !tolerance.is_finite() {
@@ -222,10 +334,15 @@ impl Request<'_> {
                 ),
             ));
         }
+        if let Some(balance) = Balance::new(&self.outline, self.options.rule)
+            && let Some(sketch) = self.fewest_adaptive(&balance, tolerance)
+        {
+            return Ok(sketch);
+        }
         let mut last_refusal = None;
         for count in self.counts(tolerance) {
             match self.equal(count, Some(tolerance)) {
-                Ok(drawing) if drawing.error.peak() <= tolerance => return Ok(drawing),
+                Ok(sketch) if self.is_within(&sketch, tolerance) => return Ok(sketch),
                 Ok(_) => {}
                 Err(refusal @ Error::Impossible { .. }) => last_refusal = Some(refusal),
                 Err(other) => return Err(other),
@@ -244,6 +361,31 @@ impl Request<'_> {
                 "take a larger tolerance, or -m minimax, whose error falls with the sixth power of the angle".to_owned(),
             ),
         })
+    }
+
+    /// The fewest segments at joints that equalise the error, or at equal angles where those are still fewer.
+    fn fewest_adaptive(&self, balance: &Balance, tolerance: f64) -> Option<Sketch> {
+        let within = |joints: Result<Joints>| {
+            joints
+                .and_then(|joints| self.cut(joints, Some(tolerance)))
+                .ok()
+                .filter(|sketch| self.is_within(sketch, tolerance))
+        };
+        let allowed = (tolerance + self.rounding(tolerance)) / self.outline.truth.larger_radius();
+        let (first, stride) = (balance.fewest(allowed), balance.stride());
+        let mut found = (first..=MOST_SEGMENTS)
+            .step_by(stride)
+            .take(MOST_TRIES)
+            .find_map(|count| within(balance.joints(count)))?;
+        for fewer in (1..found.curve.segments.len()).rev() {
+            let equal = Joints::equal(&self.outline.unit, fewer);
+            let adaptive = (fewer % stride == 0).then(|| balance.joints(fewer));
+            match within(equal).or_else(|| within(adaptive?)) {
+                Some(better) => found = better,
+                None => break,
+            }
+        }
+        Some(found)
     }
 
     fn out_of_reach(&self, tolerance: f64, why: String, remedy: String) -> Error {
@@ -277,18 +419,22 @@ impl Request<'_> {
             _ => (self.least_count(tolerance), MOST_SEGMENTS),
         };
         // Rounding and the error of joints beyond the estimate ask for a few more segments; a rule whose error does not fall ends here.
-        first..=last.min(2 * first + 64)
+        first..=last.min(2 * first + MOST_TRIES)
+    }
+
+    /// A bound on how far rounding may bring the curve nearer to the true shape.
+    fn rounding(&self, tolerance: f64) -> f64 {
+        match self.options.precision {
+            Some(Precision::Fixed(decimals)) => 10_f64.powi(-i32::from(decimals)),
+            _ => tolerance * ROUNDING_SHARE,
+        }
     }
 
     /// A count below which even the flattest place of the shape would be beyond the tolerance.
     fn least_count(&self, tolerance: f64) -> usize {
         let truth = &self.outline.truth;
         let sweep = self.outline.unit.sweep.degrees().abs();
-        let rounding = match self.options.precision {
-            Some(Precision::Fixed(decimals)) => 10_f64.powi(-i32::from(decimals)),
-            _ => tolerance * ROUNDING_SHARE,
-        };
-        let allowed = (tolerance + rounding) / truth.radii.x.min(truth.radii.y);
+        let allowed = (tolerance + self.rounding(tolerance)) / truth.radii.x.min(truth.radii.y);
         let beyond = |count: usize| {
             self.options
                 .rule
@@ -337,10 +483,18 @@ pub(crate) fn automatic_precision<'a>(
     error: f64,
     segments: impl IntoIterator<Item = &'a PathSeg>,
 ) -> Precision {
-    let largest = segments
-        .into_iter()
-        .flat_map(crate::curve::control_points)
-        .flat_map(|p| [p.x.abs(), p.y.abs()])
-        .fold(0.0, f64::max);
+    let mut largest = 0.0_f64;
+    for segment in segments {
+        // Raising a line or a quadratic adds no point beyond its own.
+        let c = segment.to_cubic();
+        for p in [c.p0, c.p1, c.p2, c.p3] {
+            largest = largest.max(p.x.abs()).max(p.y.abs());
+        }
+    }
     Precision::moving_at_most(ROUNDING_SHARE * error, largest)
+}
+
+/// 10^-d/sqrt(2), the farthest that rounding to d decimals moves a point.
+fn farthest_moved(decimals: u8) -> f64 {
+    FRAC_1_SQRT_2 / 10_f64.powi(i32::from(decimals))
 }

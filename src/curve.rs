@@ -45,9 +45,7 @@ impl Curve {
     /// The first point.
     #[must_use]
     pub fn start(&self) -> Option<Point> {
-        self.segments
-            .first()
-            .map(|segment| control_points(segment)[0])
+        self.segments.first().map(kurbo::ParamCurve::start)
     }
 
     /// The smallest rectangle around the curve itself, not its control points.

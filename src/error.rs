@@ -164,22 +164,22 @@ impl Error {
 }
 
 /// `value` if it is positive and finite, and neither it nor its square leaves the range of `f64`.
+#[inline]
 pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64> {
-    if !value.is_finite() || value <= 0.0 {
-        Err(Error::NotPositive { what, value })
-    } else if value < SMALLEST {
-        Err(Error::TooSmall { what, value })
+    if (SMALLEST..LARGEST).contains(&value) {
+        Ok(value)
     } else {
-        bounded(what, value)
+        Err(not_positive(what, value))
     }
 }
 
 /// `value` if it is finite and small enough that its square is finite.
+#[inline]
 pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64> {
-    if value.is_finite() {
-        bounded(what, value)
+    if value.abs() < LARGEST {
+        Ok(value)
     } else {
-        Err(Error::NotFinite { what, value })
+        Err(not_finite(what, value))
     }
 }
 
@@ -189,10 +189,22 @@ const LARGEST: f64 = 1e150;
 /// The smallest length that the geometry takes, for the same reason.
 const SMALLEST: f64 = 1e-100;
 
-fn bounded(what: &'static str, value: f64) -> Result<f64> {
-    if value.abs() < LARGEST {
-        Ok(value)
+#[cold]
+fn not_positive(what: &'static str, value: f64) -> Error {
+    if !value.is_finite() || value <= 0.0 {
+        Error::NotPositive { what, value }
+    } else if value < SMALLEST {
+        Error::TooSmall { what, value }
     } else {
-        Err(Error::TooLarge { what, value })
+        Error::TooLarge { what, value }
+    }
+}
+
+#[cold]
+fn not_finite(what: &'static str, value: f64) -> Error {
+    if value.is_finite() {
+        Error::TooLarge { what, value }
+    } else {
+        Error::NotFinite { what, value }
     }
 }

@@ -1,5 +1,9 @@
 //! Where the sweep is cut.
 
+pub(crate) mod adaptive;
+
+use core::str::FromStr;
+
 use kurbo::Vec2;
 
 use crate::angle::Angle;
@@ -23,7 +27,10 @@ pub enum Cut {
     Quarters,
     /// So many segments of equal parametric angle.
     Count(usize),
-    /// The fewest segments within this distance of the true shape.
+    /// So many segments whose joints equalise the error: on an ellipse they crowd where it is curved least, on a circle, and for
+    /// methods that need equal pieces, they lie at equal angles.
+    Adaptive(usize),
+    /// The fewest segments within this distance of the true shape: at equal angles on a circle, adaptive on an ellipse.
     Tolerance(Tolerance),
     /// Joints at these angles: all of a closed shape's, the inner ones of an arc.
     At(Vec<Angle>),
@@ -46,6 +53,35 @@ impl Tolerance {
             Self::Absolute(distance) => distance,
             Self::Relative(part) => part * radius,
         }
+    }
+}
+
+impl FromStr for Tolerance {
+    type Err = Error;
+
+    /// Reads a positive distance in user units, or a percentage of the larger radius like `0.01%`.
+    fn from_str(text: &str) -> Result<Self> {
+        let wrong = || {
+            Error::Syntax {
+            what: "the tolerance",
+            text: text.to_owned(),
+            column: 1,
+            why: "a tolerance is a positive, finite distance in user units, or a percentage of the larger radius like 0.01%".to_owned(),
+        }
+        };
+        let (number, percent) = match text.trim().strip_suffix('%') {
+            Some(number) => (number, true),
+            None => (text, false),
+        };
+        let size: f64 = number.trim().parse().map_err(|_| wrong())?;
+        if !(size.is_finite() && size > 0.0) {
+            return Err(wrong());
+        }
+        Ok(if percent {
+            Self::Relative(size / 100.0)
+        } else {
+            Self::Absolute(size)
+        })
     }
 }
 
@@ -155,9 +191,19 @@ impl Joints {
                 first.degrees() + sign * pair[0]
             )));
         }
+        let from = UnitArc {
+            start: first,
+            ..*arc
+        };
+        Ok(Self::after(&from, &ways))
+    }
+
+    /// Joints so many degrees after the start, ascending, both ends included.
+    fn after(arc: &UnitArc, ways: &[f64]) -> Self {
+        let sign = 1.0_f64.copysign(arc.sweep.degrees());
         let angles: Vec<f64> = ways
             .iter()
-            .map(|way| first.degrees() + sign * way)
+            .map(|way| arc.start.degrees() + sign * way)
             .collect();
         let mut directions: Vec<Vec2> = angles
             .iter()
@@ -171,13 +217,13 @@ impl Joints {
             .windows(2)
             .map(|pair| Span::from_degrees(pair[1] - pair[0]))
             .collect();
-        Ok(Self {
+        Self {
             angles,
             directions,
             spans,
             closed: arc.closed,
             sign,
-        })
+        }
     }
 
     /// The number of segments.

@@ -21,6 +21,7 @@ pub mod angle;
 pub mod approximate;
 pub mod curve;
 pub mod document;
+pub mod engine;
 pub mod error;
 pub mod joints;
 pub mod measure;

@@ -106,6 +106,12 @@ impl Piece {
         }
     }
 
+    /// Whether it is a cubic that touches the circle at both ends, told by its handle alone.
+    #[must_use]
+    pub(crate) fn is_tangent_cubic(&self) -> bool {
+        self.degree == Degree::Cubic && self.end_radius == 1.0 && self.handle.x == 1.0
+    }
+
     /// The length of the handle: how far the first inner control point lies from the end.
     #[must_use]
     pub fn handle_length(&self) -> f64 {
@@ -197,6 +203,12 @@ impl Method {
             Self::QuadraticMinimax => quadratic::minimax_error(span),
             Self::QuadraticMinimaxFree => quadratic::minimax_free_error(span),
         })
+    }
+
+    /// The handle of `minimax` and the peak of r² - 1, for angles up to half a turn: what the engine asks for, computed once.
+    #[inline]
+    pub(crate) fn minimax_with_square(span: &Span) -> (f64, f64) {
+        minimax::handle_with_square(span)
     }
 
     /// The id of the catalogue.

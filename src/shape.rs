@@ -1,6 +1,7 @@
 //! What is asked for: a circle, an ellipse or an arc, each a piece of the unit circle under an affine map.
 
 pub mod endpoint;
+pub mod spec;
 
 use kurbo::{Affine, Point, Vec2};
 
@@ -124,6 +125,7 @@ impl Truth {
 
     /// The larger radius.
     #[must_use]
+    #[inline]
     pub fn larger_radius(&self) -> f64 {
         self.radii.x.max(self.radii.y)
     }
@@ -132,6 +134,17 @@ impl Truth {
     #[must_use]
     pub fn is_circle(&self) -> bool {
         self.radii.x == self.radii.y
+    }
+
+    /// The image of a vector of the unit circle's plane, the centre left out.
+    #[inline]
+    #[must_use]
+    pub(crate) fn image(&self, v: Vec2) -> Vec2 {
+        let (x, y) = (v.x * self.radii.x, v.y * self.radii.y);
+        Vec2::new(
+            self.axis.x * x - self.axis.y * y,
+            self.axis.y * x + self.axis.x * y,
+        )
     }
 
     /// The map from the unit circle.
@@ -322,6 +335,7 @@ impl Shape {
     }
 }
 
+#[inline]
 fn finite_point(what: &'static str, p: Point) -> Result<Point> {
     Ok(Point::new(finite(what, p.x)?, finite(what, p.y)?))
 }
@@ -329,6 +343,7 @@ fn finite_point(what: &'static str, p: Point) -> Result<Point> {
 /// How many times one radius may be the other: beyond, an ellipse in double precision is a line.
 const FLATTEST: f64 = 1e12;
 
+#[inline]
 fn positive_radii(radii: Vec2) -> Result<Vec2> {
     let what = if radii.x == radii.y {
         "radius"

@@ -9,11 +9,14 @@ use kurbo::{ParamCurve, ParamCurveDeriv, PathSeg, Point, Vec2};
 
 use super::RadialError;
 use super::exact::Double;
-use crate::method::numeric::root;
+use crate::method::numeric::root_within;
 use crate::shape::Truth;
 
 /// How many brackets the search on an ellipse divides a segment into; a cubic's distance has at most six extremes.
 const BRACKETS: u32 = 32;
+
+/// How closely extremes are located: the distance is flat there, so that it is right to the square of this.
+const WIDTH: f64 = 1e-9;
 
 /// The largest distances of these segments from the true shape.
 #[must_use]
@@ -42,7 +45,7 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
         let t = f64::from(i) / f64::from(BRACKETS);
         let after = (t, slope(t));
         if (before.1 > 0.0) != (after.1 > 0.0) {
-            let t = root(slope, before.0, after.0);
+            let t = root_within(slope, before.0, after.0, WIDTH);
             visit(t, distance(truth, eval(segment, t).0));
         }
         before = after;
@@ -176,7 +179,7 @@ pub(crate) fn sign_changes(coefficients: &[f64]) -> Parameters {
     for to in turning.iter().chain(core::iter::once(1.0)) {
         let (low, high) = (bernstein(coefficients, from), bernstein(coefficients, to));
         if (low > 0.0 && high < 0.0) || (low < 0.0 && high > 0.0) {
-            found.push(root(|t| bernstein(coefficients, t), from, to));
+            found.push(root_within(|t| bernstein(coefficients, t), from, to, WIDTH));
         }
         from = to;
     }
@@ -220,7 +223,8 @@ pub(crate) fn nearest(truth: &Truth, p: Point) -> Nearest {
         let next = (w + step).max(least);
         let change = (next - w).abs();
         w = next;
-        if change <= f64::EPSILON * w {
+        // The digits double with each step.
+        if change <= 1e-9 * w {
             break;
         }
     }

@@ -31,6 +31,7 @@ use crate::measure::RadialError;
 use super::{Piece, Span};
 
 /// The handle k(a, w0).
+#[inline]
 pub(super) fn family(span: &Span, w0: f64) -> f64 {
     let a = 9.0 - 9.0 * w0 * span.ch * span.ch;
     let b = 6.0 * span.s * (1.0 + w0);
@@ -39,6 +40,7 @@ pub(super) fn family(span: &Span, w0: f64) -> f64 {
 }
 
 /// y of the family's member.
+#[inline]
 pub(super) fn family_y(span: &Span, w0: f64) -> f64 {
     let square = span.ch * span.ch;
     let root = (3.0 + w0 + (1.0 - w0) * square).sqrt();
@@ -46,6 +48,7 @@ pub(super) fn family_y(span: &Span, w0: f64) -> f64 {
 }
 
 /// G of the family's member.
+#[inline]
 pub(super) fn big_g(span: &Span, w0: f64) -> f64 {
     4.0 * family_y(span, w0).powi(2)
 }
@@ -88,6 +91,7 @@ fn error_of(h: f64, g: f64) -> RadialError {
 }
 
 /// sqrt(1 + x) - 1 without cancellation.
+#[inline]
 pub(super) fn root_minus_1(x: f64) -> f64 {
     x / ((1.0 + x).max(0.0).sqrt() + 1.0)
 }

@@ -3,7 +3,7 @@
 use kurbo::{Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
-use super::{Arc, Line, Shape, finite_point, positive_radii};
+use super::{Arc, Line, Shape, Truth, finite_point, positive_radii};
 use crate::angle::Angle;
 use crate::error::{Error, Result, finite};
 use crate::write::number::{decimals_of, round};
@@ -33,6 +33,29 @@ impl SvgArc {
     ///
     /// Where a number is not finite or too large, or the ellipse too flat.
     pub fn shape(&self) -> Result<Shape> {
+        let Some(chord) = self.chord()? else {
+            let (from, to) = (self.from, self.to);
+            return Ok(if from == to {
+                Shape::Empty
+            } else {
+                Shape::Line(Line { from, to })
+            });
+        };
+        let truth = chord.truth();
+        let [start, _] = chord.directions();
+        Ok(Shape::Arc(Arc {
+            center: truth.center,
+            radii: truth.radii,
+            rotation: self.rotation,
+            start: Angle::from_radians(start.y.atan2(start.x)),
+            sweep: Angle::from_degrees(chord.sweep),
+            ends: Some([self.from, self.to]),
+        }))
+    }
+
+    /// The arc as its chord sees it; `None` where it is a line or nothing.
+    #[inline]
+    pub(crate) fn chord(&self) -> Result<Option<Chord>> {
         let from = finite_point("start point", self.from)?;
         let to = finite_point("end point", self.to)?;
         let radii = Vec2::new(
@@ -40,11 +63,8 @@ impl SvgArc {
             finite("radius", self.radii.y)?.abs(),
         );
         finite("rotation", self.rotation.degrees())?;
-        if from == to {
-            return Ok(Shape::Empty);
-        }
-        if radii.x == 0.0 || radii.y == 0.0 {
-            return Ok(Shape::Line(Line { from, to }));
+        if from == to || radii.x == 0.0 || radii.y == 0.0 {
+            return Ok(None);
         }
         let axis = self.rotation.direction();
         // (5.1) in the frame of the ellipse's axes, (6.1) divided by the radii: half the chord on the unit circle.
@@ -54,47 +74,71 @@ impl SvgArc {
             (axis.x * half.y - axis.y * half.x) / radii.y,
         );
         let size = unit.hypot();
-        let sign = if self.sweep { 1.0 } else { -1.0 };
         // (6.2), (6.3): radii too small are scaled up, and the centre is the middle of the chord.
         let too_small = size >= 1.0;
-        let radii = if too_small { radii * size } else { radii };
         let depth = if too_small {
             0.0
         } else {
             ((1.0 - size) * (1.0 + size)).sqrt()
+        };
+        // (5.5), (5.6): twice the angle whose sine is half the chord.
+        let short = 2.0 * size.min(1.0).atan2(depth).to_degrees();
+        let sweep = match (too_small, self.large_arc) {
+            (true, _) => 180.0,
+            (false, true) => 360.0 - short,
+            (false, false) => short,
         };
         let side = if self.large_arc == self.sweep {
             -1.0
         } else {
             1.0
         };
-        // (5.2): the centre, on the perpendicular through the middle of the chord.
         let along = unit / size;
-        let across = Vec2::new(along.y, -along.x) * (side * depth);
-        let offset = Vec2::new(across.x * radii.x, across.y * radii.y);
-        let center = from.midpoint(to)
-            + Vec2::new(
-                axis.x * offset.x - axis.y * offset.y,
-                axis.y * offset.x + axis.x * offset.y,
-            );
-        // (5.5), (5.6): the start on the unit circle, and twice the angle whose sine is half the chord.
-        let start = along * size.min(1.0) - across;
-        let short = 2.0 * size.min(1.0).atan2(depth).to_degrees();
-        let sweep = if too_small {
-            180.0
-        } else if self.large_arc {
-            360.0 - short
-        } else {
-            short
-        };
-        Ok(Shape::Arc(Arc {
-            center,
-            radii: positive_radii(radii)?,
-            rotation: self.rotation,
-            start: Angle::from_radians(start.y.atan2(start.x)),
-            sweep: Angle::from_degrees(sign * sweep),
-            ends: Some([from, to]),
+        Ok(Some(Chord {
+            middle: from.midpoint(to),
+            radii: positive_radii(if too_small { radii * size } else { radii })?,
+            axis,
+            along: along * size.min(1.0),
+            across: Vec2::new(along.y, -along.x) * (side * depth),
+            sweep: if self.sweep { sweep } else { -sweep },
         }))
+    }
+}
+
+/// An elliptical arc by its chord.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Chord {
+    middle: Point,
+    /// The radii, large enough.
+    radii: Vec2,
+    axis: Vec2,
+    /// Half the chord on the unit circle, from its middle to the start.
+    along: Vec2,
+    /// From the chord's middle on the unit circle to the centre (5.2).
+    across: Vec2,
+    /// In degrees, with its sign.
+    pub(crate) sweep: f64,
+}
+
+impl Chord {
+    /// The ellipse.
+    #[inline]
+    pub(crate) fn truth(&self) -> Truth {
+        let truth = Truth {
+            center: self.middle,
+            radii: self.radii,
+            axis: self.axis,
+        };
+        Truth {
+            center: self.middle + truth.image(self.across),
+            ..truth
+        }
+    }
+
+    /// The ends on the unit circle.
+    #[inline]
+    pub(crate) fn directions(&self) -> [Vec2; 2] {
+        [self.along - self.across, -self.along - self.across]
     }
 }
 

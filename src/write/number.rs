@@ -23,14 +23,16 @@ impl Precision {
     /// digits where even all those of a coordinate as large as `largest` are not enough.
     #[must_use]
     pub fn moving_at_most(distance: f64, largest: f64) -> Self {
-        // More decimals than the coordinates have digits say nothing.
-        let useful = (15.0 - largest.max(f64::MIN_POSITIVE).log10().ceil()).clamp(0.0, 20.0) as u8;
-        let mut moved = core::f64::consts::FRAC_1_SQRT_2;
-        for decimals in 0..=useful {
-            if moved <= distance {
+        let mut scale = 1.0;
+        for decimals in 0..=20 {
+            // More decimals than the coordinates have digits say nothing.
+            if decimals > 0 && largest * scale > 1e15 {
+                break;
+            }
+            if core::f64::consts::FRAC_1_SQRT_2 / scale <= distance {
                 return Self::Fixed(decimals);
             }
-            moved /= 10.0;
+            scale *= 10.0;
         }
         Self::Full
     }

@@ -2,7 +2,7 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 
-use super::number::{decimals_of, push_shortest, round};
+use super::number::{Precision, decimals_of, push_fixed, push_shortest, round};
 use crate::curve::Curve;
 
 /// The path data of one or more curves.
@@ -49,6 +49,71 @@ pub fn push_curve(out: &mut Vec<u8>, curve: &Curve, relative: bool) {
         out.push(if relative { b'z' } else { b'Z' });
     }
 }
+
+/// Appends the absolute path data of a curve, rounding as it writes: the digits are those of [`push_curve`] of the rounded curve.
+///
+/// Nothing is appended, and the answer is no, where that does not hold: for more than 15 significant digits, for numbers in full,
+/// and where some points are `kept` from rounding.
+pub(crate) fn push_rounding(
+    out: &mut Vec<u8>,
+    curve: &Curve,
+    precision: Precision,
+    kept: bool,
+) -> bool {
+    let Precision::Fixed(decimals @ 0..=14) = precision else {
+        return false;
+    };
+    let largest = LARGEST_WHOLE[usize::from(decimals)];
+    let cubic = |segment: &PathSeg| match *segment {
+        PathSeg::Cubic(c) => Some([c.p1, c.p2, c.p3]),
+        _ => None,
+    };
+    let small = |p: Point| p.x.abs() < largest && p.y.abs() < largest;
+    let fits = curve
+        .segments
+        .iter()
+        .all(|segment| cubic(segment).is_some_and(|points| points.into_iter().all(small)));
+    let Some(start) = curve.start().filter(|&start| fits && !kept && small(start)) else {
+        return false;
+    };
+    let unit = largest / 1e15;
+    let push = |out: &mut Vec<u8>, p: Point, first: bool| {
+        for (x, separated) in [(p.x, !first), (p.y, true)] {
+            // A sign separates as well as a space does; close to zero the digits decide whether one is printed.
+            let at = out.len();
+            if separated && x > -unit {
+                out.push(b' ');
+                push_fixed(out, x, decimals);
+                if x < 0.0 && out[at + 1] == b'-' {
+                    out.remove(at);
+                }
+            } else {
+                push_fixed(out, x, decimals);
+            }
+        }
+    };
+    out.reserve(LONGEST_SEGMENT * (curve.segments.len() + 1));
+    out.push(b'M');
+    push(out, start, true);
+    for points in curve.segments.iter().filter_map(cubic) {
+        out.push(b'C');
+        for (i, p) in points.into_iter().enumerate() {
+            push(out, p, i == 0);
+        }
+    }
+    if curve.closed {
+        out.push(b'Z');
+    }
+    true
+}
+
+/// Room for the text of a segment: six numbers of at most 15 digits with their signs, points and spaces.
+const LONGEST_SEGMENT: usize = 120;
+
+/// Below these, numbers with so many decimals have at most 15 significant digits.
+const LARGEST_WHOLE: [f64; 15] = [
+    1e15, 1e14, 1e13, 1e12, 1e11, 1e10, 1e9, 1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1,
+];
 
 /// Numbers with a space between two only where the second has no sign.
 fn push_numbers(out: &mut Vec<u8>, numbers: &[f64]) {

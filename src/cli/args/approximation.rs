@@ -81,6 +81,7 @@ impl ApproximationArgs {
     /// Where the sweep is cut.
     pub(crate) fn cut(&self) -> Cut {
         match (self.segments, self.tolerance) {
+            (Some(count), _) if self.adaptive => Cut::Adaptive(count),
             (Some(count), _) => Cut::Count(count),
             (None, Some(tolerance)) => Cut::Tolerance(tolerance),
             (None, None) if self.joints.is_empty() => Cut::Quarters,

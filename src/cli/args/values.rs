@@ -71,15 +71,10 @@ pub(super) fn length(text: &str) -> Read<f64> {
 }
 
 pub(super) fn tolerance(text: &str) -> Read<Tolerance> {
-    let tolerance = match text.trim().strip_suffix('%') {
-        Some(percent) => Tolerance::Relative(number(percent)? / 100.0),
-        None => Tolerance::Absolute(number(text)?),
-    };
-    let (Tolerance::Absolute(size) | Tolerance::Relative(size)) = tolerance;
-    if size.is_finite() && size > 0.0 {
-        return Ok(tolerance);
-    }
-    Err("a tolerance is a positive, finite distance in user units, or a percentage of the larger radius like 0.01%".to_owned())
+    text.parse().map_err(|error| match error {
+        curveto::Error::Syntax { why, .. } => why,
+        other => told(&other),
+    })
 }
 
 /// Decimals, or `None` for `auto`.

@@ -1,0 +1,317 @@
+//! Joints that equalise the error of an ellipse's segments: flat ellipses need fewer of them so.
+//!
+//! An affine map M carries a radial error ρ at the parametric angle θ of the unit circle to the distance ρ w(θ) from the ellipse,
+//! measured along its normal, with
+//!
+//! ```text
+//! w(θ) = |det M| / |M u'(θ)|,   u(θ) = (cos θ, sin θ)
+//! ```
+//!
+//! (rx ry / sqrt(rx² sin²θ + ry² cos²θ) for the radii rx, ry; derived). A segment of angle d errs by about E(d) max w, E the
+//! method's peak error on the unit circle. Marching through the sweep with segments as long as an error T lets them be takes f(T)
+//! of them; f falls with T as T^(-1/order), so that the T of a whole count is found in a few steps.
+
+use super::Joints;
+use crate::error::Result;
+use crate::method::{Ends, Method, Rule, Span};
+use crate::shape::{Outline, UnitArc};
+
+/// Joints lie on multiples of this many degrees, so that their mirror images are exact.
+const GRID: f64 = 1.0 / (1 << 30) as f64;
+
+/// Where along a segment the methods err most: at both lobes and in the middle.
+const LOBES: [f64; 3] = [0.18, 0.5, 0.82];
+
+/// The most steps for the length of one segment, and for the error that makes the count whole.
+const MOST_STEPS: usize = 40;
+
+/// Beyond this count joints stay at equal angles: the error of so many segments is below the digits of a coordinate.
+const MOST: usize = 4096;
+
+/// Whether the rule's pieces join at uneven angles, each one on its own.
+pub(crate) fn serves(rule: Rule) -> bool {
+    match rule {
+        Rule::Handle(_)
+        | Rule::Method(Method::Chen1 | Method::LancasterBest | Method::LancasterDrawellipse) => {
+            false
+        }
+        Rule::Chen2Gauss2 => true,
+        Rule::Method(method) => method.card().ends == Ends::OnCircle,
+    }
+}
+
+/// The weights of a placement, and the method's error.
+pub(crate) struct Balance {
+    arc: UnitArc,
+    rule: Rule,
+    /// w(θ)^-2 = least + swing cos²(θ - axis), in degrees, over the larger radius.
+    least: f64,
+    swing: f64,
+    axis: f64,
+    order: f64,
+    largest_angle: f64,
+}
+
+impl Balance {
+    /// `None` where equal angles are best or the rule serves no others: on circles, and for methods that lean on equal pieces.
+    pub(crate) fn new(outline: &Outline, rule: Rule) -> Option<Self> {
+        if outline.truth.is_circle() || !serves(rule) {
+            return None;
+        }
+        let card = rule.method()?.card();
+        let scale = outline.truth.larger_radius();
+        let [a, b, c, d, _, _] = outline.placement.as_coeffs().map(|x| x / scale);
+        let det = a * d - b * c;
+        // |M u'|² = |first column|² sin²θ + |second|² cos²θ - 2 first·second sin θ cos θ; its extremes are det²/largest and largest.
+        let (first, second, dot) = (a * a + b * b, c * c + d * d, a * c + b * d);
+        let (even, odd) = ((second - first) / 2.0, -dot);
+        let swing = even.hypot(odd);
+        Some(Self {
+            arc: outline.unit,
+            rule,
+            least: 1.0 / (f64::midpoint(first, second) + swing),
+            swing: 2.0 * swing / (det * det),
+            // A placement by radii and a rotation has its axes at 0 and 90 degrees; rounding must not turn them.
+            axis: if odd.abs() > 1e-14 * even.abs() {
+                odd.atan2(even).to_degrees() / 2.0
+            } else if even < 0.0 {
+                90.0
+            } else {
+                0.0
+            },
+            order: f64::from(card.order),
+            largest_angle: card.largest_angle,
+        })
+    }
+
+    /// w at an angle in degrees, over the larger radius.
+    fn weight(&self, degrees: f64) -> f64 {
+        let cos = (degrees - self.axis).to_radians().cos();
+        (self.least + self.swing * cos * cos).sqrt().recip()
+    }
+
+    /// The error of a segment of `size` degrees that begins `way` degrees after the start.
+    fn error(&self, way: f64, size: f64) -> f64 {
+        let sign = 1.0_f64.copysign(self.arc.sweep.degrees());
+        let error = self.rule.radial_error(&Span::from_degrees(size));
+        let weight = LOBES
+            .map(|part| self.weight(self.arc.start.degrees() + sign * (way + part * size)))
+            .into_iter()
+            .fold(0.0, f64::max);
+        error.map_or(f64::INFINITY, |error| error.peak() * weight)
+    }
+
+    /// The longest segment from `way` whose error is `allowed`, starting the search from `guess`.
+    fn longest(&self, way: f64, allowed: f64, guess: f64) -> f64 {
+        let mut size = guess.min(self.largest_angle);
+        for _ in 0..MOST_STEPS {
+            let factor = (allowed / self.error(way, size)).powf(1.0 / self.order);
+            let next = (size * factor.clamp(0.25, 4.0)).min(self.largest_angle);
+            let settled = (next - size).abs() <= 1e-7 * size;
+            size = next;
+            if settled {
+                break;
+            }
+        }
+        size
+    }
+
+    /// How many segments of this error the way takes, the last one counted by its part; their joints.
+    fn march(&self, whole: f64, allowed: f64, joints: &mut Vec<f64>) -> f64 {
+        joints.clear();
+        joints.push(0.0);
+        let (mut way, mut size) = (0.0, whole.min(30.0));
+        loop {
+            size = self
+                .longest(way, allowed, size)
+                .max(whole / (4 * MOST) as f64);
+            let left = whole - way;
+            if size >= left || joints.len() > 2 * MOST {
+                return (joints.len() - 1) as f64 + left / size;
+            }
+            way += size;
+            joints.push(way);
+        }
+    }
+
+    /// Whether a closed shape starts on an axis, so that its halves mirror one another.
+    fn mirrors(&self) -> bool {
+        self.arc.closed && self.on_axis(self.arc.start.degrees())
+    }
+
+    /// Whether an angle lies on an axis of the ellipse.
+    fn on_axis(&self, degrees: f64) -> bool {
+        (degrees - self.axis) % 90.0 == 0.0
+    }
+
+    /// The part of the sweep that is computed: half of it where the other half is its mirror image.
+    fn computed(&self, mirrored: bool) -> f64 {
+        self.arc.sweep.degrees().abs() / if mirrored { 2.0 } else { 1.0 }
+    }
+
+    /// By how much one may count on: closed shapes that mirror keep an even number.
+    pub(crate) fn stride(&self) -> usize {
+        if self.mirrors() { 2 } else { 1 }
+    }
+
+    /// The fewest segments, by the weights, whose error is within `allowed` of the larger radius; a multiple of the stride.
+    pub(crate) fn fewest(&self, allowed: f64) -> usize {
+        let stride = self.stride();
+        let count = self.march(self.computed(stride == 2), allowed, &mut Vec::new());
+        // The weights are right to the square of the error only.
+        stride * ((0.995 * count).ceil() as usize).max(1)
+    }
+
+    /// Joints that equalise the error of so many segments; an even number of a closed shape's mirror in both axes.
+    ///
+    /// # Errors
+    ///
+    /// As [`Joints::equal`], whose joints these are where so few segments have no room to differ.
+    pub(crate) fn joints(&self, count: usize) -> Result<Joints> {
+        let equal = Joints::equal(&self.arc, count)?;
+        let mirrored = self.mirrors() && count.is_multiple_of(2);
+        let pieces = if mirrored { count / 2 } else { count };
+        if count > MOST || pieces < 2 {
+            return Ok(equal);
+        }
+        let whole = self.computed(mirrored);
+        let Some(mut ways) = self.equalised(whole, pieces) else {
+            return Ok(equal);
+        };
+        let middle = self.arc.start.degrees() + whole.copysign(self.arc.sweep.degrees()) / 2.0;
+        let symmetric = self.on_axis(middle);
+        for i in 1..=pieces / 2 {
+            let opposite = pieces - i;
+            let mut pair = [ways[i], ways[opposite]];
+            if symmetric {
+                let way = f64::midpoint(pair[0], whole - pair[1]);
+                pair = [way, whole - way];
+            }
+            let on_grid = |way: f64| (way / GRID).round() * GRID;
+            ways[i] = on_grid(pair[0]);
+            ways[opposite] = if symmetric {
+                whole - ways[i]
+            } else {
+                on_grid(pair[1])
+            };
+        }
+        if mirrored {
+            for i in (0..pieces).rev() {
+                ways.push(2.0 * whole - ways[i]);
+            }
+        }
+        Ok(Joints::after(&self.arc, &ways))
+    }
+
+    /// The ways of so many segments of equal error, both ends included; `None` where the method's largest angle forbids it.
+    fn equalised(&self, whole: f64, pieces: usize) -> Option<Vec<f64>> {
+        let count = pieces as f64;
+        let mut joints = Vec::with_capacity(pieces + 1);
+        let mut allowed = self.error(0.0, whole / count);
+        for _ in 0..MOST_STEPS {
+            let taken = self.march(whole, allowed, &mut joints);
+            if (taken / count - 1.0).abs() <= 1e-7 {
+                joints.truncate(pieces);
+                joints.push(whole);
+                return (joints.len() == pieces + 1).then_some(joints);
+            }
+            allowed *= (taken / count).powf(self.order).clamp(1e-3, 1e3);
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Angle, Cut, Ellipse, Options, Shape, Tolerance, approximate};
+
+    fn ellipse(flatness: f64) -> Shape {
+        Shape::Ellipse(Ellipse::new((0.0, 0.0), (3.0, 3.0 * flatness), Angle::ZERO).unwrap())
+    }
+
+    fn draw(shape: &Shape, cut: Cut) -> crate::Drawing {
+        let options = Options {
+            cut,
+            ..Options::default()
+        };
+        approximate(shape, &options).unwrap()
+    }
+
+    #[test]
+    fn the_law_of_many_segments_is_the_mean_sixth_root_of_the_weight() {
+        for (flatness, ratio) in [(0.5, 0.94), (0.2, 0.84), (0.1, 0.76), (0.01, 0.53)] {
+            let balance = Balance::new(&ellipse(flatness).outline().unwrap(), Rule::default());
+            let balance = balance.unwrap();
+            let allowed = 1e-22;
+            let equal = 360.0 / balance.longest(0.0, allowed, 0.1);
+            let ours = 2.0 * balance.march(180.0, allowed, &mut Vec::new());
+            assert!(
+                (ours / equal - ratio).abs() < 0.006,
+                "{flatness}: {ours} of {equal}"
+            );
+        }
+    }
+
+    #[test]
+    fn flat_ellipses_need_fewer_segments_within_the_tolerance() {
+        for (flatness, most) in [(0.5, 0.98), (0.2, 0.87), (0.1, 0.81), (0.01, 0.69)] {
+            let shape = ellipse(flatness);
+            let tolerance = 3e-10;
+            let equal = (2..1000)
+                .find(|&count| draw(&shape, Cut::Count(count)).error.peak() <= tolerance)
+                .unwrap();
+            let drawing = draw(&shape, Cut::Tolerance(Tolerance::Absolute(tolerance)));
+            assert!(drawing.error.peak() <= tolerance);
+            let ours = drawing.curve.segments.len() as f64;
+            assert!(ours <= most * equal as f64, "{flatness}: {ours} of {equal}");
+        }
+    }
+
+    #[test]
+    fn equal_angles_are_never_better() {
+        for flatness in [0.99, 0.9, 0.6, 0.3, 0.1] {
+            let shape = ellipse(flatness);
+            for tolerance in [0.3, 0.1, 1e-2, 2e-3, 1e-4, 1e-6] {
+                let ours = draw(&shape, Cut::Tolerance(Tolerance::Absolute(tolerance)));
+                assert!(ours.error.peak() <= tolerance);
+                for fewer in 2..ours.curve.segments.len() {
+                    let equal = draw(&shape, Cut::Count(fewer));
+                    assert!(
+                        equal.error.peak() > tolerance,
+                        "{flatness} {tolerance} {fewer}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn peaks_are_equal_and_joints_mirror() {
+        for (flatness, count) in [(0.5, 8), (0.1, 10), (0.03, 14), (0.1, 9)] {
+            let options = Options {
+                cut: Cut::Adaptive(count),
+                precision: Some(crate::write::number::Precision::Full),
+                ..Options::default()
+            };
+            let drawing = approximate(&ellipse(flatness), &options).unwrap();
+            let truth = drawing.outline.unwrap().truth;
+            let peaks: Vec<f64> = drawing
+                .curve
+                .segments
+                .iter()
+                .map(|segment| crate::measure::radial::error([segment], &truth).peak())
+                .collect();
+            let least = peaks.iter().copied().fold(f64::INFINITY, f64::min);
+            let largest = peaks.iter().copied().fold(0.0, f64::max);
+            assert!(largest / least < 1.15, "{flatness} {count}: {peaks:?}");
+            let angles = &drawing.angles;
+            for i in 0..=count {
+                assert_eq!(angles[i] + angles[count - i], 360.0);
+                if count % 2 == 0 && i <= count / 2 {
+                    assert_eq!(angles[i] + angles[count / 2 - i], 180.0);
+                }
+            }
+        }
+    }
+}
