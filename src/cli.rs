@@ -1,6 +1,7 @@
 //! The command line: words to library calls, results to bytes, errors to messages and exit codes.
 
 mod args;
+mod batch;
 mod convert;
 mod draw;
 mod failure;
@@ -43,6 +44,7 @@ fn run(command: Command) -> Outcome {
         Command::Circle(args) => draw::circle(&args),
         Command::Ellipse(args) => draw::ellipse(&args),
         Command::Arc(args) => draw::arc(&args),
+        Command::Batch(args) => batch::run(&args),
         Command::Spline(args) => spline::run(&args),
         Command::Sphere(args) => sphere::run(&args),
         Command::Procset(args) => procset::run(&args),

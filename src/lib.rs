@@ -19,6 +19,7 @@
 
 pub mod angle;
 pub mod approximate;
+pub mod batch;
 pub mod curve;
 pub mod document;
 pub mod engine;

@@ -225,24 +225,6 @@ fn every_format_has_the_hidden_halves_only_where_they_are_asked_for() {
 }
 
 #[test]
-fn pictures_group_what_is_before_and_behind_the_limb() {
-    let svg = printed(&["100", "-f", "svg"]);
-    for class in ["outline", "back", "front"] {
-        assert_eq!(svg.matches(&format!("<g class=\"{class}\"")).count(), 1);
-    }
-    assert_eq!(svg.matches("stroke-dasharray").count(), 1);
-    assert!(svg.contains("in space within 0.0196 of the true circles"));
-    // A fill is that of the outline and not of every arc upon it.
-    let filled = printed(&["100", "-f", "svg", "--fill", "#abcdef"]);
-    assert_eq!(filled.matches("#abcdef").count(), 1);
-    let png = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(["sphere", "100", "-f", "png"])
-        .output()
-        .unwrap();
-    assert!(png.stdout.starts_with(b"\x89PNG") && png.stdout.len() > 5000);
-}
-
-#[test]
 fn north_is_up_on_canvas_and_page() {
     // Seen from latitude 60 the parallel of latitude 45 is whole, and begins below the middle on its own meridian.
     let options = [

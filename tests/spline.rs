@@ -291,53 +291,6 @@ fn a_curve_through_points_on_a_line_is_that_line() {
 }
 
 #[test]
-fn formulation_1_commutes_with_affine_maps() {
-    let map = Affine::new([2.0, 0.5, -1.0, 3.0, 10.0, -7.0]);
-    for ends in [Ends::Cyclic, Ends::Free] {
-        let options = Options {
-            ends,
-            ..Options::default()
-        };
-        let points = scattered(30);
-        let mapped = points.iter().map(|&p| map * p).collect();
-        let spline = Spline::new(points, options).unwrap();
-        let of_mapped = Spline::new(mapped, options).unwrap();
-        for (a, b) in spline.segments().zip(of_mapped.segments()) {
-            let a = map * a;
-            assert!(a.p1.distance(b.p1) < 1e-12 && a.p2.distance(b.p2) < 1e-12);
-        }
-    }
-}
-
-#[test]
-fn the_curve_is_the_same_from_either_end() {
-    let parametrizations = [
-        Parametrization::Uniform,
-        Parametrization::Chord,
-        Parametrization::Centripetal,
-        ARC_LENGTH,
-    ];
-    for parametrization in parametrizations {
-        for unit_tangents in [false, true] {
-            let options = Options {
-                parametrization,
-                ends: Ends::Cyclic,
-                unit_tangents,
-            };
-            let points = scattered(25);
-            let reversed = points.iter().rev().copied().collect();
-            let there: Vec<CubicBez> = Spline::new(points, options).unwrap().segments().collect();
-            let back: Vec<CubicBez> = Spline::new(reversed, options).unwrap().segments().collect();
-            // The segment that closes the curve is the last one either way.
-            for (a, b) in there[..24].iter().zip(back[..24].iter().rev()) {
-                assert!(a.p1.distance(b.p2) < 1e-11 && a.p2.distance(b.p1) < 1e-11);
-            }
-            assert!(there[24].p1.distance(back[24].p2) < 1e-11);
-        }
-    }
-}
-
-#[test]
 fn a_hundred_thousand_points_are_passed_through_digit_for_digit() {
     let points = scattered(100_000);
     let spline = Spline::new(points.clone(), Options::default()).unwrap();

@@ -1,6 +1,7 @@
 //! The words of the command line, as clap reads them; nothing is computed here.
 
 mod approximation;
+mod batch;
 mod convert;
 pub(crate) mod methods;
 mod output;
@@ -11,6 +12,7 @@ mod spline;
 mod values;
 
 pub(crate) use approximation::ApproximationArgs;
+pub(crate) use batch::BatchArgs;
 pub(crate) use convert::{ConvertArgs, DestinationArgs, Report};
 pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
@@ -45,6 +47,8 @@ pub(crate) enum Command {
     Ellipse(Draw<EllipseShape>),
     /// Draw an arc of a circle or an ellipse
     Arc(Draw<ArcShape>),
+    /// Draw the shapes of a stream, one a line in, one a line out
+    Batch(BatchArgs),
     /// Draw a composite parametric cubic curve through points, after Chen
     Spline(SplineArgs),
     /// Draw the parallels and meridians of a sphere, after Chen's Figure 1

@@ -1,0 +1,260 @@
+//! Lines in, lines out: any number of shapes from a stream in bounded memory, in order, on several threads.
+//!
+//! Input is taken as it comes. What one read returns is answered as far as it has whole lines, and the answers are written and
+//! flushed before the next read is waited for, so that a program on the other end of two pipes gets its answer at once.
+//! With several threads the chunks go to them in turn and come back in turn: that alone keeps the order, and each queue holds
+//! a few chunks only.
+
+mod lines;
+
+use std::io::{self, Read, Write};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread;
+
+use crate::error::Error;
+use crate::joints::Cut;
+use crate::method::Rule;
+use crate::write::Format;
+use crate::write::number::Precision;
+
+pub use lines::Worker;
+
+/// How much is read at once.
+const CHUNK: usize = 1 << 16;
+/// The longest line.
+const LONGEST_LINE: usize = 1 << 22;
+/// How many chunks wait before and behind each thread.
+const QUEUE: usize = 4;
+
+/// How lines are answered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// `Path`, `Json` or `Ps`; each answer is one line.
+    pub format: Format,
+    /// What gives the control points where a line names no method.
+    pub rule: Rule,
+    /// Where sweeps are cut where a line does not say.
+    pub cut: Cut,
+    /// How control points are rounded; `None` as in [`crate::approximate::Options`], but in full for JSON.
+    pub precision: Option<Precision>,
+    /// What becomes of a line that cannot be drawn.
+    pub on_error: OnError,
+    /// How many threads, at least one.
+    pub jobs: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            format: Format::Path,
+            rule: Rule::default(),
+            cut: Cut::default(),
+            precision: None,
+            on_error: OnError::Stop,
+            jobs: 1,
+        }
+    }
+}
+
+/// What becomes of a line that cannot be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum OnError {
+    /// It ends the run; the answers to all lines before it are written.
+    #[default]
+    Stop,
+    /// It has no answer.
+    Skip,
+    /// Its answer is a blank line, so that the lines of output and input correspond.
+    Blank,
+}
+
+/// How a run went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Summary {
+    /// The lines that were read, up to the one that ended the run.
+    pub lines: u64,
+    /// The lines that could not be drawn.
+    pub failed: u64,
+}
+
+/// The answers to the lines of one chunk.
+#[derive(Debug, Default)]
+pub struct Answers {
+    /// As they are to be written.
+    pub text: Vec<u8>,
+    /// How many lines were read.
+    pub lines: u64,
+    /// What could not be drawn, with its line counted from 1 within the chunk.
+    pub failures: Vec<(u64, Error)>,
+}
+
+/// Answers every line of `input` and writes the answers to `output`; `complain` gets the number of each line that cannot be drawn.
+///
+/// Blank lines, and lines that begin with `#`, give a blank line.
+///
+/// The threads outlive the call where it ends early while `input` keeps them waiting.
+///
+/// # Errors
+///
+/// Where reading or writing fails, and [`io::ErrorKind::InvalidData`] for a line longer than 4 MiB.
+///
+/// ```
+/// use curveto::batch::{Options, run};
+/// let mut out = Vec::new();
+/// let summary = run(&b"circle 0 0 50\n\narc 0 0 1 0 90\n"[..], &mut out, &Options::default(), |_, _| ())?;
+/// assert_eq!(summary.lines, 3);
+/// assert!(out.starts_with(b"M50 0C50 27.596 27.596 50 0 50C"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn run(
+    input: impl Read + Send + 'static,
+    output: impl Write,
+    options: &Options,
+    complain: impl FnMut(u64, &Error),
+) -> io::Result<Summary> {
+    let mut writer = Writer {
+        output,
+        complain,
+        stop: options.on_error == OnError::Stop,
+        summary: Summary::default(),
+    };
+    let mut chunks = Chunks::new(input);
+    if options.jobs <= 1 {
+        let mut worker = Worker::new(options.clone());
+        let mut answers = Answers::default();
+        while let Some(chunk) = chunks.next_chunk()? {
+            worker.answer(chunk, &mut answers);
+            if !writer.write(&answers)? {
+                break;
+            }
+        }
+        return Ok(writer.summary);
+    }
+    let (jobs, results) = start_threads(options);
+    let reader = thread::spawn(move || {
+        for job in jobs.iter().cycle() {
+            match chunks.next_chunk() {
+                Ok(Some(chunk)) if job.send(chunk.to_vec()).is_ok() => {}
+                Ok(_) => return Ok(()),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    });
+    for result in results.iter().cycle() {
+        match result.recv() {
+            Ok(answers) => {
+                if !writer.write(&answers)? {
+                    return Ok(writer.summary);
+                }
+            }
+            Err(_) => break,
+        }
+    }
+    // The queues run dry only when the reader is done.
+    match reader.join() {
+        Ok(done) => done.map(|()| writer.summary),
+        Err(_) => Err(io::Error::other("the reading thread failed")),
+    }
+}
+
+/// Threads that answer chunks: one queue into each and one out of it.
+fn start_threads(options: &Options) -> (Vec<SyncSender<Vec<u8>>>, Vec<Receiver<Answers>>) {
+    let options = Arc::new(options.clone());
+    (0..options.jobs)
+        .map(|_| {
+            let (job, jobs) = sync_channel::<Vec<u8>>(QUEUE);
+            let (result, results) = sync_channel(QUEUE);
+            let options = Arc::clone(&options);
+            thread::spawn(move || {
+                let mut worker = Worker::new((*options).clone());
+                for chunk in jobs {
+                    let mut answers = Answers::default();
+                    worker.answer(&chunk, &mut answers);
+                    if result.send(answers).is_err() {
+                        break;
+                    }
+                }
+            });
+            (job, results)
+        })
+        .unzip()
+}
+
+/// The end of the way: writes, counts and complains.
+struct Writer<W, C> {
+    output: W,
+    complain: C,
+    stop: bool,
+    summary: Summary,
+}
+
+impl<W: Write, C: FnMut(u64, &Error)> Writer<W, C> {
+    /// Whether to go on.
+    fn write(&mut self, answers: &Answers) -> io::Result<bool> {
+        self.output.write_all(&answers.text)?;
+        self.output.flush()?;
+        for (line, error) in &answers.failures {
+            (self.complain)(self.summary.lines + line, error);
+        }
+        self.summary.lines += answers.lines;
+        self.summary.failed += answers.failures.len() as u64;
+        Ok(!self.stop || answers.failures.is_empty())
+    }
+}
+
+/// The input in whole lines, as much as a read returns at a time.
+struct Chunks<R> {
+    input: R,
+    buffer: Vec<u8>,
+    /// How much of the buffer is filled, and how much of that was handed out.
+    filled: usize,
+    taken: usize,
+    ended: bool,
+}
+
+impl<R: Read> Chunks<R> {
+    fn new(input: R) -> Self {
+        Self {
+            input,
+            buffer: vec![0; 2 * CHUNK],
+            filled: 0,
+            taken: 0,
+            ended: false,
+        }
+    }
+
+    /// The next whole lines; at the end a last one may lack its newline.
+    fn next_chunk(&mut self) -> io::Result<Option<&[u8]>> {
+        self.buffer.copy_within(self.taken..self.filled, 0);
+        self.filled -= self.taken;
+        self.taken = 0;
+        let mut searched = 0;
+        while !self.ended {
+            if self.buffer.len() - self.filled < CHUNK {
+                if self.filled > LONGEST_LINE {
+                    return Err(io::Error::new(
+                        io::ErrorKind::InvalidData,
+                        "a line is longer than 4 MiB",
+                    ));
+                }
+                self.buffer.resize(self.filled + 2 * CHUNK, 0);
+            }
+            match self.input.read(&mut self.buffer[self.filled..]) {
+                Ok(0) => self.ended = true,
+                Ok(count) => self.filled += count,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(error),
+            }
+            let new = &self.buffer[searched..self.filled];
+            if let Some(at) = new.iter().rposition(|&byte| byte == b'\n') {
+                self.taken = searched + at + 1;
+                return Ok(Some(&self.buffer[..self.taken]));
+            }
+            searched = self.filled;
+        }
+        self.taken = self.filled;
+        Ok((self.filled > 0).then(|| &self.buffer[..self.filled]))
+    }
+}

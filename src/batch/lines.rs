@@ -1,0 +1,152 @@
+//! One line's answer.
+
+use kurbo::Affine;
+
+use super::{Answers, OnError, Options};
+use crate::angle::Angle;
+use crate::approximate::{self, approximate, sketch};
+use crate::error::{Error, Result};
+use crate::method::Rule;
+use crate::shape::Shape;
+use crate::shape::spec::Spec;
+use crate::write::number::Precision;
+use crate::write::{Format, json, path, postscript};
+
+/// Answers lines, one at a time.
+#[derive(Debug)]
+pub struct Worker {
+    format: Format,
+    on_error: OnError,
+    /// What holds where a line does not say otherwise.
+    options: approximate::Options,
+}
+
+impl Worker {
+    /// A worker with these options.
+    #[must_use]
+    pub fn new(options: Options) -> Self {
+        let precision = match options.format {
+            Format::Json => options.precision.or(Some(Precision::Full)),
+            _ => options.precision,
+        };
+        Self {
+            format: options.format,
+            on_error: options.on_error,
+            options: approximate::Options {
+                rule: options.rule,
+                cut: options.cut,
+                precision,
+                transform: Affine::IDENTITY,
+            },
+        }
+    }
+
+    /// Answers whole lines; with [`OnError::Stop`] those up to the first that cannot be drawn.
+    pub fn answer(&mut self, chunk: &[u8], answers: &mut Answers) {
+        answers.text.clear();
+        answers.failures.clear();
+        answers.lines = 0;
+        // Most answers are some times as long as their line.
+        answers.text.reserve(4 * chunk.len());
+        let whole = chunk.strip_suffix(b"\n").unwrap_or(chunk);
+        for line in whole.split(|&byte| byte == b'\n') {
+            answers.lines += 1;
+            let start = answers.text.len();
+            let Err(error) = self.push_answer(line, &mut answers.text) else {
+                answers.text.push(b'\n');
+                continue;
+            };
+            answers.text.truncate(start);
+            answers.failures.push((answers.lines, error));
+            match self.on_error {
+                OnError::Stop => return,
+                OnError::Skip => {}
+                OnError::Blank => answers.text.push(b'\n'),
+            }
+        }
+    }
+
+    /// Appends the answer to one line, without the newline.
+    fn push_answer(&mut self, line: &[u8], out: &mut Vec<u8>) -> Result<()> {
+        let line = line.trim_ascii();
+        if line.is_empty() || line[0] == b'#' {
+            return Ok(());
+        }
+        let line = str::from_utf8(line).map_err(|error| Error::Syntax {
+            what: "the shape",
+            text: String::from_utf8_lossy(line).into_owned(),
+            column: error.valid_up_to() + 1,
+            why: "the line is not UTF-8".to_owned(),
+        })?;
+        let spec = Spec::parse(line)?;
+        if spec.method.is_none() && spec.cut.is_none() {
+            return push_shape(out, &spec, self.format, &self.options);
+        }
+        let options = approximate::Options {
+            rule: spec.method.map_or(self.options.rule, Rule::Method),
+            cut: spec.cut.clone().unwrap_or_else(|| self.options.cut.clone()),
+            ..self.options
+        };
+        push_shape(out, &spec, self.format, &options)
+    }
+}
+
+fn push_shape(
+    out: &mut Vec<u8>,
+    spec: &Spec,
+    format: Format,
+    options: &approximate::Options,
+) -> Result<()> {
+    match format {
+        Format::Json => push_json(out, spec, options),
+        Format::Ps => {
+            let start = out.len();
+            let curve = sketch(&as_drawellipse(spec.shape), options)?.rounded();
+            postscript::push_operators(out, &curve);
+            // One line an answer: PostScript takes any white space between its words.
+            for byte in &mut out[start..] {
+                if *byte == b'\n' {
+                    *byte = b' ';
+                }
+            }
+            if out.len() > start {
+                out.pop();
+            }
+            Ok(())
+        }
+        _ => {
+            let sketch = sketch(&spec.shape, options)?;
+            if !path::push_rounding(out, &sketch.curve, sketch.precision, sketch.kept.is_some()) {
+                path::push_curve(out, &sketch.rounded(), false);
+            }
+            Ok(())
+        }
+    }
+}
+
+/// Closed shapes start and run as Lancaster's `drawellipse` does, as everywhere in PostScript.
+fn as_drawellipse(mut shape: Shape) -> Shape {
+    let half = Angle::from_degrees(180.0);
+    match &mut shape {
+        Shape::Circle(circle) => (circle.start, circle.reverse) = (half, true),
+        Shape::Ellipse(ellipse) => (ellipse.start, ellipse.reverse) = (half, true),
+        _ => {}
+    }
+    shape
+}
+
+fn push_json(out: &mut Vec<u8>, spec: &Spec, options: &approximate::Options) -> Result<()> {
+    let drawing = approximate(&spec.shape, options)?;
+    let document = json::DrawingDocument::from(&drawing);
+    let text = json::to_line(&document).map_err(|error| Error::Shape(error.to_string()))?;
+    match spec.id {
+        Some(id) => {
+            out.extend_from_slice(b"{\"id\":");
+            out.extend_from_slice(id.as_bytes());
+            out.push(b',');
+            out.extend_from_slice(&text.as_bytes()[1..]);
+        }
+        None => out.extend_from_slice(text.as_bytes()),
+    }
+    Ok(())
+}
