@@ -72,11 +72,12 @@ proptest! {
                 let off = (peak - drawing.error.peak()).abs();
                 prop_assert!(off <= 1e-12 * radius, "{method}: {peak:e} stated as {:e}", drawing.error.peak());
                 let fewer = drawing.curve.segments.len() - 1;
-                // With -p auto the decimals follow from the count and the tolerance, as they would for fewer segments.
-                if fewer > 0 && let Ok(fewer) = approximate(&shape, &options(Cut::Count(fewer))) {
-                    let fixed = Some(drawing.precision);
-                    let exact = Options { precision: precision.or(fixed), ..options(Cut::Count(fewer.curve.segments.len())) };
-                    let fewer = approximate(&shape, &exact).unwrap();
+                // With fewer segments the error is beyond the tolerance, so that -p auto takes its decimals from that.
+                let finest = (0..18).find(|&d| 10_f64.powi(-d) / 2_f64.sqrt() <= absolute / 10.0).unwrap();
+                let precision = precision.unwrap_or(Precision::Fixed(finest as u8));
+                if fewer > 0 {
+                    let exact = Options { precision: Some(precision), ..options(Cut::Count(fewer)) };
+                    let Ok(fewer) = approximate(&shape, &exact) else { return Ok(()) };
                     prop_assert!(fewer.error.peak() > absolute, "{method}: {} segments would do", fewer.curve.segments.len());
                 }
             }
