@@ -39,26 +39,40 @@ fn skip_digits(bytes: &[u8], mut at: usize) -> usize {
 }
 
 /// The number at `bytes[at..]` and the index behind it; `None` where none begins or where it is not finite.
+#[inline]
 pub(super) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
-    let end = skip(bytes, at)?;
-    let text = &bytes[at..end];
-    // Up to 19 digits never wrap; a mantissa below 2^53 and an exact power give the correctly rounded quotient.
-    if text.len() <= 19 {
-        let (mut mantissa, mut point, mut plain) = (0_u64, text.len(), true);
-        for (i, byte) in text.iter().enumerate() {
-            match byte {
-                b'0'..=b'9' => mantissa = mantissa * 10 + u64::from(byte - b'0'),
-                b'.' => point = i + 1,
-                b'-' | b'+' if i == 0 => {}
-                _ => plain = false,
-            }
-        }
-        if plain && mantissa < 1 << 53 {
-            let value = mantissa as f64 / EXACT_POWERS[text.len() - point];
-            return Some((if text[0] == b'-' { -value } else { value }, end));
-        }
+    let digit = |i: usize| {
+        bytes
+            .get(i)
+            .map(|byte| byte.wrapping_sub(b'0'))
+            .filter(|digit| *digit < 10)
+    };
+    let whole = at + usize::from(matches!(bytes.get(at), Some(b'-' | b'+')));
+    let (mut end, mut mantissa, mut decimals) = (whole, 0_u64, 0);
+    while let Some(next) = digit(end) {
+        mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(next));
+        end += 1;
     }
-    let value: f64 = core::str::from_utf8(text).ok()?.parse().ok()?;
+    if bytes.get(end) == Some(&b'.') && digit(end + 1).is_some() {
+        let fraction = end + 1;
+        end = fraction;
+        while let Some(next) = digit(end) {
+            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(next));
+            end += 1;
+        }
+        decimals = end - fraction;
+    }
+    // Up to 19 digits never wrap; a mantissa below 2^53 and an exact power give the correctly rounded quotient.
+    let plain = end > whole
+        && end - at <= 19
+        && mantissa < 1 << 53
+        && !matches!(bytes.get(end), Some(b'e' | b'E'));
+    if plain && let Some(power) = EXACT_POWERS.get(decimals) {
+        let value = mantissa as f64 / power;
+        return Some((if bytes[at] == b'-' { -value } else { value }, end));
+    }
+    let end = skip(bytes, at)?;
+    let value: f64 = core::str::from_utf8(&bytes[at..end]).ok()?.parse().ok()?;
     value.is_finite().then_some((value, end))
 }
 

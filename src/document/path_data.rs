@@ -99,6 +99,29 @@ const fn is_separator(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | 0x0c | b',')
 }
 
+#[inline]
+fn behind_space(bytes: &[u8], mut at: usize) -> usize {
+    while let Some(b' ' | b'\t' | b'\n' | b'\r' | 0x0c) = bytes.get(at) {
+        at += 1;
+    }
+    at
+}
+
+/// The index behind white space with at most one comma.
+#[inline]
+fn behind_separator(bytes: &[u8], at: usize) -> usize {
+    // Digits, points and minus signs lie above, white space and commas do not.
+    if bytes.get(at).is_some_and(|byte| *byte > b',') {
+        return at;
+    }
+    let at = behind_space(bytes, at);
+    if bytes.get(at) == Some(&b',') {
+        behind_space(bytes, at + 1)
+    } else {
+        at
+    }
+}
+
 impl<'a> Segments<'a> {
     pub(super) const fn new(text: &'a str) -> Self {
         Self {
@@ -115,33 +138,9 @@ impl<'a> Segments<'a> {
         self.error
     }
 
-    fn skip_space(&mut self) {
-        while let Some(b' ' | b'\t' | b'\n' | b'\r' | 0x0c) = self.bytes.get(self.at) {
-            self.at += 1;
-        }
-    }
-
-    /// White space with at most one comma.
     #[inline]
-    fn skip_separator(&mut self) {
-        // Digits, points and minus signs lie above, white space and commas do not.
-        if self.bytes.get(self.at).is_some_and(|byte| *byte > b',') {
-            return;
-        }
-        self.skip_space();
-        if self.bytes.get(self.at) == Some(&b',') {
-            self.at += 1;
-            self.skip_space();
-        }
-    }
-
-    fn skip_flag(&mut self) -> Option<()> {
-        matches!(self.bytes.get(self.at)?, b'0' | b'1').then(|| self.at += 1)
-    }
-
-    fn skip_number(&mut self) -> Option<()> {
-        self.at = number::skip(self.bytes, self.at)?;
-        Some(())
+    fn skip_space(&mut self) {
+        self.at = behind_space(self.bytes, self.at);
     }
 
     /// The arguments of a command whose letter has been read; `None` at an error.
@@ -156,20 +155,22 @@ impl<'a> Segments<'a> {
             tail: self.at,
             end: self.at,
         };
+        let mut at = self.at;
         for index in 0..count {
             if index > 0 {
-                self.skip_separator();
+                at = behind_separator(self.bytes, at);
             }
             if index == tail_index {
-                segment.tail = self.at;
+                segment.tail = at;
             }
-            if is_flag(kind, index) {
-                self.skip_flag()?;
+            at = if is_flag(kind, index) {
+                matches!(self.bytes.get(at), Some(b'0' | b'1')).then_some(at + 1)?
             } else {
-                self.skip_number()?;
-            }
-            segment.end = self.at;
+                number::skip(self.bytes, at)?
+            };
+            segment.end = at;
         }
+        self.at = at;
         if count == 0 {
             segment.end = start + 1;
         }
@@ -205,7 +206,7 @@ impl<'a> Segments<'a> {
     /// A further set of arguments for the last letter.
     fn repetition(&mut self) -> Option<Segment> {
         let letter = self.repeated?;
-        self.skip_separator();
+        self.at = behind_separator(self.bytes, self.at);
         self.segment(letter, false, self.at)
     }
 
