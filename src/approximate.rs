@@ -459,7 +459,7 @@ impl<'a> Request<'a> {
 }
 
 /// The angle between the tangents of two segments where they join, in degrees.
-fn turn(before: &PathSeg, after: &PathSeg) -> f64 {
+pub(crate) fn turn(before: &PathSeg, after: &PathSeg) -> f64 {
     let (incoming, outgoing) = (before.reverse(), *after);
     let (incoming, outgoing) = (-first_direction(&incoming), first_direction(&outgoing));
     incoming
@@ -469,7 +469,7 @@ fn turn(before: &PathSeg, after: &PathSeg) -> f64 {
 }
 
 /// The direction in which a segment leaves its first point.
-fn first_direction(segment: &PathSeg) -> Vec2 {
+pub(crate) fn first_direction(segment: &PathSeg) -> Vec2 {
     let points = crate::curve::control_points(segment);
     points
         .iter()

@@ -28,6 +28,7 @@ pub mod joints;
 pub mod measure;
 pub mod method;
 pub mod power;
+pub mod read;
 pub mod shape;
 pub mod sphere;
 pub mod spline;

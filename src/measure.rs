@@ -1,8 +1,20 @@
 //! How far a finished curve strays from the exact shape. It reads points and nothing of the method that made them, so that it
 //! judges any method, rounded output, and curves that others made.
 
+pub(crate) mod bernstein;
+pub mod continuity;
+pub mod curvature;
 pub(crate) mod exact;
+pub mod extent;
+pub mod fit;
+pub mod profile;
 pub mod radial;
+pub mod reference;
+pub mod report;
+
+pub use profile::Quantity;
+pub use reference::Reference;
+pub use report::{Report, report};
 
 use serde::Serialize;
 

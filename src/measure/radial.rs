@@ -5,18 +5,18 @@
 //! derivative. On an ellipse the true distance along the normal is taken, from the nearest point; its extremes are roots of the
 //! derivative of the distance, bracketed on a grid.
 
+use core::iter;
+
 use kurbo::{ParamCurve, ParamCurveDeriv, PathSeg, Point, Vec2};
 
 use super::RadialError;
+use super::bernstein::{Parameters, Polynomial, binomial};
 use super::exact::Double;
-use crate::method::numeric::root_within;
+use crate::method::numeric::{adaptive_integral, root};
 use crate::shape::Truth;
 
 /// How many brackets the search on an ellipse divides a segment into; a cubic's distance has at most six extremes.
 const BRACKETS: u32 = 32;
-
-/// How closely extremes are located: the distance is flat there, so that it is right to the square of this.
-const WIDTH: f64 = 1e-9;
 
 /// The largest distances of these segments from the true shape.
 #[must_use]
@@ -31,8 +31,11 @@ pub fn error<'a>(segments: impl IntoIterator<Item = &'a PathSeg>, truth: &Truth)
 /// Visits the ends and every extreme of the signed distance as (t, distance), positive outside.
 pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f64, f64)) {
     if truth.is_circle() {
-        let excess = Excess::new(segment, truth.center, truth.radii.x);
-        excess.visit_extremes(|t, excess| visit(t, excess_to_distance(excess, truth.radii.x)));
+        let excess = excess(segment, truth.center, truth.radii.x);
+        let turning = excess.differences().sign_changes();
+        for t in iter::once(0.0).chain(turning.iter()).chain(iter::once(1.0)) {
+            visit(t, excess_to_distance(excess.at(t), truth.radii.x));
+        }
         return;
     }
     let slope = |t: f64| {
@@ -45,12 +48,61 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
         let t = f64::from(i) / f64::from(BRACKETS);
         let after = (t, slope(t));
         if (before.1 > 0.0) != (after.1 > 0.0) {
-            let t = root_within(slope, before.0, after.0, WIDTH);
+            let t = root(slope, before.0, after.0);
             visit(t, distance(truth, eval(segment, t).0));
         }
         before = after;
     }
     visit(1.0, distance(truth, eval(segment, 1.0).0));
+}
+
+/// The signed distance of one segment from the true shape as a function of t, positive outside.
+pub(crate) struct Profile<'a> {
+    segment: &'a PathSeg,
+    truth: &'a Truth,
+    /// |p|² - r² about a circle; in the frame where an ellipse is the unit circle for one.
+    excess: Polynomial,
+}
+
+impl<'a> Profile<'a> {
+    pub(crate) fn new(segment: &'a PathSeg, truth: &'a Truth) -> Self {
+        let excess = if truth.is_circle() {
+            excess(segment, truth.center, truth.radii.x)
+        } else {
+            let framed = truth.placement().inverse() * *segment;
+            excess(&framed, Point::ORIGIN, 1.0)
+        };
+        Self {
+            segment,
+            truth,
+            excess,
+        }
+    }
+
+    /// The signed distance at t.
+    pub(crate) fn at(&self, t: f64) -> f64 {
+        if self.truth.is_circle() {
+            excess_to_distance(self.excess.at(t), self.truth.radii.x)
+        } else {
+            distance(self.truth, self.segment.eval(t))
+        }
+    }
+
+    /// Where it changes its sign.
+    pub(crate) fn crossings(&self) -> Parameters {
+        self.excess.sign_changes()
+    }
+
+    /// The integral of f(t, |distance|) over t, with a joint wherever the distance changes its sign.
+    pub(crate) fn integral(&self, f: impl Fn(f64, f64) -> f64) -> f64 {
+        let crossings = self.crossings();
+        let value = |t: f64| f(t, self.at(t).abs());
+        let noise = f64::EPSILON / 16.0 * self.truth.larger_radius();
+        crossings
+            .pieces()
+            .map(|(from, to)| adaptive_integral(&value, from, to, noise))
+            .sum()
+    }
 }
 
 /// The signed distance of a point from the true shape, positive outside.
@@ -74,116 +126,33 @@ fn excess_to_distance(excess: f64, radius: f64) -> f64 {
     excess / (radius + square.max(0.0).sqrt())
 }
 
-/// |p(t) - center|² - radius² in Bernstein form.
-struct Excess {
-    coefficients: [f64; 7],
-    degree: usize,
-}
-
-impl Excess {
-    fn new(segment: &PathSeg, center: Point, radius: f64) -> Self {
-        let (points, count) = match *segment {
-            PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
-            PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
-            PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
-        };
-        let points = points.map(|p| {
-            [
-                Double::difference(p.x, center.x),
-                Double::difference(p.y, center.y),
-            ]
-        });
-        let degree = count - 1;
-        let radius = Double::difference(radius, 0.0);
-        let minus_square = radius.times(radius).scaled(-1.0);
-        let mut coefficients = [0.0; 7];
-        for (k, coefficient) in coefficients.iter_mut().enumerate().take(2 * degree + 1) {
-            let mut sum = minus_square.scaled(binomial(2 * degree, k));
-            for i in k.saturating_sub(degree)..=k.min(degree) {
-                let (p, q) = (points[i], points[k - i]);
-                let dot = p[0].times(q[0]).plus(p[1].times(q[1]));
-                sum = sum.plus(dot.scaled(binomial(degree, i) * binomial(degree, k - i)));
-            }
-            *coefficient = sum.value() / binomial(2 * degree, k);
+/// |p(t) - center|² - radius², its coefficients formed in twice the digits.
+fn excess(segment: &PathSeg, center: Point, radius: f64) -> Polynomial {
+    let (points, count) = match *segment {
+        PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
+        PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
+        PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
+    };
+    let points = points.map(|p| {
+        [
+            Double::difference(p.x, center.x),
+            Double::difference(p.y, center.y),
+        ]
+    });
+    let degree = count - 1;
+    let radius = Double::difference(radius, 0.0);
+    let minus_square = radius.times(radius).scaled(-1.0);
+    let mut coefficients = [0.0; 7];
+    for (k, coefficient) in coefficients.iter_mut().enumerate().take(2 * degree + 1) {
+        let mut sum = minus_square.scaled(binomial(2 * degree, k));
+        for i in k.saturating_sub(degree)..=k.min(degree) {
+            let (p, q) = (points[i], points[k - i]);
+            let dot = p[0].times(q[0]).plus(p[1].times(q[1]));
+            sum = sum.plus(dot.scaled(binomial(degree, i) * binomial(degree, k - i)));
         }
-        Self {
-            coefficients,
-            degree: 2 * degree,
-        }
+        *coefficient = sum.value() / binomial(2 * degree, k);
     }
-
-    fn visit_extremes(&self, mut visit: impl FnMut(f64, f64)) {
-        let coefficients = &self.coefficients[..=self.degree];
-        let mut slope = [0.0; 7];
-        for (slope, pair) in slope.iter_mut().zip(coefficients.windows(2)) {
-            *slope = pair[1] - pair[0];
-        }
-        visit(0.0, coefficients[0]);
-        for t in sign_changes(&slope[..self.degree]).iter() {
-            visit(t, bernstein(coefficients, t));
-        }
-        visit(1.0, coefficients[self.degree]);
-    }
-}
-
-/// n over k for n up to 6.
-fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
-}
-
-/// The value of a polynomial in Bernstein form, by de Casteljau's algorithm.
-fn bernstein(coefficients: &[f64], t: f64) -> f64 {
-    let mut work = [0.0; 7];
-    let count = coefficients.len();
-    work[..count].copy_from_slice(coefficients);
-    for last in (1..count).rev() {
-        for i in 0..last {
-            work[i] += t * (work[i + 1] - work[i]);
-        }
-    }
-    work[0]
-}
-
-/// A handful of parameters in ascending order.
-#[derive(Default)]
-pub(crate) struct Parameters {
-    values: [f64; 6],
-    count: usize,
-}
-
-impl Parameters {
-    fn push(&mut self, t: f64) {
-        self.values[self.count] = t;
-        self.count += 1;
-    }
-
-    pub(crate) fn iter(&self) -> impl Iterator<Item = f64> + '_ {
-        self.values[..self.count].iter().copied()
-    }
-}
-
-/// Where a polynomial in Bernstein form changes its sign in (0, 1): between the roots of its derivative it is monotone.
-pub(crate) fn sign_changes(coefficients: &[f64]) -> Parameters {
-    let mut found = Parameters::default();
-    let same_sign =
-        coefficients.iter().all(|&c| c >= 0.0) || coefficients.iter().all(|&c| c <= 0.0);
-    if coefficients.len() < 2 || same_sign {
-        return found;
-    }
-    let mut slope = [0.0; 7];
-    for (slope, pair) in slope.iter_mut().zip(coefficients.windows(2)) {
-        *slope = pair[1] - pair[0];
-    }
-    let turning = sign_changes(&slope[..coefficients.len() - 1]);
-    let mut from = 0.0;
-    for to in turning.iter().chain(core::iter::once(1.0)) {
-        let (low, high) = (bernstein(coefficients, from), bernstein(coefficients, to));
-        if (low > 0.0 && high < 0.0) || (low < 0.0 && high > 0.0) {
-            found.push(root_within(|t| bernstein(coefficients, t), from, to, WIDTH));
-        }
-        from = to;
-    }
-    found
+    Polynomial::new(&coefficients[..=2 * degree])
 }
 
 /// The nearest point of an ellipse, told by what is needed of it.

@@ -38,6 +38,8 @@ pub enum Continuity {
     G1,
     /// They share the curvature too.
     G2,
+    /// They share the curvature's first derivative by arc length too.
+    G3,
     /// They share the curvature's first two derivatives by arc length too.
     G4,
 }
@@ -49,6 +51,7 @@ impl fmt::Display for Continuity {
             Self::G0 => "G0",
             Self::G1 => "G1",
             Self::G2 => "G2",
+            Self::G3 => "G3",
             Self::G4 => "G4",
         })
     }

@@ -5,6 +5,9 @@ use kurbo::common::GAUSS_LEGENDRE_COEFFS_24;
 /// The most steps of a root search; bisection alone would be done in 60.
 const MOST_STEPS: usize = 100;
 
+/// How often an interval is halved at most: a kink or a root at its end is met to 1e-6 of it, and its integral far closer.
+const MOST_HALVINGS: u32 = 20;
+
 /// The root of `f` in `[low, high]`, where its signs differ, to the last bit that f can resolve.
 ///
 /// Bisection and false position in turn (the Illinois rule), so that it converges always, and fast where f is smooth.
@@ -76,6 +79,23 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
         .sum::<f64>()
 }
 
+/// The integral of `f` over `[from, to]`, halved until the halves agree with the whole to a few units in the last place, or to
+/// `noise`, the size below which the differences of `f` say nothing.
+pub(crate) fn adaptive_integral(f: &impl Fn(f64) -> f64, from: f64, to: f64, noise: f64) -> f64 {
+    halved(f, from, to, integral(f, from, to), noise, MOST_HALVINGS)
+}
+
+fn halved(f: &impl Fn(f64) -> f64, from: f64, to: f64, whole: f64, noise: f64, depth: u32) -> f64 {
+    let middle = f64::midpoint(from, to);
+    let (left, right) = (integral(f, from, middle), integral(f, middle, to));
+    let sum = left + right;
+    let close = (sum - whole).abs() <= 4.0 * f64::EPSILON * (left.abs() + right.abs()) + noise;
+    if close || depth == 0 || !sum.is_finite() {
+        return sum;
+    }
+    halved(f, from, middle, left, noise, depth - 1) + halved(f, middle, to, right, noise, depth - 1)
+}
+
 /// a - sin a without cancellation.
 pub(crate) fn angle_minus_sine(a: f64) -> f64 {
     if a > 1.0 {
@@ -142,6 +162,15 @@ mod tests {
         let a = 1.5_f64;
         assert!((area_excess(a) - (3.0 * a + a.sin() - 8.0 * (a / 2.0).sin())).abs() < 2e-15);
         assert!((area_excess(1e-5) / (1e-25 / 160.0) - 1.0).abs() < 1e-10);
+    }
+
+    #[test]
+    fn kinks_and_spikes_are_integrated_too() {
+        let kink = |x: f64| (x - 0.3).abs();
+        assert!((adaptive_integral(&kink, 0.0, 1.0, 0.0) - 0.29).abs() < 1e-14);
+        let spike = |x: f64| 1.0 / (x * x + 1e-8);
+        let exact = 2e4 * 1e4_f64.atan();
+        assert!((adaptive_integral(&spike, -1.0, 1.0, 0.0) / exact - 1.0).abs() < 1e-14);
     }
 
     #[test]

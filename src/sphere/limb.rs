@@ -3,7 +3,7 @@
 use kurbo::{CubicBez, Line, PathSeg, Point, QuadBez};
 
 use crate::curve::{Curve, control_points};
-use crate::measure::radial::sign_changes;
+use crate::measure::bernstein::Polynomial;
 use crate::power;
 
 /// A depth of less than this, in radii, is none: what is left of a curve that lies in the limb, or a joint that does.
@@ -63,7 +63,7 @@ fn push_pieces(pieces: &mut Vec<(Side, PathSeg)>, segment: &PathSeg, depth: impl
         }
     };
     let (mut rest, mut from) = (*segment, 0.0);
-    for t in sign_changes(&depths).iter() {
+    for t in Polynomial::new(&depths).sign_changes().iter() {
         let (before, after) = split(&rest, (t - from) / (1.0 - from));
         pieces.push((side(from, t), before));
         (rest, from) = (after, t);

@@ -1,0 +1,158 @@
+//! How two segments join: the gap, the turn, the jumps of curvature and of its derivatives, and the order that follows.
+//!
+//! A jump counts only where it is larger than the rounding of the coordinates explains. How far a rounding of at most δ in every
+//! coordinate can move a figure is found from the figure itself: the sum over all coordinates of |change of the figure by that
+//! coordinate| times δ. So one δ, stated in the report, decides at every scale and every angle.
+
+use kurbo::{PathSeg, Point};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::curvature::{self, Curvature};
+use crate::approximate::{first_direction, turn};
+use crate::curve::control_points;
+use crate::method::Continuity;
+
+/// One joint.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Joint {
+    /// The point where the segment before it ends.
+    pub point: [f64; 2],
+    /// Its angle about the centre in degrees, parametric on an ellipse.
+    pub angle: f64,
+    /// How far the segment after it starts from there.
+    pub gap: f64,
+    /// The turn of the tangent in degrees, positive from +x towards +y.
+    pub turn: f64,
+    /// The curvature where the segment before it ends; `null` where it has none.
+    pub before: Option<Curvature>,
+    /// The curvature where the segment after it starts; `null` where it has none.
+    pub after: Option<Curvature>,
+    /// The order: `none` (they do not meet), `G0` (a corner), `G1` (tangent), `G2` (curvature), `G3` and `G4` (its first and
+    /// second derivative by arc length too; higher orders are not looked at).
+    pub continuity: String,
+    /// The jumps that rounding explains.
+    pub tolerance: JointTolerance,
+}
+
+/// The largest jumps that a rounding of the coordinates explains.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct JointTolerance {
+    /// Of the gap.
+    pub gap: f64,
+    /// Of the turn, in degrees.
+    pub turn: f64,
+    /// Of the curvature.
+    pub value: f64,
+    /// Of its derivative by arc length.
+    pub d1: f64,
+    /// Of its second derivative by arc length.
+    pub d2: f64,
+}
+
+/// The joint of two segments whose coordinates are right to `delta`, and its order. Its angle is left at 0.
+pub(crate) fn joint(before: &PathSeg, after: &PathSeg, delta: f64) -> (Joint, Continuity) {
+    let (end, start) = (last_point(before), control_points(after)[0]);
+    let (ending, starting) = (curvature::at(before, 1.0), curvature::at(after, 0.0));
+    let slack = slack(before, after, delta);
+    let jump = |of: fn(&Curvature) -> f64| match (&ending, &starting) {
+        (Some(a), Some(b)) => (of(b) - of(a)).abs(),
+        _ => f64::INFINITY,
+    };
+    let (gap, turn) = ((start - end).hypot(), turn(before, after));
+    // From the lowest order up: the first jump that rounding does not explain ends it.
+    let steps = [
+        (gap, slack.gap, Continuity::Apart),
+        (turn.abs(), slack.turn, Continuity::G0),
+        (jump(|k| k.value), slack.value, Continuity::G1),
+        (jump(|k| k.d1), slack.d1, Continuity::G2),
+        (jump(|k| k.d2), slack.d2, Continuity::G3),
+    ];
+    let order = steps
+        .iter()
+        .find(|(jump, explained, _)| jump > explained)
+        .map_or(Continuity::G4, |&(.., order)| order);
+    let joint = Joint {
+        point: [end.x, end.y],
+        angle: 0.0,
+        gap,
+        turn,
+        before: ending,
+        after: starting,
+        continuity: order.to_string(),
+        tolerance: slack,
+    };
+    (joint, order)
+}
+
+fn last_point(segment: &PathSeg) -> Point {
+    control_points(&segment.reverse())[0]
+}
+
+/// What a rounding by `delta` explains at this joint.
+fn slack(before: &PathSeg, after: &PathSeg, delta: f64) -> JointTolerance {
+    // An end and its reverse have the same tangent line, curvature up to the sign, and so on: one side's code serves both.
+    let (a, b) = (reach(&before.reverse(), delta), reach(after, delta));
+    JointTolerance {
+        gap: 2.0 * core::f64::consts::SQRT_2 * delta,
+        turn: (a[0] + b[0]).to_degrees(),
+        value: a[1] + b[1],
+        d1: a[2] + b[2],
+        d2: a[3] + b[3],
+    }
+}
+
+/// How far rounding by `delta` can move the direction (in radians), the curvature and its derivatives where a segment starts.
+fn reach(segment: &PathSeg, delta: f64) -> [f64; 4] {
+    let points = control_points(segment);
+    let handle = first_direction(segment).hypot();
+    let direction = 2.0 * core::f64::consts::SQRT_2 * delta / handle;
+    let step = 1e-5 * handle;
+    let mut reach = [
+        if direction.is_finite() {
+            direction
+        } else {
+            0.0
+        },
+        0.0,
+        0.0,
+        0.0,
+    ];
+    for coordinate in 0..2 * points.len() {
+        let moved = |by: f64| {
+            let mut points = points.clone();
+            let p = &mut points[coordinate / 2];
+            *(if coordinate % 2 == 0 {
+                &mut p.x
+            } else {
+                &mut p.y
+            }) += by;
+            curvature::at(&of_points(&points), 0.0)
+        };
+        if let (Some(more), Some(less)) = (moved(step), moved(-step)) {
+            for (reach, (more, less)) in reach[1..]
+                .iter_mut()
+                .zip(more.to_array().into_iter().zip(less.to_array()))
+            {
+                *reach += (more - less).abs() / (2.0 * step) * delta;
+            }
+        }
+    }
+    if let Some(here) = curvature::at(segment, 0.0) {
+        // The evaluation itself rounds too.
+        for (reach, value) in reach[1..].iter_mut().zip(here.to_array()) {
+            *reach += 16.0 * f64::EPSILON * value.abs();
+        }
+    }
+    reach
+}
+
+fn of_points(points: &[Point]) -> PathSeg {
+    match *points {
+        [p0, p1, p2, p3] => PathSeg::Cubic(kurbo::CubicBez::new(p0, p1, p2, p3)),
+        [p0, p1, p2] => PathSeg::Quad(kurbo::QuadBez::new(p0, p1, p2)),
+        [p0, .., p1] => PathSeg::Line(kurbo::Line::new(p0, p1)),
+        [p] => PathSeg::Line(kurbo::Line::new(p, p)),
+        [] => PathSeg::Line(kurbo::Line::new(Point::ORIGIN, Point::ORIGIN)),
+    }
+}

@@ -1,0 +1,82 @@
+//! Arc length and area, of a curve and of the true shape.
+
+use kurbo::{ParamCurve, ParamCurveArea, ParamCurveDeriv, PathSeg, Point, Vec2};
+
+use crate::method::numeric::adaptive_integral;
+
+/// The arc length of a segment, to a few units in the last place.
+#[must_use]
+pub fn length(segment: &PathSeg) -> f64 {
+    let speed = |t: f64| match segment {
+        PathSeg::Line(line) => (line.p1 - line.p0).hypot(),
+        PathSeg::Quad(quad) => quad.deriv().eval(t).to_vec2().hypot(),
+        PathSeg::Cubic(cubic) => cubic.deriv().eval(t).to_vec2().hypot(),
+    };
+    adaptive_integral(&speed, 0.0, 1.0, 0.0)
+}
+
+/// The area that the segment and the radii to its ends enclose, positive where the segment runs from +x towards +y about the centre.
+#[must_use]
+pub fn sector_area(segment: &PathSeg, center: Point) -> f64 {
+    (kurbo::Affine::translate(-center.to_vec2()) * *segment).signed_area()
+}
+
+/// The arc length of an ellipse between two parametric angles in radians: the integral of sqrt(a² sin² + b² cos²), quarter by
+/// quarter, since its steepest places lie at the axes.
+#[must_use]
+pub fn ellipse_length(radii: Vec2, from: f64, to: f64) -> f64 {
+    let sign = 1.0_f64.copysign(to - from);
+    let (from, to) = (from.min(to), from.max(to));
+    if radii.x == radii.y {
+        return sign * radii.x * (to - from);
+    }
+    let speed = |angle: f64| (radii.x * angle.sin()).hypot(radii.y * angle.cos());
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let mut sum = 0.0;
+    let mut here = from;
+    while here < to {
+        let next = (((here / quarter).floor() + 1.0) * quarter).min(to);
+        if next <= here {
+            break;
+        }
+        sum += adaptive_integral(&speed, here, next, 0.0);
+        here = next;
+    }
+    sign * sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::PI;
+
+    /// The perimeter by the arithmetic-geometric mean (Gauss; Abramowitz & Stegun 17.6).
+    fn perimeter(a: f64, b: f64) -> f64 {
+        let (mut x, mut y) = (a, b);
+        let (mut sum, mut power) = (a * a - (a * a - b * b) / 2.0, 1.0);
+        while (x - y).abs() > 1e-15 * x {
+            let c = (x - y) / 2.0;
+            (x, y) = (f64::midpoint(x, y), (x * y).sqrt());
+            sum -= power * c * c;
+            power *= 2.0;
+        }
+        2.0 * PI * sum / x
+    }
+
+    #[test]
+    fn the_perimeter_is_that_of_the_arithmetic_geometric_mean() {
+        for (a, b) in [(3.0, 2.0), (150.0, 100.0), (1.0, 0.01), (1.0, 1e-5)] {
+            let found = ellipse_length(Vec2::new(a, b), 0.3, 0.3 + 2.0 * PI);
+            let exact = perimeter(a, b);
+            assert!(
+                (found / exact - 1.0).abs() < 1e-14,
+                "{a} {b}: {found} {exact}"
+            );
+        }
+    }
+
+    #[test]
+    fn arcs_of_a_circle_are_radius_times_angle() {
+        assert_eq!(ellipse_length(Vec2::new(2.0, 2.0), 1.0, -2.0), -6.0);
+    }
+}

@@ -1,0 +1,224 @@
+//! The circle that a curve was meant to be, where nobody says: Kåsa's algebraic fit to begin with (the least sum of
+//! (|p - c|² - r²)², which is linear), then the least sum of (|p - c| - r)² by Gauss-Newton.
+//!
+//! At every step the best radius for a centre is the mean distance, so that two unknowns are left: with the unit directions g
+//! from the centre to the points, the step solves Σ (g - ḡ)(g - ḡ)ᵀ δ = Σ (g - ḡ)(|p - c| - r).
+
+use kurbo::{ParamCurve, Point, Vec2};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::curve::Curve;
+use crate::error::{Error, Result};
+use crate::shape::Truth;
+
+/// How many points of each segment stand for the curve.
+const POINTS: u32 = 64;
+
+/// The most steps; from Kåsa's circle five or six do.
+const MOST_STEPS: usize = 50;
+
+/// What the circle is fitted to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum FitTo {
+    /// The ends of the segments, which most programs place on the circle.
+    Joints,
+    /// Points at equal steps of t all along the curve.
+    Curve,
+}
+
+/// A fitted circle and how well it fits.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct Fit {
+    /// What it was fitted to.
+    pub to: FitTo,
+    /// How many points those were.
+    pub points: usize,
+    /// The root mean square of their distances from it.
+    pub rms: f64,
+    /// The same over the radius.
+    pub relative_rms: f64,
+}
+
+/// The circle fitted to a curve: to what `to` says, or to the joints where three of them determine a circle and else to the curve.
+///
+/// # Errors
+///
+/// Where the points are one point or lie on a line, so that no circle is nearest.
+pub fn circle(curve: &Curve, to: Option<FitTo>) -> Result<(Truth, Fit)> {
+    let joints = || fitted(&joints(curve), FitTo::Joints);
+    let along = || fitted(&along(curve), FitTo::Curve);
+    match to {
+        Some(FitTo::Joints) => joints(),
+        Some(FitTo::Curve) => along(),
+        None => joints().or_else(|_| along()),
+    }
+}
+
+/// The ends of the segments, each once.
+fn joints(curve: &Curve) -> Vec<Point> {
+    let mut points: Vec<Point> = curve.segments.iter().map(ParamCurve::start).collect();
+    points.extend(curve.segments.last().map(ParamCurve::end));
+    let near = 1e-6
+        * curve
+            .bounding_box()
+            .map_or(0.0, |b| b.width().hypot(b.height()));
+    let mut distinct: Vec<Point> = Vec::with_capacity(points.len());
+    for p in points {
+        if distinct.iter().all(|q| q.distance(p) > near) {
+            distinct.push(p);
+        }
+    }
+    distinct
+}
+
+/// Points all along the curve.
+fn along(curve: &Curve) -> Vec<Point> {
+    let at = |i: u32| (f64::from(i) + 0.5) / f64::from(POINTS);
+    curve
+        .segments
+        .iter()
+        .flat_map(|segment| (0..POINTS).map(move |i| segment.eval(at(i))))
+        .collect()
+}
+
+fn fitted(points: &[Point], to: FitTo) -> Result<(Truth, Fit)> {
+    let (center, radius) = nearest_circle(points).ok_or_else(|| {
+        Error::Shape("no circle fits: the points lie on a line, or are one point".to_owned())
+    })?;
+    let squares = points.iter().map(|p| (p.distance(center) - radius).powi(2));
+    let rms = (squares.sum::<f64>() / points.len() as f64).sqrt();
+    let fit = Fit {
+        to,
+        points: points.len(),
+        rms,
+        relative_rms: rms / radius,
+    };
+    Ok((Truth::circle(center, radius), fit))
+}
+
+/// The centre and radius of the circle nearest to these points.
+fn nearest_circle(points: &[Point]) -> Option<(Point, f64)> {
+    if points.len() < 3 {
+        return None;
+    }
+    let count = points.len() as f64;
+    let mean = points.iter().map(|p| p.to_vec2()).sum::<Vec2>() / count;
+    let offsets: Vec<Vec2> = points.iter().map(|p| p.to_vec2() - mean).collect();
+    let size = offsets.iter().map(|v| v.hypot()).fold(0.0, f64::max);
+    if !(size > 0.0 && size.is_finite()) {
+        return None;
+    }
+    let offsets: Vec<Vec2> = offsets.iter().map(|&v| v / size).collect();
+    let mut center = kasa(&offsets)?;
+    for _ in 0..MOST_STEPS {
+        let Some(step) = gauss_newton(&offsets, center) else {
+            break;
+        };
+        center += step;
+        if step.hypot() <= f64::EPSILON * (1.0 + center.hypot()) {
+            break;
+        }
+    }
+    let radius = offsets.iter().map(|&v| (v - center).hypot()).sum::<f64>() / count;
+    let (center, radius) = ((mean + center * size).to_point(), radius * size);
+    (center.is_finite() && radius.is_finite()).then_some((center, radius))
+}
+
+/// Kåsa's centre, of points whose mean is 0: Σ v vᵀ c = ½ Σ |v|² v.
+fn kasa(offsets: &[Vec2]) -> Option<Vec2> {
+    let right = offsets.iter().map(|&v| v * v.hypot2()).sum::<Vec2>() * 0.5;
+    solve(offsets, right)
+}
+
+fn gauss_newton(offsets: &[Vec2], center: Vec2) -> Option<Vec2> {
+    let count = offsets.len() as f64;
+    let distances: Vec<f64> = offsets.iter().map(|&v| (v - center).hypot()).collect();
+    let radius = distances.iter().sum::<f64>() / count;
+    let directions: Vec<Vec2> = offsets
+        .iter()
+        .zip(&distances)
+        .map(|(&v, &d)| {
+            if d > 0.0 {
+                (v - center) / d
+            } else {
+                Vec2::ZERO
+            }
+        })
+        .collect();
+    let mean = directions.iter().copied().sum::<Vec2>() / count;
+    let centred: Vec<Vec2> = directions.iter().map(|&g| g - mean).collect();
+    let right = centred
+        .iter()
+        .zip(&distances)
+        .map(|(&g, &d)| g * (d - radius))
+        .sum::<Vec2>();
+    solve(&centred, right)
+}
+
+/// The solution of Σ v vᵀ x = `right`; `None` where the vectors lie on a line.
+fn solve(vectors: &[Vec2], right: Vec2) -> Option<Vec2> {
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for v in vectors {
+        xx += v.x * v.x;
+        xy += v.x * v.y;
+        yy += v.y * v.y;
+    }
+    let determinant = xx * yy - xy * xy;
+    let trace = xx + yy;
+    if determinant <= 1e-20 * trace * trace || !determinant.is_finite() {
+        return None;
+    }
+    Some(Vec2::new(
+        (yy * right.x - xy * right.y) / determinant,
+        (xx * right.y - xy * right.x) / determinant,
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn on_circle(center: Point, radius: f64, angles: impl Iterator<Item = f64>) -> Vec<Point> {
+        angles
+            .map(|a: f64| center + Vec2::from_angle(a) * radius)
+            .collect()
+    }
+
+    #[test]
+    fn points_of_a_circle_give_it_back() {
+        let center = Point::new(300.0, -7.0);
+        for sweep in [6.2, 3.0, 0.5, 0.05] {
+            let points = on_circle(center, 50.0, (0..40).map(|i| f64::from(i) / 40.0 * sweep));
+            let (found, radius) = nearest_circle(&points).unwrap();
+            let allowed = 1e-12 / (sweep * sweep);
+            assert!((radius - 50.0).abs() < 300.0 * allowed, "{sweep}: {radius}");
+            assert!(found.distance(center) < 300.0 * allowed, "{sweep}: {found}");
+        }
+    }
+
+    #[test]
+    fn the_fit_is_where_the_sum_of_squares_is_least() {
+        let mut points = on_circle(Point::ORIGIN, 1.0, (0..7).map(f64::from));
+        points.push(Point::new(1.4, 0.3));
+        let (center, _) = nearest_circle(&points).unwrap();
+        let cost = |center: Point| {
+            let distances: Vec<f64> = points.iter().map(|p| p.distance(center)).collect();
+            let mean = distances.iter().sum::<f64>() / 8.0;
+            distances.iter().map(|d| (d - mean).powi(2)).sum::<f64>()
+        };
+        for step in [(1e-5, 0.0), (-1e-5, 0.0), (0.0, 1e-5), (0.0, -1e-5)] {
+            assert!(cost(center + Vec2::from(step)) > cost(center));
+        }
+    }
+
+    #[test]
+    fn a_line_has_no_circle() {
+        let points: Vec<Point> = (0..9)
+            .map(|i| Point::new(f64::from(i), 0.1 * f64::from(i)))
+            .collect();
+        assert_eq!(nearest_circle(&points), None);
+        assert_eq!(nearest_circle(&[Point::new(1.0, 1.0); 9]), None);
+    }
+}

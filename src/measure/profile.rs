@@ -1,0 +1,126 @@
+//! What can be drawn along a curve, over the angle about the centre.
+
+use core::fmt;
+use core::str::FromStr;
+
+use super::curvature;
+use super::radial::Profile;
+use super::reference::Reference;
+use super::report::Bench;
+use crate::curve::Curve;
+use crate::error::{Error, Result};
+
+/// A quantity along a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Quantity {
+    /// The signed distance from the true shape, positive outside.
+    #[default]
+    Error,
+    /// The curvature.
+    Curvature,
+    /// Its derivative by arc length.
+    CurvatureD1,
+    /// Its second derivative by arc length.
+    CurvatureD2,
+    /// How far the angle is ahead of one linear in t, in degrees.
+    AngleLag,
+}
+
+impl Quantity {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Error,
+        Self::Curvature,
+        Self::CurvatureD1,
+        Self::CurvatureD2,
+        Self::AngleLag,
+    ];
+
+    /// The name by which it is asked for.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Error => "error",
+            Self::Curvature => "curvature",
+            Self::CurvatureD1 => "curvature-d1",
+            Self::CurvatureD2 => "curvature-d2",
+            Self::AngleLag => "angle-lag",
+        }
+    }
+
+    /// What an axis says, with the unit.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Error => "distance from the true shape (user units, + outside)",
+            Self::Curvature => "curvature κ (1/unit)",
+            Self::CurvatureD1 => "κ′ = dκ/ds (1/unit²)",
+            Self::CurvatureD2 => "κ″ = d²κ/ds² (1/unit³)",
+            Self::AngleLag => "angle ahead of linear in t (degrees)",
+        }
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Quantity {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|quantity| quantity.name() == name)
+            .ok_or_else(|| Error::Syntax {
+                what: "the quantity",
+                text: name.to_owned(),
+                column: 1,
+                why: format!(
+                    "the quantities are {}",
+                    Self::ALL.map(Self::name).join(", ")
+                ),
+            })
+    }
+}
+
+/// The quantity along each segment, as (angle in degrees, value) at `steps` + 1 equal steps of t; a segment has fewer points
+/// where the quantity is not defined.
+#[must_use]
+pub fn along(
+    curve: &Curve,
+    reference: &Reference,
+    quantity: Quantity,
+    steps: u32,
+) -> Vec<Vec<(f64, f64)>> {
+    let bench = Bench::new(curve, *reference);
+    let sense = bench.sense();
+    bench
+        .segments()
+        .map(|(i, segment)| {
+            let framed = bench.reference().framed(segment);
+            let distance = Profile::new(segment, &bench.reference().truth);
+            let value = |t: f64| {
+                let k = curvature::at(segment, t);
+                Some(match quantity {
+                    Quantity::Error => distance.at(t),
+                    Quantity::Curvature => k?.value * sense,
+                    Quantity::CurvatureD1 => k?.d1 * sense,
+                    Quantity::CurvatureD2 => k?.d2 * sense,
+                    Quantity::AngleLag => {
+                        (framed.lag(t) * sense * bench.reference().handedness()).to_degrees()
+                    }
+                })
+            };
+            (0..=steps)
+                .map(|step| f64::from(step) / f64::from(steps))
+                .filter_map(|t| {
+                    let angle = bench.angle(i) + framed.turned(t).to_degrees();
+                    value(t).filter(|v| v.is_finite()).map(|v| (angle, v))
+                })
+                .collect()
+        })
+        .collect()
+}
