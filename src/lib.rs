@@ -20,6 +20,7 @@
 pub mod angle;
 pub mod approximate;
 pub mod batch;
+pub mod compare;
 pub mod curve;
 pub mod document;
 pub mod engine;

@@ -2,10 +2,13 @@
 //!
 //! A writer sees a [`Figure`], whose points are already rounded, and knows no method.
 
+pub mod comparison;
 mod deviation;
 pub mod json;
+pub mod measurement;
 pub mod number;
 pub mod path;
+pub mod plot;
 pub mod png;
 pub mod postscript;
 pub mod scene;
@@ -231,7 +234,8 @@ impl From<&Drawing> for Figure {
 }
 
 /// A shape in a few words.
-fn describe(shape: &Shape) -> String {
+#[must_use]
+pub fn describe(shape: &Shape) -> String {
     let n = |x| number::significant(x, 9);
     match shape {
         Shape::Circle(c) => format!("Circle of radius {}", n(c.radius)),

@@ -163,7 +163,9 @@ fn pair(p: Point) -> [f64; 2] {
     [p.x, p.y]
 }
 
-fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
+/// The JSON of a shape under a transform.
+#[must_use]
+pub fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
     let round = |outline: Option<crate::shape::Outline>, rotation: f64| {
         let (unit, truth) = outline.map_or_else(Default::default, |o| {
             (

@@ -174,6 +174,28 @@ pub fn round_one_two_five(x: f64) -> f64 {
         .unwrap_or(1.0)
 }
 
+/// The text of a number for tables: so many significant digits, trailing zeros kept so that columns align; as `1.96076e-4` below
+/// a thousandth and from ten millions on. A number that is not finite gives `-`.
+#[must_use]
+pub fn compact(x: f64, digits: u8) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if !x.is_finite() {
+        return "-".to_owned();
+    }
+    let digits = digits.max(1);
+    let text = format!("{x:.*e}", usize::from(digits) - 1);
+    let exponent = text.split_once('e').and_then(|(_, e)| e.parse().ok());
+    match exponent {
+        Some(exponent @ -3..7) => {
+            let decimals = (i32::from(digits) - 1 - exponent).max(0);
+            format!("{x:.*}", decimals as usize)
+        }
+        _ => text,
+    }
+}
+
 /// `digits` times 10^-`exponent` in plain notation; `digits` has one digit before its point, if any.
 fn push_tiny(out: &mut Vec<u8>, digits: &str, exponent: usize) {
     if digits.starts_with('-') {
@@ -371,6 +393,32 @@ fn round_by_std(x: f64, decimals: u8) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn compact_numbers_keep_their_digits() {
+        let texts = [
+            0.015_213_035,
+            1.960_76e-4,
+            0.0,
+            -123.456,
+            9.999_999_9,
+            1e7,
+            f64::NAN,
+        ]
+        .map(|x| compact(x, 6));
+        assert_eq!(
+            texts,
+            [
+                "0.0152130",
+                "1.96076e-4",
+                "0",
+                "-123.456",
+                "10.0000",
+                "1.00000e7",
+                "-"
+            ]
+        );
+    }
     use proptest::prelude::*;
     use std::thread;
 

@@ -1,0 +1,222 @@
+//! Methods compared on the full circle of radius 1, by the number of segments.
+
+use core::f64::consts::{PI, TAU};
+use core::fmt;
+use core::str::FromStr;
+
+use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
+
+use crate::approximate::{Drawing, Options, approximate};
+use crate::error::{Error, Result};
+use crate::joints::Cut;
+use crate::measure::extent;
+use crate::measure::radial::{self, Profile};
+use crate::method::{Method, Rule};
+use crate::shape::{Circle, Shape, Truth};
+use crate::write::number::Precision;
+
+/// What methods are compared by. All are relative to the true circle of radius 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Criterion {
+    /// The largest distance from the circle.
+    #[default]
+    Peak,
+    /// The mean distance over t.
+    Mean,
+    /// The root mean square of the distance over t.
+    Rms,
+    /// The error of the enclosed area over the true one.
+    Area,
+    /// The error of the arc length over the true one.
+    Length,
+}
+
+impl Criterion {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Peak, Self::Mean, Self::Rms, Self::Area, Self::Length];
+
+    /// The name by which it is asked for.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Peak => "peak",
+            Self::Mean => "mean",
+            Self::Rms => "rms",
+            Self::Area => "area",
+            Self::Length => "length",
+        }
+    }
+
+    /// What a title says.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Peak => "peak error",
+            Self::Mean => "mean error",
+            Self::Rms => "root mean square error",
+            Self::Area => "error of the area",
+            Self::Length => "error of the arc length",
+        }
+    }
+
+    /// What an axis says, with the unit.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Peak => "peak error (radii)",
+            Self::Mean => "mean of |r − 1| over t (radii)",
+            Self::Rms => "root mean square of r − 1 over t (radii)",
+            Self::Area => "error of the area over the true area",
+            Self::Length => "error of the arc length over the true length",
+        }
+    }
+
+    /// The figure of a drawing of the unit circle.
+    fn of(self, drawing: &Drawing, truth: &Truth) -> f64 {
+        let segments = &drawing.curve.segments;
+        let count = segments.len() as f64;
+        // All segments of equal angles are one segment turned: measuring one of them would do, measuring all shows it.
+        match self {
+            Self::Peak => radial::error(segments, truth).peak(),
+            Self::Mean => {
+                segments
+                    .iter()
+                    .map(|s| Profile::new(s, truth).integral(|_, d| d))
+                    .sum::<f64>()
+                    / count
+            }
+            Self::Rms => {
+                let square: f64 = segments
+                    .iter()
+                    .map(|s| Profile::new(s, truth).integral(|_, d| d * d))
+                    .sum();
+                (square / count).sqrt()
+            }
+            Self::Area => {
+                let area: f64 = segments
+                    .iter()
+                    .map(|s| extent::sector_area(s, truth.center))
+                    .sum();
+                (area / PI - 1.0).abs()
+            }
+            Self::Length => (segments.iter().map(extent::length).sum::<f64>() / TAU - 1.0).abs(),
+        }
+    }
+}
+
+impl fmt::Display for Criterion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Criterion {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        Self::ALL
+            .into_iter()
+            .find(|c| c.name() == name)
+            .ok_or_else(|| Error::Syntax {
+                what: "the criterion",
+                text: name.to_owned(),
+                column: 1,
+                why: format!("the criteria are {}", Self::ALL.map(Self::name).join(", ")),
+            })
+    }
+}
+
+/// Errors below this are the rounding of double precision.
+pub const NOISE: f64 = 2e-15;
+
+/// Methods by numbers of segments.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Comparison {
+    /// The version of this form.
+    pub version: u32,
+    /// What is compared.
+    pub by: Criterion,
+    /// The numbers of segments of the full circle.
+    pub counts: Vec<usize>,
+    /// A row for each method.
+    #[serde(rename = "methods")]
+    pub rows: Vec<Row>,
+}
+
+/// One method.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Row {
+    /// Its id.
+    #[serde(serialize_with = "id")]
+    #[schemars(with = "String")]
+    pub method: Method,
+    /// Its figure at each number of segments; `null` where it cannot draw the circle with so many.
+    pub values: Vec<Option<f64>>,
+    /// The power of 1/segments with which its figure falls, between the last two numbers of segments that have one above the
+    /// rounding of double precision; `null` where there are not two.
+    pub order: Option<f64>,
+}
+
+fn id<S: Serializer>(method: &Method, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(method.id())
+}
+
+impl Comparison {
+    /// Compares methods.
+    ///
+    /// # Errors
+    ///
+    /// Where a count is 0 or beyond [`crate::joints::MOST_SEGMENTS`], or no method can draw the circle with any of the counts.
+    pub fn new(methods: &[Method], counts: &[usize], by: Criterion) -> Result<Self> {
+        let circle = Circle::new((0.0, 0.0), 1.0)?;
+        let truth = Truth::circle(circle.center, circle.radius);
+        let figure = |method: Method, count: usize| {
+            let options = Options {
+                rule: Rule::Method(method),
+                cut: Cut::Count(count),
+                precision: Some(Precision::Full),
+                ..Options::default()
+            };
+            match approximate(&Shape::Circle(circle), &options) {
+                Ok(drawing) => Ok(Some(by.of(&drawing, &truth))),
+                Err(Error::Impossible { .. }) => Ok(None),
+                Err(other) => Err(other),
+            }
+        };
+        let row = |&method: &Method| {
+            let values: Vec<Option<f64>> = counts
+                .iter()
+                .map(|&count| figure(method, count))
+                .collect::<Result<_>>()?;
+            let order = order(counts, &values);
+            Ok(Row {
+                method,
+                values,
+                order,
+            })
+        };
+        Ok(Self {
+            version: 1,
+            by,
+            counts: counts.to_vec(),
+            rows: methods.iter().map(row).collect::<Result<_>>()?,
+        })
+    }
+}
+
+/// The order between the last two counts that have a figure above the noise.
+fn order(counts: &[usize], values: &[Option<f64>]) -> Option<f64> {
+    let mut known: Vec<(f64, f64)> = counts
+        .iter()
+        .zip(values)
+        .filter_map(|(&n, value)| Some((n as f64, value.filter(|&v| v > NOISE)?)))
+        .collect();
+    known.sort_by(|a, b| a.0.total_cmp(&b.0));
+    known.dedup_by(|a, b| a.0 == b.0);
+    match known.as_slice() {
+        [.., (n, e), (m, f)] => Some((e / f).ln() / (m / n).ln()),
+        _ => None,
+    }
+}

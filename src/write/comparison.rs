@@ -1,0 +1,162 @@
+//! The table, the CSV and the page of a comparison.
+
+use core::fmt::Write;
+
+use super::number::{compact, text};
+use crate::compare::{Comparison, NOISE, Row};
+
+/// How wide a table may be.
+const COLUMNS: usize = 80;
+
+/// The table for people: as many digits, six at most, as 80 columns have room for.
+#[must_use]
+pub fn table(comparison: &Comparison) -> String {
+    let candidates = [(6, 2), (5, 2), (4, 2), (3, 2), (3, 1)];
+    let laid = candidates.map(|(digits, gap)| lay_out(&cells(comparison, digits), gap));
+    let fits = |text: &&String| text.lines().all(|line| line.chars().count() <= COLUMNS);
+    let widest = laid.iter().find(fits).or(laid.last());
+    widest.cloned().unwrap_or_default() + &notes(comparison)
+}
+
+/// What the table cannot say in its cells.
+fn notes(comparison: &Comparison) -> String {
+    let mut notes = format!("\n{}", capitalised(comparison.by.label()));
+    notes += ", of the full circle of radius 1";
+    if comparison.rows.iter().any(|row| row.order.is_some()) {
+        notes += ".\norder: the power of 1/segments with which it falls, from the last two figures of a row";
+    }
+    if comparison.rows.iter().any(|row| row.values.contains(&None)) {
+        notes += ".\n-: impossible; 'curveto measure circle 1 -m ID -n N' says why";
+    }
+    notes + ".\n"
+}
+
+fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// The head and the rows as texts.
+fn cells(comparison: &Comparison, digits: u8) -> Vec<Vec<String>> {
+    let counts = comparison.counts.iter().map(|n| format!("n={n}"));
+    let head = core::iter::once("method".to_owned())
+        .chain(counts)
+        .chain(["order".to_owned()]);
+    let rows = comparison.rows.iter().map(|row| row_cells(row, digits));
+    core::iter::once(head.collect()).chain(rows).collect()
+}
+
+fn row_cells(row: &Row, digits: u8) -> Vec<String> {
+    let mut cells = vec![row.method.id().to_owned()];
+    cells.extend(row.values.iter().map(|&value| figure(value, digits)));
+    cells.push(
+        row.order
+            .map_or_else(|| "-".to_owned(), |order| format!("{order:.2}")),
+    );
+    cells
+}
+
+fn figure(value: Option<f64>, digits: u8) -> String {
+    match value {
+        None => "-".to_owned(),
+        Some(value) if value <= NOISE => "<2e-15".to_owned(),
+        Some(value) => compact(value, digits),
+    }
+}
+
+/// Columns as wide as their widest cells, the first to the left and the others to the right.
+fn lay_out(cells: &[Vec<String>], gap: usize) -> String {
+    let columns = cells.first().map_or(0, Vec::len);
+    let width = |column: usize| {
+        cells
+            .iter()
+            .map(|row| row[column].chars().count())
+            .max()
+            .unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut out = String::new();
+    for row in cells {
+        let mut line = format!("{:<1$}", row[0], widths[0]);
+        for (cell, &width) in row.iter().zip(&widths).skip(1) {
+            let _ = write!(line, "{:gap$}{cell:>width$}", "");
+        }
+        out += line.trim_end();
+        out.push('\n');
+    }
+    out
+}
+
+/// A line a method, all digits.
+#[must_use]
+pub fn csv(comparison: &Comparison) -> String {
+    let mut out = "method".to_owned();
+    for n in &comparison.counts {
+        let _ = write!(out, ",{n}");
+    }
+    out += ",order\n";
+    for row in &comparison.rows {
+        out += row.method.id();
+        for value in row.values.iter().chain([&row.order]) {
+            out.push(',');
+            out += &value.map(text).unwrap_or_default();
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// A page that needs nothing else: the plot and the table.
+#[must_use]
+pub fn html(comparison: &Comparison, svg: &str) -> String {
+    let title = format!(
+        "Circle approximations compared by {}",
+        comparison.by.title()
+    );
+    let mut rows = String::new();
+    for (i, row) in cells(comparison, 6).into_iter().enumerate() {
+        let tag = if i == 0 { "th scope=\"col\"" } else { "td" };
+        rows += "<tr>";
+        for (j, cell) in row.into_iter().enumerate() {
+            let cell = cell.replace('<', "&lt;");
+            let tag = if i > 0 && j == 0 {
+                "th scope=\"row\""
+            } else {
+                tag
+            };
+            let _ = write!(rows, "<{tag}>{cell}</{}>", &tag[..2]);
+        }
+        rows += "</tr>\n";
+    }
+    let notes = notes(comparison).replace('<', "&lt;");
+    let notes: String = notes
+        .lines()
+        .filter(|l| !l.is_empty())
+        .map(|line| format!("<p>{line}</p>\n"))
+        .collect();
+    format!(
+        "<!DOCTYPE html>
+<html lang=\"en\">
+<head>
+<meta charset=\"utf-8\">
+<meta name=\"viewport\" content=\"width=device-width\">
+<title>{title}</title>
+<style>
+body {{ font: 15px/1.5 \"DejaVu Sans\", Verdana, Arial, sans-serif; color: #222; background: #fff; margin: 2em auto; max-width: 60em; padding: 0 1em }}
+svg {{ max-width: 100%; height: auto }}
+table {{ border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 13px }}
+th, td {{ padding: .2em .7em; text-align: right; border-bottom: 1px solid #ddd }}
+th:first-child {{ text-align: left; font-weight: normal }}
+</style>
+</head>
+<body>
+<h1>{title}</h1>
+{svg}<table>
+{rows}</table>
+{notes}</body>
+</html>
+"
+    )
+}

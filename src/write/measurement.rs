@@ -1,0 +1,182 @@
+//! The JSON and the CSV of what was measured.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::json::{ShapeDocument, shape_document};
+use super::number::text;
+use crate::approximate::Drawing;
+use crate::error::Result;
+use crate::measure::{Reference, Report, report};
+use crate::method::Rule;
+
+/// A report with what it is about.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Measurement {
+    /// The version of this form.
+    pub version: u32,
+    /// What was measured.
+    pub subject: Subject,
+    /// What was found.
+    #[serde(flatten)]
+    pub report: Report,
+}
+
+/// What was measured: a drawing of our own, or a curve that someone else made.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub struct Subject {
+    /// The shape that was drawn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shape: Option<ShapeDocument>,
+    /// The id of the method that drew it, or `handle`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub method: Option<String>,
+    /// The literal handle, with the method `handle`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub handle: Option<f64>,
+    /// Where the curve was read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<String>,
+    /// A few words.
+    pub title: String,
+}
+
+impl Measurement {
+    /// Measures a drawing of our own; `None` for a line and for nothing, which have no error.
+    ///
+    /// # Errors
+    ///
+    /// As [`report`].
+    pub fn of_drawing(
+        drawing: &Drawing,
+        coordinate_tolerance: Option<f64>,
+    ) -> Result<Option<Self>> {
+        let Some(outline) = &drawing.outline else {
+            return Ok(None);
+        };
+        let report = report(
+            &drawing.curve,
+            &Reference::from(outline),
+            coordinate_tolerance,
+        )?;
+        let handle = if let Rule::Handle(k) = drawing.rule {
+            Some(k)
+        } else {
+            None
+        };
+        Ok(Some(Self {
+            version: 1,
+            subject: Subject {
+                title: format!(
+                    "{}, {} by {}",
+                    super::describe(&drawing.shape),
+                    segments(report.segments),
+                    drawing.rule.id()
+                ),
+                shape: Some(shape_document(&drawing.shape, drawing.transform)),
+                method: Some(drawing.rule.id().to_owned()),
+                handle,
+                source: None,
+            },
+            report,
+        }))
+    }
+
+    /// A report on a curve that was read from `source`.
+    #[must_use]
+    pub fn of_source(source: &str, report: Report) -> Self {
+        Self {
+            version: 1,
+            subject: Subject {
+                title: format!("{source}, {}", segments(report.segments)),
+                source: Some(source.to_owned()),
+                ..Subject::default()
+            },
+            report,
+        }
+    }
+}
+
+fn segments(count: usize) -> String {
+    if count == 1 {
+        "1 segment".to_owned()
+    } else {
+        format!("{count} segments")
+    }
+}
+
+/// One line of CSV for each measurement, below a line of names; the joints are in the JSON only.
+#[must_use]
+pub fn csv(measurements: &[&Measurement]) -> String {
+    let mut out = COLUMNS.map(|(name, _)| name).join(",") + "\n";
+    for measurement in measurements {
+        let fields = COLUMNS.map(|(_, field)| field(measurement));
+        out += &fields.join(",");
+        out.push('\n');
+    }
+    out
+}
+
+/// A field of text in CSV (RFC 4180): in quotes where it holds a comma, a quote or a line break.
+#[must_use]
+pub fn csv_text(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+fn optional(value: Option<f64>) -> String {
+    value.map(text).unwrap_or_default()
+}
+
+/// A field of a line.
+type Field = fn(&Measurement) -> String;
+
+/// The columns of the CSV.
+const COLUMNS: [(&str, Field); 31] = [
+    ("subject", |m| csv_text(&m.subject.title)),
+    ("method", |m| m.subject.method.clone().unwrap_or_default()),
+    ("segments", |m| m.report.segments.to_string()),
+    ("closed", |m| m.report.closed.to_string()),
+    ("center_x", |m| text(m.report.reference.center[0])),
+    ("center_y", |m| text(m.report.reference.center[1])),
+    ("radius_x", |m| text(m.report.reference.radii[0])),
+    ("radius_y", |m| text(m.report.reference.radii[1])),
+    ("rotation", |m| text(m.report.reference.rotation)),
+    ("fit_rms", |m| {
+        optional(m.report.reference.fit.map(|fit| fit.rms))
+    }),
+    ("outward", |m| text(m.report.error.outward)),
+    ("inward", |m| text(m.report.error.inward)),
+    ("peak", |m| text(m.report.error.peak)),
+    ("relative_peak", |m| text(m.report.error.relative_peak)),
+    ("mean", |m| text(m.report.error.mean)),
+    ("mean_angle", |m| text(m.report.error.mean_angle)),
+    ("rms", |m| text(m.report.error.rms)),
+    ("outward_angle", |m| {
+        optional(m.report.error.outward_at.map(|at| at.angle))
+    }),
+    ("inward_angle", |m| {
+        optional(m.report.error.inward_at.map(|at| at.angle))
+    }),
+    ("length", |m| text(m.report.length.curve)),
+    ("true_length", |m| text(m.report.length.truth)),
+    ("length_difference", |m| text(m.report.length.difference)),
+    ("area", |m| text(m.report.area.curve)),
+    ("true_area", |m| text(m.report.area.truth)),
+    ("area_difference", |m| text(m.report.area.difference)),
+    ("least_curvature", |m| {
+        optional(m.report.curvature.least.map(|e| e.value))
+    }),
+    ("largest_curvature", |m| {
+        optional(m.report.curvature.largest.map(|e| e.value))
+    }),
+    ("continuity", |m| {
+        m.report.continuity.order.clone().unwrap_or_default()
+    }),
+    ("largest_turn", |m| text(m.report.continuity.largest_turn)),
+    ("angle_lag", |m| text(m.report.angle_lag.largest)),
+    ("angle_lag_angle", |m| text(m.report.angle_lag.at.angle)),
+];

@@ -1,0 +1,73 @@
+//! Colours that colour-blind people can tell apart (Okabe & Ito, "Color Universal Design", 2008; without their yellow, which is
+//! too light for a line on white), and dashes that tell lines apart without any colour.
+
+use super::scene::{Colour, Pen};
+use crate::method::Method;
+
+const BLACK: Colour = [0x00, 0x00, 0x00];
+const ORANGE: Colour = [0xe6, 0x9f, 0x00];
+const SKY_BLUE: Colour = [0x56, 0xb4, 0xe9];
+const GREEN: Colour = [0x00, 0x9e, 0x73];
+const BLUE: Colour = [0x00, 0x72, 0xb2];
+const VERMILION: Colour = [0xd5, 0x5e, 0x00];
+const PURPLE: Colour = [0xcc, 0x79, 0xa7];
+
+const COLOURS: [Colour; 7] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY_BLUE, BLACK];
+
+const DASHES: [&[f64]; 6] = [
+    &[],
+    &[7.0, 3.0],
+    &[2.0, 2.5],
+    &[9.0, 3.0, 2.0, 3.0],
+    &[4.0, 2.0],
+    &[12.0, 4.0],
+];
+
+const WIDTH: f64 = 1.7;
+
+/// The pen of the line of this number: first by colour, then by dash.
+pub(super) fn line(number: usize) -> Pen {
+    Pen {
+        colour: COLOURS[number % COLOURS.len()],
+        width: WIDTH,
+        // Each line has a dash of its own too, so that two that coincide are both seen.
+        dashes: DASHES[(number + number / COLOURS.len()) % DASHES.len()],
+    }
+}
+
+/// The pen of a method: a colour for each family, a dash for each member.
+pub(super) fn family_line(method: Method) -> Pen {
+    let (colour, member) = match method {
+        Method::Minimax => (BLACK, 0),
+        Method::Goldapp => (BLACK, 1),
+        Method::MinimaxG0 => (BLACK, 2),
+        Method::Midpoint => (BLUE, 0),
+        Method::Area => (BLUE, 1),
+        Method::Length => (BLUE, 2),
+        Method::Mean => (BLUE, 3),
+        Method::MeanAngle => (BLUE, 4),
+        Method::Rms => (BLUE, 5),
+        Method::Curvature => (VERMILION, 3),
+        Method::Apprich => (VERMILION, 0),
+        Method::ApprichPlus => (VERMILION, 1),
+        Method::ApprichScaled => (VERMILION, 2),
+        Method::CurvatureScaled => (VERMILION, 4),
+        Method::Chen1 => (GREEN, 0),
+        Method::Chen2 => (GREEN, 1),
+        Method::Chen3 => (GREEN, 2),
+        Method::LancasterBest => (PURPLE, 0),
+        Method::LancasterDrawellipse => (PURPLE, 2),
+        Method::MinimaxFree => (ORANGE, 0),
+        Method::MinimaxG0Free => (ORANGE, 1),
+        Method::QuadraticTangent => (SKY_BLUE, 0),
+        Method::QuadraticMidpoint => (SKY_BLUE, 1),
+        Method::QuadraticArea => (SKY_BLUE, 2),
+        Method::QuadraticMinimax => (SKY_BLUE, 3),
+        Method::QuadraticMinimaxFree => (SKY_BLUE, 5),
+    };
+    Pen {
+        colour,
+        width: WIDTH,
+        dashes: DASHES[member],
+    }
+}
