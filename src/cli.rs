@@ -2,9 +2,11 @@
 
 mod args;
 mod batch;
+mod compare;
 mod convert;
 mod draw;
 mod failure;
+mod measure;
 mod methods;
 mod output;
 mod procset;
@@ -49,6 +51,8 @@ fn run(command: Command) -> Outcome {
         Command::Sphere(args) => sphere::run(&args),
         Command::Procset(args) => procset::run(&args),
         Command::Methods(args) => methods::run(&args),
+        Command::Measure(args) => measure::run(&args),
+        Command::Compare(args) => compare::run(&args),
         Command::Convert(args) => convert::run(&args),
         Command::Completions(args) => shell::completions(&args),
         Command::Man(args) => shell::man(&args),

@@ -2,7 +2,9 @@
 
 mod approximation;
 mod batch;
+pub(crate) mod compare;
 mod convert;
+pub(crate) mod measure;
 pub(crate) mod methods;
 mod output;
 mod picture;
@@ -13,7 +15,9 @@ mod values;
 
 pub(crate) use approximation::ApproximationArgs;
 pub(crate) use batch::BatchArgs;
+pub(crate) use compare::CompareArgs;
 pub(crate) use convert::{ConvertArgs, DestinationArgs, Report};
+pub(crate) use measure::MeasureArgs;
 pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
@@ -57,6 +61,10 @@ pub(crate) enum Command {
     Procset(ProcsetArgs),
     /// Tell what is known of the methods
     Methods(MethodsArgs),
+    /// Measure a curve: its error, length, area, curvature and joints
+    Measure(Box<MeasureArgs>),
+    /// Compare methods by their error and the number of segments
+    Compare(CompareArgs),
     /// Replace circles, ellipses, rounded rectangles and path arcs in SVG files by Béziers; every other byte stays
     Convert(ConvertArgs),
     /// Print a completion script for a shell

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use curveto::approximate::{Options, approximate};
+use curveto::approximate::{Drawing, Options, approximate};
 use curveto::write::{Figure, json};
 use curveto::{Angle, Cut};
 
@@ -44,17 +44,30 @@ fn draw(
         precision: output.rounding(format),
         transform: output.transform(),
     };
-    let mut drawing = approximate(&shape.shape(default)?, &options)?;
-    if shape.open() {
-        drawing.curve.closed = false;
-    }
+    let drawing = drawing(shape, default, &options)?;
     let json = || Ok(json::to_string(&json::DrawingDocument::from(&drawing))?);
     write_figure(&Figure::from(&drawing), json, format, output)?;
     Ok(ExitCode::SUCCESS)
 }
 
+/// The drawing of a shape that was asked for.
+pub(super) fn drawing(
+    shape: &impl ShapeWords,
+    default: Direction,
+    options: &Options,
+) -> Result<Drawing, Failure> {
+    let mut drawing = approximate(&shape.shape(default)?, options)?;
+    if shape.open() {
+        drawing.curve.closed = false;
+    }
+    Ok(drawing)
+}
+
 /// The cut, in which joints that were asked for begin where the shape was asked to start.
-fn cut(shape: &impl ShapeWords, approximation: &ApproximationArgs) -> Result<Cut, Failure> {
+pub(super) fn cut(
+    shape: &impl ShapeWords,
+    approximation: &ApproximationArgs,
+) -> Result<Cut, Failure> {
     let mut cut = approximation.cut();
     if let (Cut::At(joints), Some(start)) = (&mut cut, shape.start()) {
         let same = |joint: &Angle| (joint.degrees() - start.degrees()).rem_euclid(360.0) == 0.0;

@@ -29,8 +29,8 @@ impl From<Quadrature> for curveto::spline::Quadrature {
 #[command(next_help_heading = "How it is approximated")]
 pub(crate) struct ApproximationArgs {
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
-    #[arg(short, long, value_name = "ID", value_parser = values::method)]
-    method: Option<Method>,
+    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::method)]
+    method: Vec<Method>,
     /// Exactly N segments, of equal parametric angle
     #[arg(short = 'n', long, value_name = "N", conflicts_with_all = ["tolerance", "joints"])]
     segments: Option<usize>,
@@ -52,8 +52,29 @@ pub(crate) struct ApproximationArgs {
 }
 
 impl ApproximationArgs {
-    /// What gives the control points.
+    /// What gives the control points of a drawing.
     pub(crate) fn rule(&self) -> Result<Rule, Failure> {
+        match self.rules()?.as_slice() {
+            &[rule] => Ok(rule),
+            _ => Err(Failure::request_with_hint(
+                "a drawing has one method",
+                "'curveto measure' takes several, and 'curveto compare' all of them",
+            )),
+        }
+    }
+
+    /// What gives the control points, where several methods may be asked for.
+    pub(crate) fn rules(&self) -> Result<Vec<Rule>, Failure> {
+        if self.method.is_empty() {
+            return Ok(vec![self.rule_of(Method::default())?]);
+        }
+        self.method
+            .iter()
+            .map(|&method| self.rule_of(method))
+            .collect()
+    }
+
+    fn rule_of(&self, method: Method) -> Result<Rule, Failure> {
         if let Some(k) = self.handle {
             return if k.is_finite() {
                 Ok(Rule::Handle(k))
@@ -63,7 +84,6 @@ impl ApproximationArgs {
                 )))
             };
         }
-        let method = self.method.unwrap_or_default();
         Ok(match (self.quadrature, method) {
             (Quadrature::Gauss2, Method::Chen2) => Rule::Chen2Gauss2,
             (Quadrature::Gauss2, _) => {

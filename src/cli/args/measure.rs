@@ -1,0 +1,162 @@
+//! The words of `measure`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand, ValueEnum};
+use curveto::measure::Quantity;
+use curveto::measure::fit::FitTo;
+use curveto::shape::Truth;
+use curveto::{Angle, Ellipse, Shape};
+use kurbo::{Affine, Vec2};
+
+use super::shape::{ArcShape, CircleShape, EllipseShape};
+use super::{ApproximationArgs, values};
+
+/// What to measure: a shape that is drawn here, or a curve that someone else made.
+#[derive(Debug, Args)]
+#[command(
+    args_conflicts_with_subcommands = true,
+    subcommand_help_heading = "Shapes",
+    subcommand_value_name = "SHAPE",
+    override_usage = "curveto measure circle|ellipse|arc ... [OPTIONS]\n       curveto measure --path 'M...' | --file F.svg [--against SHAPE] [OPTIONS]"
+)]
+pub(crate) struct MeasureArgs {
+    #[command(subcommand)]
+    pub(crate) shape: Option<MeasuredShape>,
+    #[command(flatten)]
+    pub(crate) foreign: ForeignArgs,
+    #[command(flatten)]
+    pub(crate) report: ReportArgs,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum MeasuredShape {
+    /// Measure a circle as it would be drawn
+    Circle(Measured<CircleShape>),
+    /// Measure an ellipse as it would be drawn
+    Ellipse(Measured<EllipseShape>),
+    /// Measure an arc as it would be drawn
+    Arc(Measured<ArcShape>),
+}
+
+/// A shape, how it is approximated, and what is told of it. Several methods may be named.
+#[derive(Debug, Args)]
+pub(crate) struct Measured<S: Args> {
+    #[command(flatten)]
+    pub(crate) shape: S,
+    #[command(flatten)]
+    pub(crate) approximation: ApproximationArgs,
+    /// Round the control points to P decimals, or as drawing would with auto [default: full precision]
+    #[arg(short, long, value_name = "P", value_parser = values::precision)]
+    pub(crate) precision: Option<DecimalsArg>,
+    /// An SVG transform list, applied to the control points
+    #[arg(long, value_name = "LIST", value_parser = values::transform, allow_hyphen_values = true)]
+    pub(crate) transform: Option<Affine>,
+    #[command(flatten)]
+    pub(crate) report: ReportArgs,
+}
+
+/// Decimals, or `None` for auto; a name of its own, since clap takes a plain `Option` for an absent value.
+pub(crate) type DecimalsArg = Option<u8>;
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "A curve that someone else made")]
+pub(crate) struct ForeignArgs {
+    /// SVG path data
+    #[arg(long, value_name = "DATA", allow_hyphen_values = true, group = "curve")]
+    pub(crate) path: Option<String>,
+    /// Every path of an SVG file, its transforms applied; - is standard input
+    #[arg(long, alias = "svg", value_name = "FILE", group = "curve")]
+    pub(crate) file: Option<PathBuf>,
+    /// The true shape [default: the circle that fits best]
+    #[arg(long, value_name = "circle:CX,CY,R|ellipse:CX,CY,RX,RY,ROT", value_parser = against, requires = "curve")]
+    pub(crate) against: Option<Truth>,
+    /// What the circle is fitted to [default: the joints where they determine one, else the curve]
+    #[arg(
+        long,
+        value_enum,
+        value_name = "TO",
+        conflicts_with = "against",
+        requires = "curve"
+    )]
+    pub(crate) fit: Option<FitArg>,
+}
+
+/// What a circle is fitted to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FitArg {
+    /// The ends of the segments
+    Joints,
+    /// Points all along the curve
+    Curve,
+}
+
+impl From<FitArg> for FitTo {
+    fn from(to: FitArg) -> Self {
+        match to {
+            FitArg::Joints => Self::Joints,
+            FitArg::Curve => Self::Curve,
+        }
+    }
+}
+
+/// How a report is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReportFormat {
+    /// For people, 80 columns wide
+    Table,
+    /// One object, or an array of several; docs/schema/measurement.json describes it
+    Json,
+    /// A line a curve
+    Csv,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Report")]
+pub(crate) struct ReportArgs {
+    /// The format of the report [default: by the extension of -o, else table]
+    #[arg(short, long, value_enum, value_name = "F")]
+    pub(crate) format: Option<ReportFormat>,
+    /// Write the report to FILE, atomically; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// How far rounding may have moved each coordinate, in user units: jumps at joints that this explains do not count
+    /// [default: four units in the last place of the largest coordinate]
+    #[arg(long, value_name = "D", value_parser = values::number)]
+    pub(crate) coordinate_tolerance: Option<f64>,
+    /// Draw the quantity along the curve too; the extension, svg or png, says how
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
+    /// What the plot shows [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag]
+    #[arg(long, value_name = "Q", requires = "plot", value_parser = |text: &str| text.parse::<Quantity>())]
+    pub(crate) quantity: Option<Quantity>,
+    /// The size of the plot in pixels
+    #[arg(long, value_name = "WxH", value_parser = values::pixels, requires = "plot")]
+    pub(crate) size: Option<[f64; 2]>,
+}
+
+/// Reads the true shape of `--against`.
+fn against(text: &str) -> Result<Truth, String> {
+    let form = || format!("'{text}' is neither circle:CX,CY,R nor ellipse:CX,CY,RX,RY,ROT");
+    let (kind, numbers) = text.split_once(':').ok_or_else(form)?;
+    let fields: Vec<&str> = numbers.split(',').map(str::trim).collect();
+    let (radii, rotation) = match (kind.trim(), fields.as_slice()) {
+        ("circle", [_, _, r]) => (
+            Vec2::new(values::number(r)?, values::number(r)?),
+            Angle::ZERO,
+        ),
+        ("ellipse", [_, _, rx, ry]) => (
+            Vec2::new(values::number(rx)?, values::number(ry)?),
+            Angle::ZERO,
+        ),
+        ("ellipse", [_, _, rx, ry, rotation]) => (
+            Vec2::new(values::number(rx)?, values::number(ry)?),
+            values::angle(rotation)?,
+        ),
+        _ => return Err(form()),
+    };
+    let center = (values::number(fields[0])?, values::number(fields[1])?);
+    let ellipse = Ellipse::new(center, radii, rotation).map_err(|error| error.to_string())?;
+    let outline = Shape::Ellipse(ellipse).outline();
+    outline.map(|outline| outline.truth).ok_or_else(form)
+}

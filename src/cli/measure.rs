@@ -1,0 +1,255 @@
+//! `measure`.
+
+mod table;
+
+use std::io::Read;
+use std::path::Path;
+use std::process::ExitCode;
+
+use anyhow::Context;
+use curveto::approximate::Options;
+use curveto::curve::Curve;
+use curveto::measure::{Quantity, Reference, fit, report};
+use curveto::read;
+use curveto::write::json;
+use curveto::write::measurement::{Measurement, csv};
+use curveto::write::number::Precision;
+use curveto::write::plot::{self, Chart};
+
+use super::Outcome;
+use super::args::MeasureArgs;
+use super::args::measure::{ForeignArgs, Measured, MeasuredShape, ReportArgs, ReportFormat};
+use super::args::shape::{Direction, ShapeWords};
+use super::draw;
+use super::failure::Failure;
+use super::output::Target;
+
+/// What was measured, with what a plot needs of it.
+struct Subject {
+    /// What a plot calls it.
+    name: String,
+    curve: Curve,
+    reference: Reference,
+    measurement: Measurement,
+}
+
+pub(super) fn run(args: &MeasureArgs) -> Outcome {
+    match &args.shape {
+        Some(MeasuredShape::Circle(shape)) => drawn(shape),
+        Some(MeasuredShape::Ellipse(shape)) => drawn(shape),
+        Some(MeasuredShape::Arc(shape)) => drawn(shape),
+        None => {
+            let subjects = foreign(&args.foreign, &args.report)?;
+            tell(&subjects, &args.report, args.foreign.file.is_some())
+        }
+    }
+}
+
+/// Measures a shape as it would be drawn, by each method that was named.
+fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
+    let precision = match args.precision {
+        None => Some(Precision::Full),
+        Some(None) => None,
+        Some(Some(decimals)) => Some(Precision::Fixed(decimals)),
+    };
+    let mut subjects = Vec::new();
+    for rule in args.approximation.rules()? {
+        let options = Options {
+            rule,
+            cut: draw::cut(&args.shape, &args.approximation)?,
+            precision,
+            transform: args.transform.unwrap_or_default(),
+        };
+        let drawing = draw::drawing(&args.shape, Direction::default(), &options)?;
+        let measurement = Measurement::of_drawing(&drawing, args.report.coordinate_tolerance()?)?;
+        let (Some(measurement), Some(outline)) = (measurement, &drawing.outline) else {
+            return Err(Failure::request(
+                "there is nothing to measure: the shape is a straight line or nothing, and that is exact",
+            ));
+        };
+        subjects.push(Subject {
+            name: rule.id().to_owned(),
+            reference: Reference::from(outline),
+            curve: drawing.curve,
+            measurement,
+        });
+    }
+    tell(&subjects, &args.report, false)
+}
+
+/// Measures what someone else made.
+fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Failure> {
+    if let Some(data) = &args.path {
+        let curves = read::path_data(data)?;
+        return subjects("path", &curves, args, report);
+    }
+    let Some(file) = &args.file else {
+        return Err(Failure::request_with_hint(
+            "nothing to measure was named",
+            "for example: curveto measure circle 50, curveto measure --path 'M...', curveto measure --file drawing.svg",
+        ));
+    };
+    let (text, name) = read_text(file)?;
+    let paths =
+        read::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
+    let mut found = Vec::new();
+    for path in &paths {
+        let id = path
+            .id
+            .as_ref()
+            .map(|id| format!("#{id}"))
+            .unwrap_or_default();
+        let place = format!("{name}:{}{id}", path.line);
+        let measured = match &path.curves {
+            Ok(curves) => subjects(&place, curves, args, report),
+            Err(error) => Err(Failure::from(error.clone())),
+        };
+        match measured {
+            Ok(subjects) => found.extend(subjects),
+            // The other paths can be measured all the same.
+            Err(Failure::Request { message, .. }) => {
+                eprintln!("note: {place}: not measured: {message}")
+            }
+            Err(other) => return Err(other),
+        }
+    }
+    if found.is_empty() {
+        return Err(Failure::request_with_hint(
+            format!("{name} holds no path that can be measured"),
+            "a path of cubic or quadratic Béziers can; 'curveto convert' makes them of circles, ellipses and arcs",
+        ));
+    }
+    Ok(found)
+}
+
+/// The text of a file or of standard input, and what to call it.
+fn read_text(file: &Path) -> Result<(String, String), Failure> {
+    if file.as_os_str() == "-" {
+        let mut text = String::new();
+        std::io::stdin()
+            .lock()
+            .read_to_string(&mut text)
+            .context("cannot read standard input")?;
+        return Ok((text, "standard input".to_owned()));
+    }
+    let name = file.display().to_string();
+    let text = std::fs::read_to_string(file).with_context(|| format!("cannot read {name}"))?;
+    Ok((text, name))
+}
+
+/// Measures each of these curves.
+fn subjects(
+    source: &str,
+    curves: &[Curve],
+    args: &ForeignArgs,
+    report_args: &ReportArgs,
+) -> Result<Vec<Subject>, Failure> {
+    if curves.is_empty() {
+        return Err(Failure::request(
+            "there is nothing to measure: the path is empty, or a single point",
+        ));
+    }
+    let one = |(i, curve): (usize, &Curve)| -> Result<Subject, Failure> {
+        let (truth, fit) = match args.against {
+            Some(truth) => (truth, None),
+            None => fit::circle(curve, args.fit.map(Into::into))
+                .map(|(truth, fit)| (truth, Some(fit)))
+                .map_err(|error| {
+                    Failure::request_with_hint(
+                        error.to_string(),
+                        "--against circle:CX,CY,R names the true circle",
+                    )
+                })?,
+        };
+        let reference = Reference::from(truth);
+        let mut found = report(curve, &reference, report_args.coordinate_tolerance()?)?;
+        found.reference.fit = fit;
+        let source = if curves.len() == 1 {
+            source.to_owned()
+        } else {
+            format!("{source}, subpath {}", i + 1)
+        };
+        Ok(Subject {
+            name: source.clone(),
+            curve: curve.clone(),
+            reference,
+            measurement: Measurement::of_source(&source, found),
+        })
+    };
+    curves.iter().enumerate().map(one).collect()
+}
+
+/// Writes the report, and the plot where one was asked for.
+fn tell(subjects: &[Subject], args: &ReportArgs, always_array: bool) -> Outcome {
+    if let Some(file) = &args.plot {
+        draw_plot(subjects, file, args)?;
+    }
+    let measurements: Vec<&Measurement> = subjects.iter().map(|s| &s.measurement).collect();
+    let text = match args.format() {
+        ReportFormat::Table => {
+            let tables: Vec<String> = measurements.iter().map(|m| table::render(m)).collect();
+            tables.join("\n")
+        }
+        ReportFormat::Csv => csv(&measurements),
+        ReportFormat::Json => match measurements.as_slice() {
+            [one] if !always_array => json::to_string(one)? + "\n",
+            all => json::to_string(&all)? + "\n",
+        },
+    };
+    Target::new(args.output.as_deref()).write(text.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Draws the quantity along every subject.
+fn draw_plot(subjects: &[Subject], file: &Path, args: &ReportArgs) -> Result<(), Failure> {
+    let picture = plot::PictureFormat::of_file(file)?;
+    let quantity = args.quantity.unwrap_or_default();
+    let curves: Vec<(&str, &Curve, &Reference)> = subjects
+        .iter()
+        .map(|s| (s.name.as_str(), &s.curve, &s.reference))
+        .collect();
+    let chart = Chart::along(&title(subjects, quantity), quantity, &curves);
+    Target::new(Some(file)).write(&chart.picture(picture, args.size)?)
+}
+
+fn title(subjects: &[Subject], quantity: Quantity) -> String {
+    let what = match quantity {
+        Quantity::Error => "Distance from the true shape",
+        Quantity::Curvature => "Curvature",
+        Quantity::CurvatureD1 => "First derivative of curvature by arc length",
+        Quantity::CurvatureD2 => "Second derivative of curvature by arc length",
+        Quantity::AngleLag => "How far the angle is ahead of linear in t",
+    };
+    match subjects {
+        [one] => format!("{what}: {}", one.measurement.subject.title),
+        // Several methods of one shape: what comes before the method is the same.
+        [one, ..] if one.measurement.subject.shape.is_some() => {
+            let title = &one.measurement.subject.title;
+            let shape = title.split(" by ").next().unwrap_or(title);
+            format!("{what}: {shape}")
+        }
+        _ => what.to_owned(),
+    }
+}
+
+impl ReportArgs {
+    /// The format that was asked for, or that the extension of the output file tells.
+    fn format(&self) -> ReportFormat {
+        let extension = self.output.as_deref().and_then(Path::extension);
+        self.format
+            .unwrap_or(match extension.and_then(|e| e.to_str()) {
+                Some("json") => ReportFormat::Json,
+                Some("csv") => ReportFormat::Csv,
+                _ => ReportFormat::Table,
+            })
+    }
+
+    fn coordinate_tolerance(&self) -> Result<Option<f64>, Failure> {
+        match self.coordinate_tolerance {
+            Some(d) if !(d.is_finite() && d >= 0.0) => Err(Failure::request(format!(
+                "a coordinate tolerance is a distance of at least 0, not {d}"
+            ))),
+            tolerance => Ok(tolerance),
+        }
+    }
+}

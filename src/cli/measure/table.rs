@@ -1,0 +1,238 @@
+//! The report for people, 80 columns wide.
+
+use comfy_table::{CellAlignment, Table, presets};
+use curveto::measure::Report;
+use curveto::measure::continuity::Joint;
+use curveto::measure::curvature::Curvature;
+use curveto::measure::fit::FitTo;
+use curveto::measure::report::{
+    ContinuityReport, CurvatureReport, ErrorReport, Extent, Extreme, Place, ReferenceReport,
+};
+use curveto::write::measurement::Measurement;
+use curveto::write::number::{compact, significant};
+
+/// How many joints are listed; beyond, most are alike, and JSON lists them all.
+const MOST_JOINTS: usize = 16;
+
+/// A name, a figure and what is to be said of it.
+type Line = [String; 3];
+
+/// The report on one curve.
+pub(super) fn render(measurement: &Measurement) -> String {
+    let report = &measurement.report;
+    let mut table = plain();
+    for line in error(&report.error)
+        .into_iter()
+        .chain(extents(report))
+        .chain(curvature(&report.curvature))
+    {
+        table.add_row(line);
+    }
+    let lag = &report.angle_lag;
+    let linear = "degrees ahead of linear in t".to_owned();
+    table.add_row(["angle lag".to_owned(), number(lag.largest), linear]);
+    table.add_row([String::new(), String::new(), place(Some(lag.at))]);
+    table.add_rows(continuity(&report.continuity));
+    close_up(&mut table, 2, &[]);
+    let mut out = format!(
+        "{}\nagainst {}\n\n{}",
+        measurement.subject.title,
+        reference(&report.reference),
+        lines(&table)
+    );
+    if !report.continuity.joints.is_empty() {
+        out += "\n";
+        out += &joints(&report.continuity.joints);
+    }
+    out
+}
+
+fn line(name: &str, value: String, note: String) -> Line {
+    [name.to_owned(), value, note]
+}
+
+fn error(error: &ErrorReport) -> [Line; 6] {
+    let share = format!("{} of the larger radius", compact(error.relative_peak, 6));
+    [
+        line("outward", number(error.outward), place(error.outward_at)),
+        line("inward", number(error.inward), place(error.inward_at)),
+        line("peak", number(error.peak), share),
+        line("mean (t)", number(error.mean), String::new()),
+        line("mean (angle)", number(error.mean_angle), String::new()),
+        line("rms (t)", number(error.rms), String::new()),
+    ]
+}
+
+fn extents(report: &Report) -> [Line; 2] {
+    [
+        line(
+            "length",
+            number(report.length.curve),
+            extent(&report.length),
+        ),
+        line("area", number(report.area.curve), extent(&report.area)),
+    ]
+}
+
+fn curvature(k: &CurvatureReport) -> [Line; 3] {
+    let value =
+        |extreme: Option<Extreme>| extreme.map_or_else(|| "none".to_owned(), |e| number(e.value));
+    [
+        line(
+            "curvature from",
+            value(k.least),
+            place(k.least.map(|e| e.at)),
+        ),
+        line("to", value(k.largest), place(k.largest.map(|e| e.at))),
+        line(
+            "true, from",
+            number(k.true_least),
+            format!("to {}", number(k.true_largest)),
+        ),
+    ]
+}
+
+fn continuity(c: &ContinuityReport) -> [Line; 2] {
+    let order = c.order.clone().unwrap_or_else(|| "-".to_owned());
+    if c.joints.is_empty() {
+        return [
+            line("continuity", order, "no joints".to_owned()),
+            line("", String::new(), String::new()),
+        ];
+    }
+    let turn = format!("largest turn {} degrees", compact(c.largest_turn, 3));
+    let right = format!(
+        "coordinates taken as right to {}",
+        compact(c.coordinate_tolerance, 2)
+    );
+    [
+        line("continuity", order, turn),
+        line("", String::new(), right),
+    ]
+}
+
+/// A table without lines, its first columns close together.
+fn plain() -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    table
+}
+
+/// The lines of a table without blanks at their ends.
+fn lines(table: &Table) -> String {
+    table
+        .lines()
+        .map(|line| format!("{}\n", line.trim_end()))
+        .collect()
+}
+
+fn number(x: f64) -> String {
+    compact(x, 7)
+}
+
+fn place(at: Option<Place>) -> String {
+    at.map_or_else(String::new, |at| {
+        format!(
+            "at {} degrees, segment {}, t {}",
+            significant(at.angle, 6),
+            at.segment,
+            significant(at.t, 5)
+        )
+    })
+}
+
+fn extent(extent: &Extent) -> String {
+    let relative = extent
+        .relative
+        .map(|r| format!(", {} of it", compact(r, 4)));
+    format!(
+        "true {}; {}{}",
+        number(extent.truth),
+        compact(extent.difference, 4),
+        relative.unwrap_or_default()
+    )
+}
+
+fn reference(reference: &ReferenceReport) -> String {
+    let [x, y] = reference.center.map(|x| significant(x, 8));
+    let [rx, ry] = reference.radii.map(|r| significant(r, 10));
+    let shape = if reference.radii[0] == reference.radii[1] {
+        format!("the circle about {x},{y} of radius {rx}")
+    } else {
+        format!(
+            "the ellipse about {x},{y} with radii {rx} and {ry} at {} degrees",
+            significant(reference.rotation, 6)
+        )
+    };
+    let Some(fit) = reference.fit else {
+        return shape;
+    };
+    let to = match fit.to {
+        FitTo::Joints => "joints",
+        FitTo::Curve => "points of the curve",
+    };
+    format!(
+        "{shape},\nfitted to {} {to}: root mean square {}, {} of the radius",
+        fit.points,
+        compact(fit.rms, 4),
+        compact(fit.relative_rms, 4)
+    )
+}
+
+fn joints(joints: &[Joint]) -> String {
+    let mut table = plain();
+    table.set_header([
+        "joint at",
+        "order",
+        "gap",
+        "turn",
+        "",
+        "curvature",
+        "d/ds",
+        "d²/ds²",
+    ]);
+    for joint in joints.iter().take(MOST_JOINTS) {
+        table.add_row(side(joint, "before", joint.before));
+        table.add_row(side(joint, "after", joint.after));
+    }
+    close_up(&mut table, 2, &[0, 2, 3, 5, 6, 7]);
+    let mut out = lines(&table);
+    if joints.len() > MOST_JOINTS {
+        let more = joints.len() - MOST_JOINTS;
+        out += &format!("... and {more} more joints: -f json lists them all\n");
+    }
+    out
+}
+
+/// The line of one side of a joint; what holds for both stands in the first.
+fn side(joint: &Joint, name: &str, side: Option<Curvature>) -> [String; 8] {
+    let once = |text: String| {
+        if name == "before" {
+            text
+        } else {
+            String::new()
+        }
+    };
+    let figure =
+        |of: fn(Curvature) -> f64| side.map_or_else(|| "none".to_owned(), |k| compact(of(k), 6));
+    [
+        once(significant(joint.angle, 6)),
+        once(joint.continuity.clone()),
+        once(compact(joint.gap, 3)),
+        once(compact(joint.turn, 3)),
+        name.to_owned(),
+        figure(|k| k.value),
+        figure(|k| k.d1),
+        figure(|k| k.d2),
+    ]
+}
+
+/// Sets so many blanks between columns, and these columns to the right.
+fn close_up(table: &mut Table, gap: u16, right: &[usize]) {
+    for (i, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, gap));
+        if right.contains(&i) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+}
