@@ -3,7 +3,7 @@
 //! On a circle |p(t)|² - r² is a polynomial of degree 6 (4 for a quadratic); its coefficients are formed in twice the digits of
 //! `f64`, so that errors far below 1e-16 of the radius are told as what they are, and the extremes are the roots of its
 //! derivative. On an ellipse the true distance along the normal is taken, from the nearest point; its extremes are roots of the
-//! derivative of the distance, bracketed on a grid.
+//! derivative of the distance, bracketed between the crossings.
 
 use core::iter;
 
@@ -15,8 +15,16 @@ use super::exact::Double;
 use crate::method::numeric::{adaptive_integral, root};
 use crate::shape::Truth;
 
-/// How many brackets the search on an ellipse divides a segment into; a cubic's distance has at most six extremes.
-const BRACKETS: u32 = 32;
+/// How many brackets the search on an ellipse begins with between two crossings; they narrow towards the crossings, as the
+/// distance does where the curve touches the ellipse.
+const BRACKETS: u32 = 8;
+
+/// A bracket in which the ellipse's normal turns by more than this, as a cosine, is halved: at the tips of a flat ellipse the
+/// distance varies with the normal, far faster than with t.
+const NORMAL_TURN: f64 = 0.95;
+
+/// How often a bracket is halved at most.
+const MOST_HALVINGS: u32 = 24;
 
 /// The largest distances of these segments from the true shape.
 #[must_use]
@@ -38,22 +46,65 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
         }
         return;
     }
-    let slope = |t: f64| {
-        let (p, derivative) = eval(segment, t);
-        derivative.dot(nearest(truth, p).outward)
-    };
-    let mut before = (0.0, slope(0.0));
-    visit(0.0, distance(truth, eval(segment, 0.0).0));
-    for i in 1..=BRACKETS {
-        let t = f64::from(i) / f64::from(BRACKETS);
-        let after = (t, slope(t));
-        if (before.1 > 0.0) != (after.1 > 0.0) {
-            let t = root(slope, before.0, after.0);
-            visit(t, distance(truth, eval(segment, t).0));
+    let search = Search { segment, truth };
+    visit(0.0, search.distance(0.0));
+    for (from, to) in Profile::new(segment, truth).crossings().pieces() {
+        let mut before = search.sample(from);
+        for i in 1..=BRACKETS {
+            let part = (core::f64::consts::PI * f64::from(i) / f64::from(BRACKETS)).cos();
+            let after = search.sample(from + (to - from) * (1.0 - part) / 2.0);
+            search.bracket(&before, &after, MOST_HALVINGS, &mut visit);
+            before = after;
         }
-        before = after;
     }
-    visit(1.0, distance(truth, eval(segment, 1.0).0));
+    visit(1.0, search.distance(1.0));
+}
+
+/// The search for the extremes of the distance from an ellipse.
+struct Search<'a> {
+    segment: &'a PathSeg,
+    truth: &'a Truth,
+}
+
+/// A place on the segment with the derivative of the distance there.
+struct Sample {
+    t: f64,
+    slope: f64,
+    normal: Vec2,
+}
+
+impl Search<'_> {
+    fn distance(&self, t: f64) -> f64 {
+        distance(self.truth, self.segment.eval(t))
+    }
+
+    fn sample(&self, t: f64) -> Sample {
+        let (p, derivative) = eval(self.segment, t);
+        let normal = nearest(self.truth, p).outward;
+        Sample {
+            t,
+            slope: derivative.dot(normal),
+            normal,
+        }
+    }
+
+    /// Visits the extreme between two places, halving where the normal turns far.
+    fn bracket(
+        &self,
+        before: &Sample,
+        after: &Sample,
+        halvings: u32,
+        visit: &mut impl FnMut(f64, f64),
+    ) {
+        if halvings > 0 && before.normal.dot(after.normal) < NORMAL_TURN {
+            let middle = self.sample(f64::midpoint(before.t, after.t));
+            self.bracket(before, &middle, halvings - 1, visit);
+            self.bracket(&middle, after, halvings - 1, visit);
+        } else if (before.slope > 0.0) != (after.slope > 0.0) {
+            let t = root(|t| self.sample(t).slope, before.t, after.t);
+            visit(t, self.distance(t));
+        }
+    }
 }
 
 /// The signed distance of one segment from the true shape as a function of t, positive outside.

@@ -160,7 +160,7 @@ fn reference(reference: &ReferenceReport) -> String {
         format!("the circle about {x},{y} of radius {rx}")
     } else {
         format!(
-            "the ellipse about {x},{y} with radii {rx} and {ry} at {} degrees",
+            "the ellipse about {x},{y}\nwith radii {rx} and {ry} at {} degrees",
             significant(reference.rotation, 6)
         )
     };
