@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::joints::Cut;
 use crate::measure::extent;
 use crate::measure::radial::{self, Profile};
-use crate::method::{Method, Rule};
+use crate::method::Rule;
 use crate::shape::{Circle, Shape, Truth};
 use crate::write::number::Precision;
 
@@ -149,9 +149,9 @@ pub struct Comparison {
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Row {
     /// Its id.
-    #[serde(serialize_with = "id")]
+    #[serde(rename = "method", serialize_with = "id")]
     #[schemars(with = "String")]
-    pub method: Method,
+    pub rule: Rule,
     /// Its figure at each number of segments; `null` where it cannot draw the circle with so many.
     pub values: Vec<Option<f64>>,
     /// The power of 1/segments with which its figure falls, between the last two numbers of segments that have one above the
@@ -159,22 +159,22 @@ pub struct Row {
     pub order: Option<f64>,
 }
 
-fn id<S: Serializer>(method: &Method, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(method.id())
+fn id<S: Serializer>(rule: &Rule, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(rule.id())
 }
 
 impl Comparison {
-    /// Compares methods.
+    /// Compares methods, or rules beyond the catalogue.
     ///
     /// # Errors
     ///
     /// Where a count is 0 or beyond [`crate::joints::MOST_SEGMENTS`], or no method can draw the circle with any of the counts.
-    pub fn new(methods: &[Method], counts: &[usize], by: Criterion) -> Result<Self> {
+    pub fn new(rules: &[Rule], counts: &[usize], by: Criterion) -> Result<Self> {
         let circle = Circle::new((0.0, 0.0), 1.0)?;
         let truth = Truth::circle(circle.center, circle.radius);
-        let figure = |method: Method, count: usize| {
+        let figure = |rule: Rule, count: usize| {
             let options = Options {
-                rule: Rule::Method(method),
+                rule,
                 cut: Cut::Count(count),
                 precision: Some(Precision::Full),
                 ..Options::default()
@@ -185,14 +185,14 @@ impl Comparison {
                 Err(other) => Err(other),
             }
         };
-        let row = |&method: &Method| {
+        let row = |&rule: &Rule| {
             let values: Vec<Option<f64>> = counts
                 .iter()
-                .map(|&count| figure(method, count))
+                .map(|&count| figure(rule, count))
                 .collect::<Result<_>>()?;
             let order = order(counts, &values);
             Ok(Row {
-                method,
+                rule,
                 values,
                 order,
             })
@@ -201,7 +201,7 @@ impl Comparison {
             version: 1,
             by,
             counts: counts.to_vec(),
-            rows: methods.iter().map(row).collect::<Result<_>>()?,
+            rows: rules.iter().map(row).collect::<Result<_>>()?,
         })
     }
 }

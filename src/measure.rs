@@ -1,6 +1,7 @@
 //! How far a finished curve strays from the exact shape. It reads points and nothing of the method that made them, so that it
 //! judges any method, rounded output, and curves that others made.
 
+pub(crate) mod bench;
 pub(crate) mod bernstein;
 pub mod continuity;
 pub mod curvature;

@@ -7,7 +7,7 @@ use svgtypes::{PathParser, PathSegment};
 
 use crate::curve::Curve;
 use crate::error::{Error, Result, finite};
-use crate::measure::report::{CLOSING_GAP, gap, size};
+use crate::measure::bench::{CLOSING_GAP, gap, size};
 
 /// The curves of path data, one for each subpath. A closing line that is next to nothing, as rounding leaves one, is no segment.
 ///
@@ -199,10 +199,7 @@ pub fn svg_paths(text: &str) -> Result<Vec<SvgPath>> {
     let (mut counted, mut line) = (0, 1);
     loop {
         let position = (reader.buffer_position() as usize).min(text.len());
-        line += text.as_bytes()[counted..position]
-            .iter()
-            .filter(|&&b| b == b'\n')
-            .count();
+        line += text[counted..position].matches('\n').count();
         counted = position;
         let event = reader
             .read_event()

@@ -16,15 +16,43 @@ use super::failure::Failure;
 use super::output::Target;
 
 pub(super) fn run(args: &CompareArgs) -> Outcome {
-    let comparison = Comparison::new(&args.method, &args.segments, args.by)?;
-    let picture = |format| Chart::comparison(&comparison).picture(format, args.size);
+    let rules = args.rules();
+    let comparisons: Vec<Comparison> = args
+        .by
+        .iter()
+        .map(|&by| Comparison::new(&rules, &args.segments, by))
+        .collect::<Result<_, _>>()?;
     let target = Target::new(args.output.as_deref());
-    let bytes = match args.format() {
-        ComparisonFormat::Table => table(&comparison).into_bytes(),
-        ComparisonFormat::Csv => csv(&comparison).into_bytes(),
-        ComparisonFormat::Json => (json::to_string(&comparison)? + "\n").into_bytes(),
+    let bytes = match (args.format(), comparisons.as_slice()) {
+        (ComparisonFormat::Table, all) => {
+            let tables: Vec<String> = all.iter().map(table).collect();
+            tables.join("\n").into_bytes()
+        }
+        (ComparisonFormat::Json, [one]) => (json::to_string(one)? + "\n").into_bytes(),
+        (ComparisonFormat::Json, all) => (json::to_string(&all)? + "\n").into_bytes(),
+        (format, [one]) => one_only(format, one, args, &target)?,
+        _ => {
+            return Err(Failure::request_with_hint(
+                "a plot, a page or CSV shows one criterion",
+                "-f table and -f json take several",
+            ));
+        }
+    };
+    target.write(&bytes)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A comparison in a format that shows one criterion only.
+fn one_only(
+    format: ComparisonFormat,
+    comparison: &Comparison,
+    args: &CompareArgs,
+    target: &Target,
+) -> Result<Vec<u8>, Failure> {
+    let picture = |format| Chart::comparison(comparison).picture(format, args.size);
+    Ok(match format {
         ComparisonFormat::Svg => picture(PictureFormat::Svg)?,
-        ComparisonFormat::Png if target == Target::Stdout && std::io::stdout().is_terminal() => {
+        ComparisonFormat::Png if *target == Target::Stdout && std::io::stdout().is_terminal() => {
             return Err(Failure::request_with_hint(
                 "a PNG does not belong on a terminal",
                 "give -o FILE, or redirect standard output",
@@ -33,11 +61,10 @@ pub(super) fn run(args: &CompareArgs) -> Outcome {
         ComparisonFormat::Png => picture(PictureFormat::Png)?,
         ComparisonFormat::Html => {
             let svg = picture(PictureFormat::Svg)?;
-            html(&comparison, &String::from_utf8_lossy(&svg)).into_bytes()
+            html(comparison, &String::from_utf8_lossy(&svg)).into_bytes()
         }
-    };
-    target.write(&bytes)?;
-    Ok(ExitCode::SUCCESS)
+        _ => csv(comparison).into_bytes(),
+    })
 }
 
 impl CompareArgs {

@@ -2,7 +2,7 @@
 
 mod table;
 
-use std::io::Read;
+use std::io::{Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -108,7 +108,11 @@ fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Fail
             Ok(subjects) => found.extend(subjects),
             // The other paths can be measured all the same.
             Err(Failure::Request { message, .. }) => {
-                eprintln!("note: {place}: not measured: {message}")
+                // Where standard error is gone, nobody is left to tell.
+                let _ = writeln!(
+                    std::io::stderr().lock(),
+                    "note: {place}: not measured: {message}"
+                );
             }
             Err(other) => return Err(other),
         }

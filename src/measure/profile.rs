@@ -3,10 +3,10 @@
 use core::fmt;
 use core::str::FromStr;
 
+use super::bench::Bench;
 use super::curvature;
 use super::radial::Profile;
 use super::reference::Reference;
-use super::report::Bench;
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 

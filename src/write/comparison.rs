@@ -11,7 +11,7 @@ const COLUMNS: usize = 80;
 /// The table for people: as many digits, six at most, as 80 columns have room for.
 #[must_use]
 pub fn table(comparison: &Comparison) -> String {
-    let candidates = [(6, 2), (5, 2), (4, 2), (3, 2), (3, 1)];
+    let candidates = [(6, 2), (5, 2), (4, 2), (4, 1), (3, 2), (3, 1)];
     let laid = candidates.map(|(digits, gap)| lay_out(&cells(comparison, digits), gap));
     let fits = |text: &&String| text.lines().all(|line| line.chars().count() <= COLUMNS);
     let widest = laid.iter().find(fits).or(laid.last());
@@ -24,7 +24,7 @@ fn notes(comparison: &Comparison) -> String {
     notes += ", of the full circle of radius 1";
     if comparison.rows.iter().any(|row| row.order.is_some()) {
         notes +=
-            ".\norder: the power of 1/segments with which it falls, from a row's last two figures";
+            ".\norder: the power of 1/n with which it falls, from a row's last two figures";
     }
     if comparison.rows.iter().any(|row| row.values.contains(&None)) {
         notes += ".\n-: impossible; 'curveto measure circle 1 -m ID -n N' says why";
@@ -50,7 +50,7 @@ fn cells(comparison: &Comparison, digits: u8) -> Vec<Vec<String>> {
 }
 
 fn row_cells(row: &Row, digits: u8) -> Vec<String> {
-    let mut cells = vec![row.method.id().to_owned()];
+    let mut cells = vec![row.rule.id().to_owned()];
     cells.extend(row.values.iter().map(|&value| figure(value, digits)));
     cells.push(
         row.order
@@ -99,7 +99,7 @@ pub fn csv(comparison: &Comparison) -> String {
     }
     out += ",order\n";
     for row in &comparison.rows {
-        out += row.method.id();
+        out += row.rule.id();
         for value in row.values.iter().chain([&row.order]) {
             out.push(',');
             out += &value.map(text).unwrap_or_default();
@@ -132,11 +132,8 @@ pub fn html(comparison: &Comparison, svg: &str) -> String {
         rows += "</tr>\n";
     }
     let notes = notes(comparison).replace('<', "&lt;");
-    let notes: String = notes
-        .lines()
-        .filter(|l| !l.is_empty())
-        .map(|line| format!("<p>{line}</p>\n"))
-        .collect();
+    let lines = notes.lines().filter(|line| !line.is_empty());
+    let notes = lines.fold(String::new(), |page, line| page + "<p>" + line + "</p>\n");
     format!(
         "<!DOCTYPE html>
 <html lang=\"en\">

@@ -3,54 +3,26 @@
 mod palette;
 mod scale;
 mod scene;
+mod sheet;
 mod text;
 
 use std::path::Path;
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::Vec2;
 
 use crate::compare::Comparison;
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::measure::{Quantity, Reference, profile};
-use scale::{Axis, Kind, power_of_ten};
-use scene::{Anchor, Colour, Item, Pen, Scene};
-use text::Font;
-
-/// The sizes of words, in pixels.
-const TITLE: f64 = 15.0;
-const BODY: f64 = 12.0;
+use scale::Kind;
+use scene::Pen;
+use sheet::LABEL_STEP;
 
 /// The size at which a plot is laid out where none was asked for.
 const LAYOUT: [f64; 2] = [800.0, 500.0];
 
 /// How much larger than its layout a PNG is where no size was asked for, so that it can be printed.
 const SHARPNESS: f64 = 2.0;
-
-const INK: Colour = [0x22, 0x22, 0x22];
-const FRAME: Pen = Pen {
-    colour: [0x55, 0x55, 0x55],
-    width: 1.0,
-    dashes: &[],
-};
-const GRID: Pen = Pen {
-    colour: [0xe4, 0xe4, 0xe4],
-    width: 1.0,
-    dashes: &[],
-};
-const ZERO: Pen = Pen {
-    colour: [0x99, 0x99, 0x99],
-    width: 1.0,
-    dashes: &[],
-};
-const JOINT: Pen = Pen {
-    colour: [0xb0, 0xb0, 0xb0],
-    width: 1.0,
-    dashes: &[2.0, 3.0],
-};
-
-/// How far apart the words at the ends of lines stand.
-const LABEL_STEP: f64 = 14.0;
 
 /// More joints than this are not marked.
 const MOST_MARKED_JOINTS: usize = 36;
@@ -173,8 +145,8 @@ impl Chart {
             let points = comparison.counts.iter().zip(&row.values);
             let points = points.filter_map(|(&n, value)| Some((n as f64, (*value)?)));
             Series {
-                name: row.method.id().to_owned(),
-                pen: palette::family_line(row.method),
+                name: row.rule.id().to_owned(),
+                pen: palette::family_line(row.rule.method().unwrap_or_default()),
                 parts: vec![points.filter(|&(_, value)| value > 0.0).collect()],
                 dots: true,
             }
@@ -203,11 +175,13 @@ impl Chart {
         let size = size.map(|[w, h]| Vec2::new(w, h));
         let default = self.default_size();
         match format {
-            PictureFormat::Svg => Ok(self.scene(size.unwrap_or(default)).svg().into_bytes()),
+            PictureFormat::Svg => Ok(sheet::scene(self, size.unwrap_or(default))
+                .svg()
+                .into_bytes()),
             PictureFormat::Png => {
                 let pixels = size.unwrap_or(default * SHARPNESS);
                 let scale = (pixels.x / default.x).min(pixels.y / default.y).max(1.0);
-                self.scene(pixels / scale).png(scale)
+                sheet::scene(self, pixels / scale).png(scale)
             }
         }
     }
@@ -223,303 +197,6 @@ impl Chart {
             ),
         }
     }
-
-    fn scene(&self, size: Vec2) -> Scene {
-        let font = Font::new();
-        let points = || self.series.iter().flat_map(Series::points);
-        let x = Axis::new(self.x_kind.clone(), points().map(|p| p.0), size.x / 90.0);
-        let y = Axis::new(self.y_kind.clone(), points().map(|p| p.1), size.y / 70.0);
-        let mut sheet = Sheet {
-            chart: self,
-            font,
-            x,
-            y,
-            size,
-            frame: Rect::ZERO,
-            items: Vec::new(),
-        };
-        sheet.draw();
-        Scene {
-            title: self.title.clone(),
-            size,
-            items: sheet.items,
-        }
-    }
-}
-
-/// A chart while it is laid out.
-struct Sheet<'a> {
-    chart: &'a Chart,
-    font: Font,
-    x: Axis,
-    y: Axis,
-    size: Vec2,
-    /// The rectangle of the data.
-    frame: Rect,
-    items: Vec<Item>,
-}
-
-impl Sheet<'_> {
-    fn draw(&mut self) {
-        let legend_height = self.legend();
-        let widest = |texts: &mut dyn Iterator<Item = &str>| {
-            texts
-                .map(|text| self.font.width(text, BODY))
-                .fold(0.0, f64::max)
-        };
-        let ticks = self.y.ticks();
-        let left = 44.0 + widest(&mut ticks.iter().map(|tick| tick.label.as_str()));
-        let right = match self.chart.names {
-            Names::Legend => 24.0,
-            Names::AtEnds => 52.0 + widest(&mut self.chart.series.iter().map(|s| s.name.as_str())),
-        };
-        let top = 54.0 + legend_height;
-        self.frame = Rect::new(
-            left,
-            top,
-            (self.size.x - right).max(left + 10.0),
-            (self.size.y - 52.0).max(top + 10.0),
-        );
-        let size = TITLE
-            .min(TITLE * (self.size.x - 32.0) / self.font.width(&self.chart.title, TITLE).max(1.0));
-        self.text(
-            Point::new(16.0, 26.0),
-            &self.chart.title,
-            size,
-            Anchor::Start,
-        );
-        self.axes();
-        self.lines();
-        if self.chart.names == Names::AtEnds {
-            self.end_labels();
-        }
-    }
-
-    fn text(&mut self, at: Point, words: &str, size: f64, anchor: Anchor) {
-        self.items.push(Item::Text {
-            at,
-            words: words.to_owned(),
-            size,
-            anchor,
-            colour: INK,
-            upwards: false,
-        });
-    }
-
-    fn line(&mut self, points: Vec<Point>, pen: Pen) {
-        self.items.push(Item::Line { points, pen });
-    }
-
-    /// The point of the sheet for a point of the data.
-    fn place(&self, (x, y): (f64, f64)) -> Point {
-        Point::new(
-            self.frame.x0 + self.frame.width() * self.x.position(x),
-            self.frame.y1 - self.frame.height() * self.y.position(y),
-        )
-    }
-
-    /// Draws the legend and returns its height.
-    fn legend(&mut self) -> f64 {
-        if self.chart.names != Names::Legend {
-            return 0.0;
-        }
-        let (mut x, mut y) = (16.0, 46.0);
-        for series in &self.chart.series {
-            let width = 34.0 + self.font.width(&series.name, BODY) + 22.0;
-            if x + width > self.size.x && x > 16.0 {
-                (x, y) = (16.0, y + 18.0);
-            }
-            self.line(
-                vec![Point::new(x, y - 4.0), Point::new(x + 28.0, y - 4.0)],
-                series.pen,
-            );
-            self.text(Point::new(x + 34.0, y), &series.name, BODY, Anchor::Start);
-            x += width;
-        }
-        y - 26.0
-    }
-
-    fn axes(&mut self) {
-        let frame = self.frame;
-        for tick in self.x.ticks() {
-            let x = self.place((tick.value, 1.0)).x;
-            self.line(vec![Point::new(x, frame.y0), Point::new(x, frame.y1)], GRID);
-            self.line(
-                vec![Point::new(x, frame.y1), Point::new(x, frame.y1 + 5.0)],
-                FRAME,
-            );
-            self.text(
-                Point::new(x, frame.y1 + 19.0),
-                &tick.label,
-                BODY,
-                Anchor::Middle,
-            );
-        }
-        for tick in self.y.ticks() {
-            let y = self.place((1.0, tick.value)).y;
-            let long = if tick.label.is_empty() { 3.0 } else { 5.0 };
-            self.line(
-                vec![Point::new(frame.x0 - long, y), Point::new(frame.x0, y)],
-                FRAME,
-            );
-            if !tick.label.is_empty() {
-                let pen = if tick.value == 0.0 { ZERO } else { GRID };
-                self.line(vec![Point::new(frame.x0, y), Point::new(frame.x1, y)], pen);
-                self.text(
-                    Point::new(frame.x0 - 9.0, y + 4.0),
-                    &tick.label,
-                    BODY,
-                    Anchor::End,
-                );
-            }
-        }
-        for &mark in &self.chart.marks {
-            let x = self.place((mark, 1.0)).x;
-            self.line(
-                vec![Point::new(x, frame.y0), Point::new(x, frame.y1)],
-                JOINT,
-            );
-        }
-        let corners = [
-            (frame.x0, frame.y0),
-            (frame.x0, frame.y1),
-            (frame.x1, frame.y1),
-        ];
-        self.line(corners.map(Point::from).to_vec(), FRAME);
-        self.axis_titles();
-    }
-
-    fn axis_titles(&mut self) {
-        let frame = self.frame;
-        let below = Point::new(frame.center().x, self.size.y - 12.0);
-        self.text(below, &self.chart.x_title, BODY, Anchor::Middle);
-        let times = match self.y.exponent {
-            0 => String::new(),
-            exponent => format!("×{}", power_of_ten(exponent)),
-        };
-        self.text(
-            Point::new(frame.x0, frame.y0 - 7.0),
-            &times,
-            BODY,
-            Anchor::End,
-        );
-        self.items.push(Item::Text {
-            at: Point::new(20.0, frame.center().y),
-            words: self.chart.y_title.clone(),
-            size: BODY,
-            anchor: Anchor::Middle,
-            colour: INK,
-            upwards: true,
-        });
-    }
-
-    fn lines(&mut self) {
-        for series in &self.chart.series {
-            for part in &series.parts {
-                let shown = part.iter().filter(|p| self.y.shows(p.1));
-                let points: Vec<Point> = shown.map(|&p| self.place(p)).collect();
-                if series.dots {
-                    let colour = series.pen.colour;
-                    let dots = points.iter().map(|&at| Item::Dot {
-                        at,
-                        radius: 2.5,
-                        colour,
-                    });
-                    self.items.extend(dots);
-                }
-                if points.len() > 1 {
-                    self.line(points, series.pen);
-                }
-            }
-        }
-    }
-
-    /// Names at the right ends of the lines, moved apart where they would cover one another, each led to its line.
-    fn end_labels(&mut self) {
-        let mut ends: Vec<(Point, &Series)> = self
-            .chart
-            .series
-            .iter()
-            .filter_map(|series| {
-                let last = series.points().filter(|p| self.y.shows(p.1)).last()?;
-                Some((self.place(*last), series))
-            })
-            .collect();
-        ends.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
-        let wished: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
-        let heights = spread(&wished, LABEL_STEP, self.frame.y0, self.frame.y1);
-        let x = self.frame.x1;
-        let ends_at = ends.iter().map(|(end, _)| end.x).fold(0.0, f64::max);
-        for ((end, series), y) in ends.into_iter().zip(heights) {
-            // A line that ends early is led far, and faintly.
-            let leader = if end.x < ends_at - 1.0 {
-                JOINT
-            } else {
-                Pen {
-                    width: 0.8,
-                    dashes: &[],
-                    ..series.pen
-                }
-            };
-            self.line(
-                vec![
-                    end,
-                    Point::new(end.x.max(x), end.y),
-                    Point::new(x + 20.0, y),
-                ],
-                leader,
-            );
-            self.line(
-                vec![Point::new(x + 20.0, y), Point::new(x + 40.0, y)],
-                series.pen,
-            );
-            self.text(
-                Point::new(x + 44.0, y + 4.0),
-                &series.name,
-                BODY,
-                Anchor::Start,
-            );
-        }
-    }
-}
-
-/// Heights nearest to the wished ones, ascending, that are at least `step` apart and within [`low`, `high`] where there is room:
-/// neighbours that are too close become a block about the mean of their wishes, and blocks that touch become one.
-fn spread(wished: &[f64], step: f64, low: f64, high: f64) -> Vec<f64> {
-    struct Block {
-        /// Of (wish - own offset in the block).
-        sum: f64,
-        count: usize,
-    }
-    let room = (high - low).max(1.0);
-    let step = step.min(room / wished.len().max(1) as f64);
-    let start = |block: &Block| {
-        let most = (high - step * (block.count as f64 - 1.0)).max(low);
-        (block.sum / block.count as f64).clamp(low, most)
-    };
-    let mut blocks: Vec<Block> = Vec::new();
-    for &wish in wished {
-        blocks.push(Block {
-            sum: wish,
-            count: 1,
-        });
-        while let [.., before, last] = blocks.as_slice() {
-            if start(before) + step * before.count as f64 <= start(last) {
-                break;
-            }
-            let offset = step * before.count as f64 * last.count as f64;
-            let (sum, count) = (last.sum - offset, last.count);
-            blocks.pop();
-            if let Some(before) = blocks.last_mut() {
-                before.sum += sum;
-                before.count += count;
-            }
-        }
-    }
-    blocks
-        .iter()
-        .flat_map(|block| (0..block.count).map(move |i| start(block) + step * i as f64))
-        .collect()
 }
 
 #[cfg(test)]
@@ -527,30 +204,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_never_cover_one_another() {
-        let heights = spread(
-            &[10.0, 11.0, 12.0, 50.0, 51.0, 99.0, 99.0],
-            10.0,
-            0.0,
-            100.0,
-        );
-        assert_eq!(heights.len(), 7);
-        assert!(
-            heights
-                .windows(2)
-                .all(|pair| pair[1] - pair[0] >= 10.0 - 1e-9),
-            "{heights:?}"
-        );
-        assert!(
-            heights.iter().all(|&y| (0.0..=100.0).contains(&y)),
-            "{heights:?}"
-        );
-    }
-
-    #[test]
     fn plots_are_well_formed_at_any_size() {
         let comparison = Comparison::new(
-            &crate::Method::ALL,
+            &crate::Method::ALL.map(crate::Rule::Method),
             &[2, 3, 4, 8],
             crate::compare::Criterion::Peak,
         )

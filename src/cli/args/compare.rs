@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use curveto::Method;
 use curveto::compare::Criterion;
+use curveto::{Method, Rule};
 
+use super::approximation::Quadrature;
 use super::values;
 
 /// Methods by numbers of segments, on the full circle of radius 1.
@@ -17,9 +18,12 @@ pub(crate) struct CompareArgs {
     /// Numbers of segments
     #[arg(short = 'n', long, value_name = "N,N", value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
     pub(crate) segments: Vec<usize>,
-    /// What to compare [possible values: peak, mean, rms, area, length]
-    #[arg(long, value_name = "BY", default_value = "peak", value_parser = |text: &str| text.parse::<Criterion>())]
-    pub(crate) by: Criterion,
+    /// What to compare; a table and JSON take several [possible values: peak, mean, rms, area, length]
+    #[arg(long, value_name = "BY", default_value = "peak", value_delimiter = ',', value_parser = |text: &str| text.parse::<Criterion>())]
+    pub(crate) by: Vec<Criterion>,
+    /// How chen-2 integrates arc length
+    #[arg(long, value_enum, value_name = "RULE", default_value_t)]
+    pub(crate) quadrature: Quadrature,
     /// The format [default: by the extension of -o, else table]
     #[arg(short, long, value_enum, value_name = "F")]
     pub(crate) format: Option<ComparisonFormat>,
@@ -59,4 +63,15 @@ fn methods(text: &str) -> Result<MethodList, String> {
     text.split(',')
         .map(|name| values::method(name.trim()))
         .collect()
+}
+
+impl CompareArgs {
+    /// The rules behind the methods.
+    pub(crate) fn rules(&self) -> Vec<Rule> {
+        let rule = |&method: &Method| match (method, self.quadrature) {
+            (Method::Chen2, Quadrature::Gauss2) => Rule::Chen2Gauss2,
+            _ => Rule::Method(method),
+        };
+        self.method.iter().map(rule).collect()
+    }
 }

@@ -1,5 +1,7 @@
 //! The report for people, 80 columns wide.
 
+use core::fmt::Write;
+
 use comfy_table::{CellAlignment, Table, presets};
 use curveto::measure::Report;
 use curveto::measure::continuity::Joint;
@@ -122,8 +124,7 @@ fn plain() -> Table {
 fn lines(table: &Table) -> String {
     table
         .lines()
-        .map(|line| format!("{}\n", line.trim_end()))
-        .collect()
+        .fold(String::new(), |text, line| text + line.trim_end() + "\n")
 }
 
 fn number(x: f64) -> String {
@@ -199,7 +200,8 @@ fn joints(joints: &[Joint]) -> String {
     let mut out = lines(&table);
     if joints.len() > MOST_JOINTS {
         let more = joints.len() - MOST_JOINTS;
-        out += &format!("... and {more} more joints: -f json lists them all\n");
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "... and {more} more joints: -f json lists them all");
     }
     out
 }

@@ -200,9 +200,9 @@ impl Item {
                 for (i, p) in points.iter().enumerate() {
                     let (x, y) = (p.x as f32, p.y as f32);
                     if i == 0 {
-                        builder.move_to(x, y)
+                        builder.move_to(x, y);
                     } else {
-                        builder.line_to(x, y)
+                        builder.line_to(x, y);
                     }
                 }
                 let Some(path) = builder.finish() else { return };

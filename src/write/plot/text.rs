@@ -1,9 +1,9 @@
-//! Text as outlines: a part of DejaVu Sans (its licence stands beside it) that holds what plots say.
+//! Text as outlines: a part of the font `DejaVu` Sans (its licence stands beside it) that holds what plots say.
 
 use kurbo::{BezPath, Point};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-/// DejaVu Sans 2.37, cut down by fontTools' pyftsubset to the characters of plots.
+/// `DejaVu` Sans 2.37, cut down by `pyftsubset` of fonttools to the characters of plots.
 static FONT: &[u8] = include_bytes!("font/DejaVuSans-subset.ttf");
 
 /// The font, ready to use.

@@ -1,0 +1,309 @@
+//! The bench: where a curve lies beside its reference, in units near 1, and every figure is taken.
+
+use kurbo::{ParamCurve, PathSeg, Point};
+
+use super::continuity::{Joint, joint};
+use super::radial::{Profile, visit_extremes};
+use super::reference::Reference;
+use super::report::{
+    ContinuityReport, CurvatureReport, ErrorReport, Extent, Extreme, LagReport, Place,
+    ReferenceReport, Report,
+};
+use super::{curvature, extent};
+use crate::curve::Curve;
+use crate::method::Continuity;
+
+/// A closing line shorter than this part of the curve's extent is the gap of a joint, not a segment; an open curve whose ends
+/// are as near returns to its start.
+pub(crate) const CLOSING_GAP: f64 = 1e-4;
+
+/// A curve on the bench: in units near 1, beside its reference.
+pub(crate) struct Bench<'a> {
+    segments: &'a [PathSeg],
+    reference: Reference,
+    returns: bool,
+    /// The angle of the first point and how far the true arc runs, in degrees.
+    arc: (f64, f64),
+    /// The angle where each segment starts, in degrees, whole turns counted; one more than segments.
+    angles: Vec<f64>,
+}
+
+impl<'a> Bench<'a> {
+    pub(crate) fn new(curve: &'a Curve, reference: Reference) -> Self {
+        let segments = &curve.segments;
+        let framed: Vec<_> = segments.iter().map(|s| reference.framed(s)).collect();
+        let measured_start = framed.first().map_or(0.0, |f| f.first_angle().to_degrees());
+        let start = reference.arc.map_or(measured_start, |(start, _)| {
+            start + remainder(measured_start - start)
+        });
+        let mut angles = vec![start];
+        for f in &framed {
+            angles.push(angles[angles.len() - 1] + f.turned(1.0).to_degrees());
+        }
+        let turned = angles[angles.len() - 1] - start;
+        let returns = curve.closed || gap(curve) <= CLOSING_GAP * size(curve);
+        let arc = reference.arc.unwrap_or_else(|| {
+            let turns = (turned / 360.0).round();
+            let sweep = match (returns, turns == 0.0) {
+                (false, _) => turned,
+                (true, false) => 360.0 * turns,
+                (true, true) => 360.0_f64.copysign(enclosed(segments, reference.truth.center)),
+            };
+            (start, sweep)
+        });
+        Self {
+            segments,
+            reference,
+            returns,
+            arc,
+            angles,
+        }
+    }
+
+    /// 1 where the curve runs from +x towards +y about the centre, else -1.
+    pub(crate) fn sense(&self) -> f64 {
+        self.reference
+            .handedness()
+            .copysign(self.arc.1 * self.reference.handedness())
+    }
+
+    fn place(&self, segment: usize, t: f64) -> Place {
+        let turned = self.reference.framed(&self.segments[segment]).turned(t);
+        Place {
+            segment: segment + 1,
+            t,
+            angle: self.angles[segment] + turned.to_degrees(),
+        }
+    }
+
+    /// The segments with their numbers from 0.
+    pub(crate) fn segments(&self) -> impl Iterator<Item = (usize, &'a PathSeg)> {
+        self.segments.iter().enumerate()
+    }
+
+    pub(crate) fn reference(&self) -> &Reference {
+        &self.reference
+    }
+
+    /// The angle where a segment starts, in degrees.
+    pub(crate) fn angle(&self, segment: usize) -> f64 {
+        self.angles[segment]
+    }
+
+    /// Every figure; `delta` is how far rounding may have moved each coordinate.
+    pub(crate) fn report(&self, delta: f64) -> Report {
+        let truth = &self.reference.truth;
+        Report {
+            reference: ReferenceReport {
+                center: [truth.center.x, truth.center.y],
+                radii: [truth.radii.x, truth.radii.y],
+                rotation: truth.axis.atan2().to_degrees(),
+                start: self.arc.0,
+                sweep: self.arc.1,
+                fit: None,
+            },
+            segments: self.segments.len(),
+            closed: self.returns,
+            error: self.error(),
+            length: self.length(),
+            area: self.area(),
+            curvature: self.curvature(),
+            continuity: self.continuity(delta),
+            angle_lag: self.angle_lag(),
+        }
+    }
+
+    fn error(&self) -> ErrorReport {
+        let truth = &self.reference.truth;
+        let (mut out, mut inside) = ((0.0, None), (0.0, None));
+        let (mut mean, mut square, mut over_angle, mut angle) = (0.0, 0.0, 0.0, 0.0);
+        for (i, segment) in self.segments() {
+            visit_extremes(segment, truth, |t, distance| {
+                if distance > out.0 {
+                    out = (distance, Some((i, t)));
+                }
+                if -distance > inside.0 {
+                    inside = (-distance, Some((i, t)));
+                }
+            });
+            let profile = Profile::new(segment, truth);
+            let framed = self.reference.framed(segment);
+            mean += profile.integral(|_, d| d);
+            square += profile.integral(|_, d| d * d);
+            over_angle += profile.integral(|t, d| d * framed.angular_speed(t));
+            angle += profile.integral(|t, _| framed.angular_speed(t));
+        }
+        let count = self.segments.len() as f64;
+        let peak = f64::max(out.0, inside.0);
+        ErrorReport {
+            outward: out.0,
+            inward: inside.0,
+            peak,
+            relative_peak: peak / truth.larger_radius(),
+            mean: mean / count,
+            mean_angle: if angle > 0.0 {
+                over_angle / angle
+            } else {
+                mean / count
+            },
+            rms: (square / count).sqrt(),
+            outward_at: out.1.map(|(i, t)| self.place(i, t)),
+            inward_at: inside.1.map(|(i, t)| self.place(i, t)),
+        }
+    }
+
+    fn length(&self) -> Extent {
+        // A transform turns or mirrors the unit circle, but keeps the size of its angles.
+        let truth = &self.reference.truth;
+        let first = crate::Angle::from_degrees(self.arc.0)
+            .direction()
+            .to_point();
+        let own = truth.placement().inverse() * (self.reference.placement * first);
+        let start = own.to_vec2().atan2();
+        let end = start + self.arc.1.to_radians() * self.reference.handedness();
+        Extent::new(
+            self.segments.iter().map(extent::length).sum(),
+            extent::ellipse_length(truth.radii, start, end).abs(),
+        )
+    }
+
+    fn area(&self) -> Extent {
+        let truth = &self.reference.truth;
+        let enclosed = enclosed(self.segments, truth.center);
+        let sector = 0.5 * truth.radii.x * truth.radii.y * self.arc.1.to_radians().abs();
+        Extent::new(enclosed * self.sense(), sector)
+    }
+
+    fn curvature(&self) -> CurvatureReport {
+        let (mut least, mut largest): (Option<Extreme>, Option<Extreme>) = (None, None);
+        for (i, segment) in self.segments() {
+            let inner = curvature::extremes(segment);
+            for t in core::iter::once(0.0).chain(inner.iter()).chain([1.0]) {
+                let Some(found) = curvature::at(segment, t) else {
+                    continue;
+                };
+                let value = found.value * self.sense();
+                if least.is_none_or(|e| value < e.value) {
+                    least = Some(Extreme {
+                        value,
+                        at: self.place(i, t),
+                    });
+                }
+                if largest.is_none_or(|e| value > e.value) {
+                    largest = Some(Extreme {
+                        value,
+                        at: self.place(i, t),
+                    });
+                }
+            }
+        }
+        let (true_least, true_largest) = self.true_curvature();
+        CurvatureReport {
+            least,
+            largest,
+            true_least,
+            true_largest,
+        }
+    }
+
+    /// The range of ab/(a² sin² + b² cos²)^(3/2) over the true arc: its extremes lie on the axes or at the ends.
+    fn true_curvature(&self) -> (f64, f64) {
+        let truth = &self.reference.truth;
+        let (a, b) = (truth.radii.x, truth.radii.y);
+        if a == b {
+            return (1.0 / a, 1.0 / a);
+        }
+        let inverse = truth.placement().inverse() * self.reference.placement;
+        let at = |degrees: f64| {
+            let v = inverse * crate::Angle::from_degrees(degrees).direction().to_point();
+            a * b / (a * v.y).hypot(b * v.x).powi(3)
+        };
+        let (start, end) = (self.arc.0, self.arc.0 + self.arc.1);
+        let axis = (inverse.inverse() * Point::new(1.0, 0.0))
+            .to_vec2()
+            .atan2()
+            .to_degrees();
+        let (low, high) = (start.min(end), start.max(end));
+        let first = ((low - axis) / 90.0).ceil() as i64;
+        let last = ((high - axis) / 90.0).floor() as i64;
+        let vertices = (first..=last.min(first + 4)).map(|i| at(axis + 90.0 * i as f64));
+        vertices
+            .chain([at(start), at(end)])
+            .fold((f64::INFINITY, 0.0), |(least, most), k| {
+                (k.min(least), k.max(most))
+            })
+    }
+
+    fn continuity(&self, delta: f64) -> ContinuityReport {
+        let count = self.segments.len();
+        let last = if self.returns { count } else { count - 1 };
+        let mut order: Option<Continuity> = None;
+        let joints: Vec<Joint> = (0..last)
+            .map(|i| {
+                let (mut joint, found) =
+                    joint(&self.segments[i], &self.segments[(i + 1) % count], delta);
+                joint.angle = self.angles[i + 1];
+                for side in [&mut joint.before, &mut joint.after] {
+                    *side = side.map(|k| k.map(|x, _| x * self.sense()));
+                }
+                order = Some(order.map_or(found, |order| order.min(found)));
+                joint
+            })
+            .collect();
+        ContinuityReport {
+            order: order.map(|order| order.to_string()),
+            coordinate_tolerance: delta,
+            largest_turn: joints
+                .iter()
+                .map(|joint| joint.turn.abs())
+                .fold(0.0, f64::max),
+            joints,
+        }
+    }
+
+    fn angle_lag(&self) -> LagReport {
+        let mut largest = (0.0_f64, 0, 0.0);
+        for (i, segment) in self.segments() {
+            let framed = self.reference.framed(segment);
+            for t in framed.lag_extremes() {
+                let lag = framed.lag(t);
+                if lag.abs() > largest.0.abs() {
+                    largest = (lag, i, t);
+                }
+            }
+        }
+        let (lag, segment, t) = largest;
+        LagReport {
+            largest: lag.to_degrees() * 1.0_f64.copysign(self.arc.1),
+            at: self.place(segment, t),
+        }
+    }
+}
+
+/// An angle in degrees brought between -180 and 180.
+fn remainder(degrees: f64) -> f64 {
+    degrees - 360.0 * (degrees / 360.0).round()
+}
+
+/// The area within the segments, or of their sector, positive from +x towards +y.
+fn enclosed(segments: &[PathSeg], center: Point) -> f64 {
+    segments
+        .iter()
+        .map(|segment| extent::sector_area(segment, center))
+        .sum()
+}
+
+/// How far the end of a curve lies from its start.
+pub(crate) fn gap(curve: &Curve) -> f64 {
+    match (curve.segments.first(), curve.segments.last()) {
+        (Some(first), Some(last)) => first.start().distance(last.end()),
+        _ => 0.0,
+    }
+}
+
+/// The diagonal of the curve's bounding box.
+pub(crate) fn size(curve: &Curve) -> f64 {
+    curve
+        .bounding_box()
+        .map_or(0.0, |b| b.width().hypot(b.height()))
+}
