@@ -343,6 +343,43 @@ fn lancasters_angle_follows_t_within_half_a_degree() {
 }
 
 #[test]
+fn means_over_an_ellipse_are_those_of_the_true_distance() {
+    let (rx, ry) = (3.0, 1.25);
+    let ellipse = Ellipse::new((0.0, 0.0), (rx, ry), Angle::ZERO).unwrap();
+    let drawing = drawn(
+        Shape::Ellipse(ellipse),
+        Method::Minimax,
+        Cut::Count(5),
+        Affine::IDENTITY,
+    );
+    let found = measured(&drawing);
+    let (mut mean, mut square) = (int(0), int(0));
+    for segment in &drawing.curve.segments {
+        let points = exact(segment);
+        // The distance changes its sign where the segment crosses the unit circle in the ellipse's own measure.
+        let framed: Vec<[Real; 2]> = points
+            .iter()
+            .map(|[x, y]| [x / real(rx), y / real(ry)])
+            .collect();
+        let curve = oracle::bezier::Powers::new(&points);
+        let distance =
+            |t: &Real| oracle::ellipse::signed_distance(&curve.at(t), &[real(rx), real(ry)]);
+        let places = oracle::bezier::unit_circle_crossings(&framed);
+        for pair in places.windows(2) {
+            let part = oracle::solve::integrate(&distance, &pair[0], &pair[1]);
+            mean += oracle::real::abs(&part);
+            let of_square = |t: &Real| {
+                let d = distance(t);
+                &d * &d
+            };
+            square += oracle::solve::integrate(&of_square, &pair[0], &pair[1]);
+        }
+    }
+    close(found.error.mean, &(mean / int(5)), 1e-12, "mean");
+    close(found.error.rms, &(square / int(5)).sqrt(), 1e-12, "rms");
+}
+
+#[test]
 fn a_mirrored_or_reversed_shape_measures_alike() {
     let arc = |sweep: f64| {
         let sweep = Angle::from_degrees(sweep);

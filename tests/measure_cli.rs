@@ -430,6 +430,43 @@ fn every_plot_renders_and_says_what_it_shows() {
     }
 }
 
+/// How many pixels of a rectangle are darker than mid-grey.
+fn dark_pixels(pixmap: &tiny_skia::Pixmap, [x0, y0, x1, y1]: [u32; 4]) -> usize {
+    let dark = |x, y| {
+        pixmap
+            .pixel(x, y)
+            .is_some_and(|p| p.red() < 128 && p.green() < 128)
+    };
+    (y0..y1)
+        .flat_map(|y| (x0..x1).map(move |x| (x, y)))
+        .filter(|&(x, y)| dark(x, y))
+        .count()
+}
+
+#[test]
+fn the_words_of_a_png_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let draw = |radius: &str| {
+        let plot = folder.path().join("plot.png");
+        printed(&[
+            "measure",
+            "circle",
+            radius,
+            "--plot",
+            plot.to_str().unwrap(),
+            "--size",
+            "800x500",
+        ]);
+        tiny_skia::Pixmap::decode_png(&fs::read(&plot).unwrap()).unwrap()
+    };
+    // The title stands in the first 32 rows, the ticks of x below the frame; a longer title is more ink.
+    let (short, long) = (draw("1"), draw("1234567"));
+    let title = |pixmap| dark_pixels(pixmap, [0, 0, 800, 32]);
+    assert!(title(&short) > 300, "{}", title(&short));
+    assert!(title(&long) > title(&short));
+    assert!(dark_pixels(&short, [60, 455, 800, 470]) > 100);
+}
+
 #[test]
 fn compare_prints_chens_first_table() {
     let text = printed(&["compare", "-m", "chen-1,chen-2,chen-3", "-n", "4"]);

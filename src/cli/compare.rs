@@ -1,6 +1,5 @@
 //! `compare`.
 
-use std::io::IsTerminal;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -52,13 +51,10 @@ fn one_only(
     let picture = |format| Chart::comparison(comparison).picture(format, args.size);
     Ok(match format {
         ComparisonFormat::Svg => picture(PictureFormat::Svg)?,
-        ComparisonFormat::Png if *target == Target::Stdout && std::io::stdout().is_terminal() => {
-            return Err(Failure::request_with_hint(
-                "a PNG does not belong on a terminal",
-                "give -o FILE, or redirect standard output",
-            ));
+        ComparisonFormat::Png => {
+            target.refuse_terminal()?;
+            picture(PictureFormat::Png)?
         }
-        ComparisonFormat::Png => picture(PictureFormat::Png)?,
         ComparisonFormat::Html => {
             let svg = picture(PictureFormat::Svg)?;
             html(comparison, &String::from_utf8_lossy(&svg)).into_bytes()

@@ -28,11 +28,8 @@ pub(crate) fn write_figure(
 ) -> Result<(), Failure> {
     let style = args.style(format)?;
     let target = args.target();
-    if format == Format::Png && target == Target::Stdout && io::stdout().is_terminal() {
-        return Err(Failure::request_with_hint(
-            "a png file is not for a terminal",
-            "name a file with -o FILE.png, or redirect standard output",
-        ));
+    if format == Format::Png {
+        target.refuse_terminal()?;
     }
     let bytes = match format {
         Format::Json => (json()? + "\n").into_bytes(),
@@ -48,6 +45,17 @@ impl Target {
             Some(path) if path.as_os_str() != "-" => Self::File(path.to_owned()),
             _ => Self::Stdout,
         }
+    }
+
+    /// Refuses pixels on a terminal.
+    pub(crate) fn refuse_terminal(&self) -> Result<(), Failure> {
+        if *self == Self::Stdout && io::stdout().is_terminal() {
+            return Err(Failure::request_with_hint(
+                "a png file is not for a terminal",
+                "name a file with -o FILE.png, or redirect standard output",
+            ));
+        }
+        Ok(())
     }
 
     /// Writes everything at once.

@@ -23,8 +23,7 @@ fn notes(comparison: &Comparison) -> String {
     let mut notes = format!("\n{}", capitalised(comparison.by.label()));
     notes += ", of the full circle of radius 1";
     if comparison.rows.iter().any(|row| row.order.is_some()) {
-        notes +=
-            ".\norder: the power of 1/n with which it falls, from a row's last two figures";
+        notes += ".\norder: the power of 1/n with which it falls, from a row's last two figures";
     }
     if comparison.rows.iter().any(|row| row.values.contains(&None)) {
         notes += ".\n-: impossible; 'curveto measure circle 1 -m ID -n N' says why";

@@ -1,8 +1,8 @@
 //! Plots: a quantity along curves, and the error of methods by the number of segments.
 
 mod palette;
+mod picture;
 mod scale;
-mod scene;
 mod sheet;
 mod text;
 
@@ -14,8 +14,8 @@ use crate::compare::Comparison;
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::measure::{Quantity, Reference, profile};
+use picture::Pen;
 use scale::Kind;
-use scene::Pen;
 use sheet::LABEL_STEP;
 
 /// The size at which a plot is laid out where none was asked for.
@@ -175,13 +175,13 @@ impl Chart {
         let size = size.map(|[w, h]| Vec2::new(w, h));
         let default = self.default_size();
         match format {
-            PictureFormat::Svg => Ok(sheet::scene(self, size.unwrap_or(default))
+            PictureFormat::Svg => Ok(sheet::picture(self, size.unwrap_or(default))
                 .svg()
                 .into_bytes()),
             PictureFormat::Png => {
                 let pixels = size.unwrap_or(default * SHARPNESS);
                 let scale = (pixels.x / default.x).min(pixels.y / default.y).max(1.0);
-                sheet::scene(self, pixels / scale).png(scale)
+                sheet::picture(self, pixels / scale).png(scale)
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Colours that colour-blind people can tell apart (Okabe & Ito, "Color Universal Design", 2008; without their yellow, which is
 //! too light for a line on white), and dashes that tell lines apart without any colour.
 
-use super::scene::{Colour, Pen};
+use super::picture::{Colour, Pen};
 use crate::method::Method;
 
 const BLACK: Colour = [0x00, 0x00, 0x00];

@@ -2,8 +2,8 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::picture::{Anchor, Colour, Item, Pen, Picture};
 use super::scale::{Axis, power_of_ten};
-use super::scene::{Anchor, Colour, Item, Pen, Scene};
 use super::text::Font;
 use super::{Chart, Names, Series};
 
@@ -37,7 +37,7 @@ const JOINT: Pen = Pen {
 };
 
 /// The chart as a picture of this size.
-pub(super) fn scene(chart: &Chart, size: Vec2) -> Scene {
+pub(super) fn picture(chart: &Chart, size: Vec2) -> Picture {
     let points = || chart.series.iter().flat_map(Series::points);
     let mut sheet = Sheet {
         chart,
@@ -49,7 +49,7 @@ pub(super) fn scene(chart: &Chart, size: Vec2) -> Scene {
         items: Vec::new(),
     };
     sheet.draw();
-    Scene {
+    Picture {
         title: chart.title.clone(),
         size,
         items: sheet.items,

@@ -57,13 +57,13 @@ pub(super) enum Item {
 
 /// A picture on white.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Scene {
+pub(super) struct Picture {
     pub(super) title: String,
     pub(super) size: Vec2,
     pub(super) items: Vec<Item>,
 }
 
-impl Scene {
+impl Picture {
     pub(super) fn svg(&self) -> String {
         let (w, h) = (text(self.size.x), text(self.size.y));
         let mut out = format!(
