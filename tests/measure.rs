@@ -5,10 +5,11 @@
 mod oracle;
 
 use curveto::curve::{Curve, control_points};
-use curveto::measure::{Quantity, Reference, Report, curvature, profile, report};
+use curveto::measure::{Quantity, Reference, Report, curvature, fit, profile, report};
 use curveto::method::Continuity;
 use curveto::shape::Truth;
 use curveto::write::number::Precision;
+use curveto::write::plot::{Chart, PictureFormat};
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, approximate,
 };
@@ -457,6 +458,50 @@ fn huge_tiny_and_distant_curves_are_measured_and_never_not_a_number() {
                 (found.error.relative_peak - 1.960_764_7e-4).abs() < 1e-10,
                 "{radius}"
             );
+        }
+    }
+}
+
+/// Numbers that break what is not careful.
+fn nasty() -> impl Strategy<Value = f64> {
+    let numbers = [
+        0.0, 1.0, -1.0, 3.5, 1e-20, -1e-20, 1e-160, 1e-300, 5e-324, 1e75, -1e75, 9e149, -9e149, 50.0,
+    ];
+    prop::sample::select(numbers.to_vec())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn whatever_the_numbers_nothing_panics_and_nothing_is_not_a_number(
+        numbers in prop::collection::vec(nasty(), 14),
+        closed: bool,
+        kind in 0..3,
+        radius in prop::sample::select(vec![1.0, 1e-140, 1e140, 50.0]),
+    ) {
+        let p = |i: usize| Point::new(numbers[2 * i], numbers[2 * i + 1]);
+        let second = match kind {
+            0 => PathSeg::Line(kurbo::Line::new(p(3), p(4))),
+            1 => PathSeg::Quad(QuadBez::new(p(3), p(4), p(5))),
+            _ => PathSeg::Cubic(CubicBez::new(p(3), p(4), p(5), p(6))),
+        };
+        let first = PathSeg::Cubic(CubicBez::new(p(0), p(1), p(2), p(3)));
+        let curve = Curve { segments: vec![first, second], closed };
+        let mut truths = vec![Truth::circle(Point::new(1.0, 2.0), radius)];
+        truths.push(Truth { radii: Vec2::new(radius, radius / 7.0), ..truths[0] });
+        truths.extend(fit::circle(&curve, None).ok().map(|(truth, _)| truth));
+        for truth in truths {
+            let reference = Reference::from(truth);
+            let found = report(&curve, &reference, None).unwrap();
+            let text = format!("{found:?}");
+            prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{truth:?}: {text}");
+            for quantity in Quantity::ALL {
+                let chart = Chart::along("", quantity, &[("curve", &curve, &reference)]);
+                let svg = chart.picture(PictureFormat::Svg, None).unwrap();
+                let svg = String::from_utf8(svg).unwrap();
+                prop_assert!(!svg.contains("NaN") && !svg.contains("inf"), "{quantity}");
+            }
         }
     }
 }

@@ -115,16 +115,12 @@ impl<'a> Bench<'a> {
 
     fn error(&self) -> ErrorReport {
         let truth = &self.reference.truth;
-        let (mut out, mut inside) = ((0.0, None), (0.0, None));
+        let (mut out, mut inside) = (Largest::above(0.0), Largest::above(0.0));
         let (mut mean, mut square, mut over_angle, mut angle) = (0.0, 0.0, 0.0, 0.0);
         for (i, segment) in self.segments() {
             visit_extremes(segment, truth, |t, distance| {
-                if distance > out.0 {
-                    out = (distance, Some((i, t)));
-                }
-                if -distance > inside.0 {
-                    inside = (-distance, Some((i, t)));
-                }
+                out.take(distance, i, t);
+                inside.take(-distance, i, t);
             });
             let profile = Profile::new(segment, truth);
             let framed = self.reference.framed(segment);
@@ -134,10 +130,10 @@ impl<'a> Bench<'a> {
             angle += profile.integral(|t, _| framed.angular_speed(t));
         }
         let count = self.segments.len() as f64;
-        let peak = f64::max(out.0, inside.0);
+        let peak = f64::max(out.value, inside.value);
         ErrorReport {
-            outward: out.0,
-            inward: inside.0,
+            outward: out.value,
+            inward: inside.value,
             peak,
             relative_peak: peak / truth.larger_radius(),
             mean: mean / count,
@@ -147,8 +143,8 @@ impl<'a> Bench<'a> {
                 mean / count
             },
             rms: (square / count).sqrt(),
-            outward_at: out.1.map(|(i, t)| self.place(i, t)),
-            inward_at: inside.1.map(|(i, t)| self.place(i, t)),
+            outward_at: out.place.map(|(i, t)| self.place(i, t)),
+            inward_at: inside.place.map(|(i, t)| self.place(i, t)),
         }
     }
 
@@ -175,32 +171,26 @@ impl<'a> Bench<'a> {
     }
 
     fn curvature(&self) -> CurvatureReport {
-        let (mut least, mut largest): (Option<Extreme>, Option<Extreme>) = (None, None);
+        let nothing = Largest::above(f64::NEG_INFINITY);
+        let (mut least, mut largest) = (nothing, nothing);
         for (i, segment) in self.segments() {
             let inner = curvature::extremes(segment);
             for t in core::iter::once(0.0).chain(inner.iter()).chain([1.0]) {
-                let Some(found) = curvature::at(segment, t) else {
-                    continue;
-                };
-                let value = found.value * self.sense();
-                if least.is_none_or(|e| value < e.value) {
-                    least = Some(Extreme {
-                        value,
-                        at: self.place(i, t),
-                    });
-                }
-                if largest.is_none_or(|e| value > e.value) {
-                    largest = Some(Extreme {
-                        value,
-                        at: self.place(i, t),
-                    });
+                if let Some(found) = curvature::at(segment, t) {
+                    largest.take(found.value * self.sense(), i, t);
+                    least.take(-found.value * self.sense(), i, t);
                 }
             }
         }
+        let extreme = |found: Largest, sign: f64| {
+            let (i, t) = found.place?;
+            let (value, at) = (sign * found.value, self.place(i, t));
+            Some(Extreme { value, at })
+        };
         let (true_least, true_largest) = self.true_curvature();
         CurvatureReport {
-            least,
-            largest,
+            least: extreme(least, -1.0),
+            largest: extreme(largest, 1.0),
             true_least,
             true_largest,
         }
@@ -262,20 +252,51 @@ impl<'a> Bench<'a> {
     }
 
     fn angle_lag(&self) -> LagReport {
-        let mut largest = (0.0_f64, 0, 0.0);
+        let mut largest = Largest::above(0.0);
         for (i, segment) in self.segments() {
             let framed = self.reference.framed(segment);
             for t in framed.lag_extremes() {
-                let lag = framed.lag(t);
-                if lag.abs() > largest.0.abs() {
-                    largest = (lag, i, t);
-                }
+                largest.take(framed.lag(t).abs(), i, t);
             }
         }
-        let (lag, segment, t) = largest;
+        let (segment, t) = largest.place.unwrap_or((0, 0.0));
+        let lag = self.reference.framed(&self.segments[segment]).lag(t);
         LagReport {
             largest: lag.to_degrees() * 1.0_f64.copysign(self.arc.1),
             at: self.place(segment, t),
+        }
+    }
+}
+
+/// Values that differ by less than this part are alike, so that the first of several equal places is told and rounding picks none.
+const ALIKE: f64 = 1e-9;
+
+/// The largest of some values and the first place, as (segment from 0, t), where it is taken.
+#[derive(Debug, Clone, Copy)]
+struct Largest {
+    value: f64,
+    /// The value at the place, a rounding below `value`.
+    there: f64,
+    place: Option<(usize, f64)>,
+}
+
+impl Largest {
+    /// Nothing yet; only what is above this counts.
+    const fn above(value: f64) -> Self {
+        Self {
+            value,
+            there: value,
+            place: None,
+        }
+    }
+
+    fn take(&mut self, value: f64, segment: usize, t: f64) {
+        if value <= self.value {
+            return;
+        }
+        self.value = value;
+        if self.place.is_none() || value - self.there > ALIKE * self.there.abs() {
+            (self.there, self.place) = (value, Some((segment, t)));
         }
     }
 }

@@ -27,8 +27,11 @@ impl Polynomial {
         &self.coefficients[..=self.degree]
     }
 
-    /// The value, by de Casteljau's algorithm.
+    /// The value, by de Casteljau's algorithm; exactly the last coefficient at 1.
     pub(crate) fn at(&self, t: f64) -> f64 {
+        if t == 1.0 {
+            return self.coefficients[self.degree];
+        }
         let mut work = self.coefficients;
         for last in (1..=self.degree).rev() {
             for i in 0..last {
