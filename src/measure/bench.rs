@@ -206,7 +206,8 @@ impl<'a> Bench<'a> {
         let inverse = truth.placement().inverse() * self.reference.placement;
         let at = |degrees: f64| {
             let v = inverse * crate::Angle::from_degrees(degrees).direction().to_point();
-            a * b / (a * v.y).hypot(b * v.x).powi(3)
+            let speed = (a * v.y).hypot(b * v.x);
+            (a / speed) * (b / speed) / speed
         };
         let (start, end) = (self.arc.0, self.arc.0 + self.arc.1);
         let axis = (inverse.inverse() * Point::new(1.0, 0.0))

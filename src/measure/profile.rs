@@ -3,10 +3,13 @@
 use core::fmt;
 use core::str::FromStr;
 
+use kurbo::Affine;
+
 use super::bench::Bench;
 use super::curvature;
 use super::radial::Profile;
 use super::reference::Reference;
+use super::report::{largest_coordinate, unit_for};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 
@@ -95,7 +98,9 @@ pub fn along(
     quantity: Quantity,
     steps: u32,
 ) -> Vec<Vec<(f64, f64)>> {
-    let bench = Bench::new(curve, *reference);
+    let unit = largest_coordinate(curve, reference).map_or(1.0, unit_for);
+    let curve = curve.transformed(Affine::scale(1.0 / unit));
+    let bench = Bench::new(&curve, reference.scaled(1.0 / unit));
     let sense = bench.sense();
     bench
         .segments()
@@ -105,10 +110,10 @@ pub fn along(
             let value = |t: f64| {
                 let k = curvature::at(segment, t);
                 Some(match quantity {
-                    Quantity::Error => distance.at(t),
-                    Quantity::Curvature => k?.value * sense,
-                    Quantity::CurvatureD1 => k?.d1 * sense,
-                    Quantity::CurvatureD2 => k?.d2 * sense,
+                    Quantity::Error => distance.at(t) * unit,
+                    Quantity::Curvature => k?.value * sense / unit,
+                    Quantity::CurvatureD1 => k?.d1 * sense / unit.powi(2),
+                    Quantity::CurvatureD2 => k?.d2 * sense / unit.powi(3),
                     Quantity::AngleLag => {
                         (framed.lag(t) * sense * bench.reference().handedness()).to_degrees()
                     }

@@ -161,7 +161,8 @@ pub struct LagReport {
 ///
 /// # Errors
 ///
-/// Where the curve has no segment or a coordinate is not finite or beyond 1e150.
+/// Where the curve has no segment, a coordinate is not finite or beyond 1e150, or the true shape is so small that the rounding of
+/// the coordinates swallows it.
 ///
 /// ```
 /// use curveto::measure::{Reference, report};
@@ -185,8 +186,13 @@ pub fn report(
         ));
     }
     let largest = largest_coordinate(curve, reference)?;
-    // A power of two near the largest number brings every power of a length into the range of f64, without a rounding error.
-    let unit = 2.0_f64.powi(largest.log2().ceil().clamp(-500.0, 500.0) as i32);
+    let smaller_radius = reference.truth.radii.x.min(reference.truth.radii.y);
+    if smaller_radius <= 8.0 * f64::EPSILON * largest {
+        return Err(Error::Shape(format!(
+            "a true shape of radius {smaller_radius:e} is lost in the rounding of coordinates of {largest:e}"
+        )));
+    }
+    let unit = unit_for(largest);
     let scaled = curve.transformed(Affine::scale(1.0 / unit));
     let delta = coordinate_tolerance.unwrap_or(4.0 * f64::EPSILON * largest);
     let bench = Bench::new(&scaled, reference.scaled(1.0 / unit));
@@ -195,8 +201,14 @@ pub fn report(
     Ok(report)
 }
 
+/// The unit of the bench: a power of two near the largest number brings every power of a length into the range of f64, without a
+/// rounding error.
+pub(crate) fn unit_for(largest: f64) -> f64 {
+    2.0_f64.powi(largest.log2().ceil().clamp(-500.0, 500.0) as i32)
+}
+
 /// The largest number among all coordinates.
-fn largest_coordinate(curve: &Curve, reference: &Reference) -> Result<f64> {
+pub(crate) fn largest_coordinate(curve: &Curve, reference: &Reference) -> Result<f64> {
     let truth = &reference.truth;
     let mut largest = truth.larger_radius().max(f64::MIN_POSITIVE);
     let points = curve.segments.iter().flat_map(control_points);

@@ -5,8 +5,9 @@ use kurbo::common::GAUSS_LEGENDRE_COEFFS_24;
 /// The most steps of a root search; bisection alone would be done in 60.
 const MOST_STEPS: usize = 100;
 
-/// How often an interval is halved at most: a kink or a root at its end is met to 1e-6 of it, and its integral far closer.
-const MOST_HALVINGS: u32 = 20;
+/// How many halvings an integral may take in all: a kink or a pole takes about 50, and an integrand that is rounding noise would
+/// take any number.
+const MOST_HALVINGS: u32 = 300;
 
 /// The root of `f` in `[low, high]`, where its signs differ, to the last bit that f can resolve.
 ///
@@ -82,18 +83,28 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 /// The integral of `f` over `[from, to]`, halved until the halves agree with the whole to a few units in the last place, or to
 /// `noise`, the size below which the differences of `f` say nothing.
 pub(crate) fn adaptive_integral(f: &impl Fn(f64) -> f64, from: f64, to: f64, noise: f64) -> f64 {
-    halved(f, from, to, integral(f, from, to), noise, MOST_HALVINGS)
+    let mut halvings = MOST_HALVINGS;
+    halved(f, [from, to], integral(f, from, to), noise, &mut halvings)
 }
 
-fn halved(f: &impl Fn(f64) -> f64, from: f64, to: f64, whole: f64, noise: f64, depth: u32) -> f64 {
+fn halved(
+    f: &impl Fn(f64) -> f64,
+    [from, to]: [f64; 2],
+    whole: f64,
+    noise: f64,
+    halvings: &mut u32,
+) -> f64 {
     let middle = f64::midpoint(from, to);
     let (left, right) = (integral(f, from, middle), integral(f, middle, to));
     let sum = left + right;
     let close = (sum - whole).abs() <= 4.0 * f64::EPSILON * (left.abs() + right.abs()) + noise;
-    if close || depth == 0 || !sum.is_finite() {
+    let indivisible = middle <= from || middle >= to;
+    if close || indivisible || *halvings == 0 || !sum.is_finite() {
         return sum;
     }
-    halved(f, from, middle, left, noise, depth - 1) + halved(f, middle, to, right, noise, depth - 1)
+    *halvings -= 1;
+    halved(f, [from, middle], left, noise, halvings)
+        + halved(f, [middle, to], right, noise, halvings)
 }
 
 /// a - sin a without cancellation.

@@ -2,6 +2,10 @@
 
 use crate::write::number::{Precision, decimals_of, text};
 
+/// Beyond this no axis goes, so that its steps stay finite; what is smaller than the other is 0.
+const LARGEST: f64 = 1e300;
+const SMALLEST: f64 = 1e-290;
+
 /// A number on an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
@@ -38,7 +42,8 @@ impl Axis {
     /// An axis for these values with about `count` ticks.
     pub(super) fn new(kind: Kind, values: impl Iterator<Item = f64>, count: f64) -> Self {
         let (mut low, mut high) = values
-            .filter(|v| v.is_finite() && (!kind.is_log() || *v > 0.0))
+            .filter(|v| v.abs() < LARGEST && (!kind.is_log() || *v >= SMALLEST))
+            .map(|v| if v.abs() < SMALLEST { 0.0 } else { v })
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
                 (a.min(v), b.max(v))
             });
@@ -85,7 +90,12 @@ impl Axis {
             .unwrap_or(10.0 * power);
         self.low = (self.low / self.step).floor() * self.step;
         self.high = (self.high / self.step).ceil() * self.step;
-        let exponent = size.log10().floor();
+        let largest = self.low.abs().max(self.high.abs());
+        // The size of the data where it has one: the ends of the axis may be a digit longer.
+        let exponent = (if size > 0.0 { size } else { largest })
+            .log10()
+            .floor()
+            .clamp(-300.0, 300.0);
         if !(-2.0..=4.0).contains(&exponent) {
             self.exponent = exponent as i32;
         }
@@ -116,7 +126,7 @@ impl Axis {
 
     /// Whether it has room for the value.
     pub(super) fn shows(&self, value: f64) -> bool {
-        value.is_finite() && !(self.kind.is_log() && value <= 0.0)
+        value.abs() < LARGEST && !(self.kind.is_log() && value < SMALLEST)
     }
 
     /// The ticks, ascending.
@@ -245,6 +255,10 @@ mod tests {
             vec![],
             vec![1.0],
             vec![0.0],
+            vec![5e-324],
+            vec![0.0, 1e-310],
+            vec![-1.7e308, 1.7e308],
+            vec![-1e299, 1e299],
             vec![1.0, 1.0 + 1e-16],
             vec![-3e200, 5e200],
             vec![f64::NAN],
@@ -255,7 +269,14 @@ mod tests {
                     let at = axis.position(value);
                     assert!((0.0..=1.0).contains(&at), "{value}: {at}");
                 }
-                assert!(axis.ticks().len() < 400);
+                let ticks = axis.ticks();
+                assert!(ticks.len() < 400);
+                let words = ["NaN", "inf"];
+                assert!(
+                    ticks
+                        .iter()
+                        .all(|t| words.iter().all(|w| !t.label.contains(w)))
+                );
             }
         }
     }
