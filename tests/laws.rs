@@ -84,6 +84,7 @@ fn expected(continuity: Continuity) -> Shared {
         Continuity::G0 => Shared::G(0),
         Continuity::G1 => Shared::G(1),
         Continuity::G2 => Shared::G(2),
+        Continuity::G3 => Shared::G(3),
         Continuity::G4 => Shared::G(4),
     }
 }

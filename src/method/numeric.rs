@@ -12,12 +12,7 @@ const MOST_HALVINGS: u32 = 300;
 /// The root of `f` in `[low, high]`, where its signs differ, to the last bit that f can resolve.
 ///
 /// Bisection and false position in turn (the Illinois rule), so that it converges always, and fast where f is smooth.
-pub(crate) fn root(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
-    root_within(f, low, high, 0.0)
-}
-
-/// The same to within `width`, for places where a function is flat, so that its value there has no use for more.
-pub(crate) fn root_within(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64, width: f64) -> f64 {
+pub(crate) fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let (mut f_low, mut f_high) = (f(low), f(high));
     if f_low == 0.0 {
         return low;
@@ -35,8 +30,7 @@ pub(crate) fn root_within(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64, w
             secant
         };
         let value = f(x);
-        if value == 0.0 || high - low <= width.max(f64::EPSILON * x.abs()) || x == low || x == high
-        {
+        if value == 0.0 || high - low <= f64::EPSILON * x.abs() || x == low || x == high {
             return x;
         }
         if (value > 0.0) == (f_low > 0.0) {
