@@ -241,7 +241,7 @@ impl Arc {
     /// use curveto::{Angle, Arc};
     /// let quarter = Arc::new((0.0, 0.0), (50.0, 50.0), Angle::ZERO, Angle::ZERO, Angle::from_degrees(90.0))?;
     /// assert_eq!(quarter.cubics(0.01).count(), 1);
-    /// assert_eq!(quarter.cubics(1e-4).count(), 2);
+    /// assert_eq!(quarter.cubics(1e-4).count(), 3);
     /// assert_eq!(quarter.cubics(1e-4).last().map(|cubic| cubic.p3), Some(kurbo::Point::new(0.0, 50.0)));
     /// # Ok::<(), curveto::Error>(())
     /// ```
