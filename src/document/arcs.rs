@@ -74,22 +74,8 @@ pub(super) fn rewrite(
         respell: 0,
         outcome: Outcome::default(),
     };
-    let mut next = segments.next();
-    while let Some(segment) = next {
-        next = segments.next();
-        let broken = if next.is_none() {
-            segments.error()
-        } else {
-            None
-        };
-        writer.segment(
-            &segment,
-            &Behind {
-                next,
-                rest: &segments,
-            },
-            broken,
-        );
+    while let Some(segment) = segments.next() {
+        writer.segment(&segment, &segments);
     }
     if let Some(at) = segments.error()
         && data.as_bytes()[at..]
@@ -99,12 +85,6 @@ pub(super) fn rewrite(
         writer.sink.note(at, Reason::PathError);
     }
     writer.outcome
-}
-
-/// What stands behind a segment.
-struct Behind<'a, 'd> {
-    next: Option<Segment>,
-    rest: &'a Segments<'d>,
 }
 
 struct Writer<'a, 'b, S> {
@@ -127,9 +107,9 @@ struct Writer<'a, 'b, S> {
 }
 
 impl<S: Sink> Writer<'_, '_, S> {
-    fn segment(&mut self, segment: &Segment, behind: &Behind<'_, '_>, broken: Option<usize>) {
+    fn segment(&mut self, segment: &Segment, behind: &Segments<'_>) {
         match segment.kind() {
-            b'a' => self.arc(segment, behind, broken),
+            b'a' => self.arc(segment, behind),
             kind if kind == self.respell => self.smooth(segment),
             _ => self.keep(segment),
         }
@@ -217,13 +197,13 @@ impl<S: Sink> Writer<'_, '_, S> {
         self.respell = 0;
     }
 
-    fn arc(&mut self, segment: &Segment, behind: &Behind<'_, '_>, broken: Option<usize>) {
+    fn arc(&mut self, segment: &Segment, behind: &Segments<'_>) {
         let range = if segment.explicit {
             segment.start
         } else {
             self.behind_previous(segment)
         }..segment.end;
-        let replaced = if broken.is_some_and(|at| smooth_behind(self.data, at)) {
+        let replaced = if may_be_smooth(&self.data.as_bytes()[segment.end..]) && is_broken(behind) {
             Err(Reason::PathErrorBehindArc)
         } else if self.recall(segment) {
             self.join(segment)
@@ -244,7 +224,7 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 
     /// Works out what an arc becomes.
-    fn draw(&mut self, segment: &Segment, behind: &Behind<'_, '_>) -> Result<u8, Reason> {
+    fn draw(&mut self, segment: &Segment, behind: &Segments<'_>) -> Result<u8, Reason> {
         let v = segment.values(self.data).ok_or(Reason::TooLarge)?;
         // A relative arc is rounded on a grid that begins at its own start, an absolute one on the whole plane's.
         let from = if segment.is_relative() {
@@ -272,10 +252,13 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 
     /// Equal end points: the arc is left out, unless a zero-length subpath, a marker or a reflected control point could show it.
-    fn nothing(&mut self, behind: &Behind<'_, '_>) -> Result<u8, Reason> {
+    fn nothing(&mut self, behind: &Segments<'_>) -> Result<u8, Reason> {
         let alone = |kind: Option<u8>| matches!(kind, None | Some(b'm' | b'z'));
         let before = self.previous.as_ref().map(Segment::kind);
-        let smooth = matches!(behind.next.as_ref().map(Segment::kind), Some(b's' | b't'));
+        let smooth = matches!(
+            behind.clone().next().map(|segment| segment.kind()),
+            Some(b's' | b't')
+        );
         // Of several such arcs in a row the first decides for all.
         let shows = || {
             alone(before)
@@ -293,7 +276,7 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 
     /// The command behind an arc that draws nothing, further ones like it skipped.
-    fn first_drawn(&self, behind: &Behind<'_, '_>) -> Option<u8> {
+    fn first_drawn(&self, behind: &Segments<'_>) -> Option<u8> {
         let is_empty = |segment: &Segment| {
             let here = if segment.is_relative() {
                 Vec2::ZERO
@@ -302,7 +285,7 @@ impl<S: Sink> Writer<'_, '_, S> {
             };
             segment.kind() == b'a' && segment.end_values(self.data) == Some([here.x, here.y])
         };
-        let mut segments = behind.next.iter().copied().chain(behind.rest.clone());
+        let mut segments = behind.clone();
         segments
             .find(|segment| !is_empty(segment))
             .map(|segment| segment.kind())
@@ -332,18 +315,9 @@ impl<S: Sink> Writer<'_, '_, S> {
 
     /// Takes the curve of an arc that was spelled like that before.
     fn recall(&mut self, segment: &Segment) -> bool {
-        if !segment.is_relative() {
-            return false;
-        }
         let Scratch { body, memo, .. } = &mut *self.scratch;
-        let Some(known) = memo.arc(&self.data.as_bytes()[segment.arguments..segment.end]) else {
-            return false;
-        };
-        body.text.clear();
-        body.text.extend_from_slice(&known.text);
-        (body.after, body.quadratic, body.segments) =
-            (known.after, known.quadratic, known.segments);
-        true
+        segment.is_relative()
+            && memo.recall(&self.data.as_bytes()[segment.arguments..segment.end], body)
     }
 
     /// Works out the curve of an arc.
@@ -397,8 +371,17 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 }
 
-/// Whether a lenient reader would find a smooth command at the error: then the arc before it must stay an arc.
-fn smooth_behind(data: &str, error: usize) -> bool {
-    let rest = data[error..].trim_start_matches([' ', '\t', '\n', '\r', ',']);
-    rest.starts_with(['s', 'S', 't', 'T'])
+/// Whether a reader that forgives an error here would find a smooth command: then the arc before it must stay an arc.
+fn may_be_smooth(rest: &[u8]) -> bool {
+    let skipped = |b: &&u8| matches!(b, b' ' | b'\t' | b'\n' | b'\r' | b',');
+    matches!(
+        rest.iter().find(|b| !skipped(b)),
+        Some(b's' | b'S' | b't' | b'T')
+    )
+}
+
+/// Whether the data have an error right behind a segment.
+fn is_broken(behind: &Segments<'_>) -> bool {
+    let mut behind = behind.clone();
+    behind.next().is_none() && behind.error().is_some()
 }

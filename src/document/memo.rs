@@ -12,27 +12,34 @@ use super::number::After;
 use crate::joints::Cut;
 use crate::method::{Piece, Rule, Span};
 
-/// The number of entries of each table.
-const ENTRIES: usize = 8192;
-/// Longer texts are not kept.
-const LONGEST_KEY: usize = 64;
+/// The places of each table, a power of two; it is emptied when three quarters of them are taken.
+const PLACES: usize = 1 << 15;
+const MOST_ENTRIES: usize = PLACES / 4 * 3;
+/// The angles that are kept.
+const SPANS: usize = 4096;
+/// All texts together take no more than this.
+const MOST_BYTES: usize = 1 << 21;
 
 /// A relative arc that was written before.
-#[derive(Debug, Clone)]
-pub(super) struct Written {
-    key: Box<[u8]>,
-    /// The arguments of the curve commands.
-    pub(super) text: Box<[u8]>,
-    pub(super) after: After,
-    pub(super) quadratic: bool,
-    pub(super) segments: usize,
+#[derive(Debug, Clone, Copy)]
+struct Written {
+    /// Where the arc's text begins among the texts, the curve's, and where that ends.
+    key: u32,
+    text: u32,
+    end: u32,
+    after: After,
+    quadratic: bool,
+    segments: u32,
 }
 
 /// The tables.
 #[derive(Debug, Default)]
 pub(super) struct Memo {
     made_for: Option<(Rule, Cut, Option<u8>)>,
-    arcs: Vec<Option<Written>>,
+    /// One more than the index of an arc, or 0.
+    places: Vec<u32>,
+    arcs: Vec<Written>,
+    texts: Vec<u8>,
     spans: Vec<Option<(f64, Piece, f64)>>,
 }
 
@@ -58,48 +65,85 @@ impl Memo {
                 *rule == options.rule && *cut == options.cut && *precision == options.precision
             });
         if !same {
-            self.arcs.clear();
+            self.forget_arcs();
             self.spans.clear();
             self.made_for = Some((options.rule, options.cut.clone(), options.precision));
         }
     }
 
-    /// The arc whose arguments are spelled like that.
-    pub(super) fn arc(&self, key: &[u8]) -> Option<&Written> {
-        self.arcs
-            .get(slot(key))?
-            .as_ref()
-            .filter(|written| *written.key == *key)
+    fn forget_arcs(&mut self) {
+        self.places.fill(0);
+        self.arcs.clear();
+        self.texts.clear();
+    }
+
+    /// Where the arc with this key is, or the free place where it would be.
+    fn find(&self, key: &[u8]) -> Result<&Written, usize> {
+        let mut place = slot(key);
+        loop {
+            let index = self.places.get(place).map_or(0, |index| *index as usize);
+            let Some(written) = index.checked_sub(1).and_then(|index| self.arcs.get(index)) else {
+                return Err(place);
+            };
+            if self.texts.get(written.key as usize..written.text as usize) == Some(key) {
+                return Ok(written);
+            }
+            place = (place + 1) % PLACES;
+        }
+    }
+
+    /// Fills `body` with what the arc of this spelling became, if it is known.
+    pub(super) fn recall(&self, key: &[u8], body: &mut Body) -> bool {
+        let Ok(written) = self.find(key) else {
+            return false;
+        };
+        body.text.clear();
+        body.text.extend_from_slice(
+            self.texts
+                .get(written.text as usize..written.end as usize)
+                .unwrap_or_default(),
+        );
+        (body.after, body.quadratic, body.segments) =
+            (written.after, written.quadratic, written.segments as usize);
+        true
     }
 
     /// Keeps an arc.
     pub(super) fn keep_arc(&mut self, key: &[u8], body: &Body) {
-        let Body {
+        if key.len() + body.text.len() > MOST_BYTES / 64 {
+            return;
+        }
+        if self.arcs.len() == MOST_ENTRIES
+            || self.texts.len() + key.len() + body.text.len() > MOST_BYTES
+        {
+            self.forget_arcs();
+        }
+        if self.places.is_empty() {
+            self.places.resize(PLACES, 0);
+        }
+        let Err(place) = self.find(key) else { return };
+        let start = self.texts.len() as u32;
+        self.texts.extend_from_slice(key);
+        let text = self.texts.len() as u32;
+        self.texts.extend_from_slice(&body.text);
+        let end = self.texts.len() as u32;
+        let (after, quadratic, segments) = (body.after, body.quadratic, body.segments as u32);
+        self.arcs.push(Written {
+            key: start,
             text,
+            end,
             after,
             quadratic,
             segments,
-        } = body;
-        if key.len() > LONGEST_KEY || text.len() > 4 * LONGEST_KEY {
-            return;
-        }
-        if self.arcs.is_empty() {
-            self.arcs.resize(ENTRIES, None);
-        }
-        if let Some(entry) = self.arcs.get_mut(slot(key)) {
-            *entry = Some(Written {
-                key: key.into(),
-                text: text[..].into(),
-                after: *after,
-                quadratic: *quadratic,
-                segments: *segments,
-            });
+        });
+        if let Some(entry) = self.places.get_mut(place) {
+            *entry = self.arcs.len() as u32;
         }
     }
 
     /// The piece of that many degrees by a rule, and its peak radial error on the unit circle.
     pub(super) fn piece(&mut self, rule: Rule, degrees: f64) -> crate::Result<(Piece, f64)> {
-        let slot = slot(&degrees.to_bits().to_le_bytes());
+        let slot = slot(&degrees.to_bits().to_le_bytes()) % SPANS;
         if let Some(Some((known, piece, error))) = self.spans.get(slot)
             && *known == degrees
         {
@@ -108,7 +152,7 @@ impl Memo {
         let span = Span::from_degrees(degrees);
         let (piece, error) = (rule.piece(&span)?, rule.radial_error(&span)?.peak());
         if self.spans.is_empty() {
-            self.spans.resize(ENTRIES, None);
+            self.spans.resize(SPANS, None);
         }
         if let Some(entry) = self.spans.get_mut(slot) {
             *entry = Some((degrees, piece, error));
@@ -129,5 +173,5 @@ fn slot(key: &[u8]) -> usize {
     for byte in chunks.remainder() {
         hash = (hash.rotate_left(9) ^ u64::from(*byte)).wrapping_mul(FACTOR);
     }
-    (hash >> 40) as usize % ENTRIES
+    (hash >> 40) as usize % PLACES
 }

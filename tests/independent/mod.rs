@@ -373,9 +373,7 @@ pub(crate) fn same_curve(old: &[Segment], new: &[Segment], tolerance: f64) -> Ch
             {
                 new.next();
             }
-            Segment::Arc(.., end) if end == at && !matches!(new.peek(), Some(Segment::Arc(..))) => {
-                continue;
-            }
+            Segment::Arc(.., end) if near(end, at) => continue,
             Segment::Arc([rx, ry], .., end) if rx == 0.0 || ry == 0.0 => match new.next() {
                 Some(Segment::Line(other)) if near(end, other) => {}
                 other => {
