@@ -46,7 +46,7 @@ pub(super) trait Sink {
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
     text: Vec<u8>,
-    body: Body,
+    pub(super) body: Body,
     pub(super) beziers: Beziers,
     pub(super) memo: Memo,
 }
@@ -333,7 +333,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         (body.quadratic, body.segments) = (beziers.is_quadratic(), beziers.segments().len());
         if segment.is_relative() {
             body.after = relative(self.data, segment, beziers, &mut body.text)?;
-            memo.keep_arc(&self.data.as_bytes()[segment.arguments..segment.end], body);
+            memo.keep(&self.data.as_bytes()[segment.arguments..segment.end], body);
         } else {
             body.after = absolute(self.data, segment, self.point, beziers, &mut body.text)?;
         }

@@ -49,13 +49,11 @@ pub(super) fn read<'a>(text: &'a str, base: usize, out: &mut Vec<Attribute<'a>>)
             return unique(out);
         }
         let mut at = start;
-        while bytes.get(at).is_some_and(|b| {
-            !matches!(b, b' ' | b'\t' | b'\n' | b'\r' | b'=' | b'"' | b'\'' | b'<')
-        }) {
+        while bytes.get(at).is_some_and(|b| NAME[usize::from(*b)]) {
             at += 1;
         }
         let name = &text[start..at];
-        if start == behind || !is_name(name) {
+        if start == behind || !begins_name(bytes[start]) {
             return Err(Fault::new(base + start, "this is not an attribute"));
         }
         at = space(at);
@@ -137,15 +135,26 @@ fn unique(attributes: &[Attribute<'_>]) -> Result<()> {
     })
 }
 
-/// Whether a text may name an element or an attribute (characters beyond ASCII are not told apart).
+/// The bytes of names; characters beyond ASCII are not told apart.
+const NAME: [bool; 256] = {
+    let mut name = [false; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        name[byte] = byte >= 0x80
+            || (byte as u8).is_ascii_alphanumeric()
+            || matches!(byte as u8, b'_' | b':' | b'-' | b'.');
+        byte += 1;
+    }
+    name
+};
+
+const fn begins_name(byte: u8) -> bool {
+    byte >= 0x80 || byte.is_ascii_alphabetic() || matches!(byte, b'_' | b':')
+}
+
+/// Whether a text may name an element or an attribute.
 pub(super) fn is_name(name: &str) -> bool {
-    let mut bytes = name.bytes();
-    bytes
-        .next()
-        .is_some_and(|b| b.is_ascii_alphabetic() || matches!(b, b'_' | b':') || b >= 0x80)
-        && bytes.all(|b| {
-            b.is_ascii_alphanumeric() || matches!(b, b'_' | b':' | b'-' | b'.') || b >= 0x80
-        })
+    name.bytes().next().is_some_and(begins_name) && name.bytes().all(|byte| NAME[usize::from(byte)])
 }
 
 #[cfg(test)]

@@ -92,7 +92,7 @@ impl Memo {
         }
     }
 
-    /// Fills `body` with what the arc of this spelling became, if it is known.
+    /// Fills `body` with what the arc or the shape of this spelling became, if it is known.
     pub(super) fn recall(&self, key: &[u8], body: &mut Body) -> bool {
         let Ok(written) = self.find(key) else {
             return false;
@@ -108,8 +108,8 @@ impl Memo {
         true
     }
 
-    /// Keeps an arc.
-    pub(super) fn keep_arc(&mut self, key: &[u8], body: &Body) {
+    /// Keeps an arc or a shape.
+    pub(super) fn keep(&mut self, key: &[u8], body: &Body) {
         if key.len() + body.text.len() > MOST_BYTES / 64 {
             return;
         }

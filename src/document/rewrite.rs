@@ -40,7 +40,8 @@ struct Rewriter<'a, 'f> {
     counts: Counts,
     notes: Vec<Note>,
     scratch: &'f mut arcs::Scratch,
-    data: Vec<u8>,
+    /// How a shape is spelled.
+    key: Vec<u8>,
 }
 
 /// Rewrites a document.
@@ -59,7 +60,7 @@ pub(super) fn run(
         counts: Counts::default(),
         notes: Vec::new(),
         scratch,
-        data: Vec::new(),
+        key: Vec::new(),
     };
     let mut open: Vec<Open> = Vec::new();
     loop {
@@ -226,39 +227,64 @@ impl<'a> Rewriter<'a, '_> {
         if !rounded && !self.may_be_rounded(scanner) {
             return false;
         }
-        let mut reason = None;
-        let shape = match read_shape(kind, scanner) {
-            Ok(Shape::Square) if !self.may_be_rounded(scanner) => return false,
-            Ok(Shape::Square) => {
-                reason = Some(Reason::StyleGeometry("rx"));
-                Shape::Square
-            }
-            Ok(shape) => shape,
-            Err(why) => {
-                reason = Some(why);
-                Shape::Square
-            }
+        let reason = match self.shape_data(kind, scanner) {
+            Ok(true) => None,
+            Ok(false) if !self.may_be_rounded(scanner) => return false,
+            Ok(false) => Some(Reason::StyleGeometry("rx")),
+            Err(why) => Some(why),
         };
         let reason = self
             .forbidden(kind, element, scanner)
             .or(reason)
             .or_else(|| has("d").then_some(Reason::HasPathData))
             .or_else(|| markers.any.then_some(Reason::Marker));
-        let mut data = core::mem::take(&mut self.data);
-        let reason = reason
-            .map_or_else(
-                || element::path_data(&shape, self.options, self.scratch, &mut data),
-                Err,
-            )
-            .err();
         if let Some(reason) = &reason {
             self.note(kind.name(), element.start, reason);
         } else {
+            let data = core::mem::take(&mut self.scratch.body.text);
             self.replace(kind, element, scanner, &data);
+            self.scratch.body.text = data;
             self.counts.count(kind, 1);
         }
-        self.data = data;
         reason.is_none()
+    }
+
+    /// Works out the path data of a shape, into the buffer for curves; `false` for a rectangle with square corners.
+    fn shape_data(
+        &mut self,
+        kind: Kind,
+        scanner: &Scanner<'_>,
+    ) -> core::result::Result<bool, Reason> {
+        let key = &mut self.key;
+        key.clear();
+        key.extend_from_slice(kind.name().as_bytes());
+        let mut spelled = true;
+        for name in kind.geometry() {
+            // Bytes that no text has part the values.
+            let found = scanner
+                .attributes
+                .iter()
+                .find(|attribute| attribute.name == *name);
+            spelled &= found.is_none_or(|attribute| !attribute.has_references);
+            key.push(if found.is_some() { 0xff } else { 0xfe });
+            key.extend_from_slice(found.map_or(&[], |attribute| attribute.value.as_bytes()));
+        }
+        let scratch = &mut *self.scratch;
+        if spelled && scratch.memo.recall(key, &mut scratch.body) {
+            return Ok(true);
+        }
+        let shape = read_shape(kind, scanner)?;
+        if shape == Shape::Square {
+            return Ok(false);
+        }
+        let mut data = core::mem::take(&mut scratch.body.text);
+        let drawn = element::path_data(&shape, self.options, scratch, &mut data);
+        scratch.body.text = data;
+        drawn?;
+        if spelled {
+            scratch.memo.keep(key, &scratch.body);
+        }
+        Ok(true)
     }
 
     /// Whether a style may give a rectangle round corners that its attributes do not.

@@ -76,12 +76,12 @@ impl<'a> Scanner<'a> {
         reader.config_mut().check_comments = true;
         Ok(Self {
             source,
-            attributes: Vec::new(),
+            attributes: Vec::with_capacity(16),
             doctype: Doctype::default(),
             reader,
             base,
             namespaces: Namespaces::default(),
-            open: Vec::new(),
+            open: Vec::with_capacity(16),
             seen_root: false,
         })
     }
