@@ -9,7 +9,7 @@ BASHDIR = $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
-.PHONY: help build test lint golden bench install uninstall clean ghostscript
+.PHONY: help build test lint golden install uninstall clean ghostscript pictures
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | sort | expand -t 18
@@ -25,10 +25,11 @@ lint: ## Check formatting and lints
 	$(CARGO) clippy --all-targets --all-features --locked -- -D warnings
 
 golden: ## Write the golden files in fixtures/ anew
-	CURVETO_GOLDEN=1 $(CARGO) test --locked --test golden
+	CURVETO_GOLDEN=1 $(CARGO) test --locked --test golden --test schema --test peers --test measure_cli --test commands --test document
 
-bench: ## Run the benches
-	$(CARGO) bench --locked
+pictures: build ## Draw the pictures of the documentation anew, with the program itself
+	$(MAKE) --no-print-directory -f Makefile.picture images
+	sh docs/pictures-chen.sh
 
 # The tests run Ghostscript on our PostScript. Debian's package comes by itself; elsewhere this says what to do.
 ghostscript:
@@ -57,3 +58,6 @@ uninstall: ## Remove what install installed
 
 clean: ## Remove everything that was built
 	$(CARGO) clean
+
+# `convert` on real icon sets, and speed.
+include Makefile.convert Makefile.engine

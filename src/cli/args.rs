@@ -87,7 +87,7 @@ pub(crate) struct Draw<S: Args> {
 #[derive(Debug, Args)]
 pub(crate) struct ProcsetArgs {
     /// The method whose quarter-circle handle the procedures use
-    #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::method)]
+    #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::MethodReader)]
     pub(crate) method: Method,
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]

@@ -47,11 +47,9 @@ pub(super) fn run(args: &MeasureArgs) -> Outcome {
 
 /// Measures a shape as it would be drawn, by each method that was named.
 fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
-    let precision = match args.precision {
-        None => Some(Precision::Full),
-        Some(None) => None,
-        Some(Some(decimals)) => Some(Precision::Fixed(decimals)),
-    };
+    let precision = args
+        .precision
+        .map_or(Some(Precision::Full), |word| word.precision());
     let mut subjects = Vec::new();
     for rule in args.approximation.rules()? {
         let options = Options {

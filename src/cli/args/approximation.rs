@@ -29,7 +29,7 @@ impl From<Quadrature> for curveto::spline::Quadrature {
 #[command(next_help_heading = "How it is approximated")]
 pub(crate) struct ApproximationArgs {
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
-    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::method)]
+    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader)]
     method: Vec<Method>,
     /// Exactly N segments, of equal parametric angle
     #[arg(short = 'n', long, value_name = "N", conflicts_with_all = ["tolerance", "joints"])]

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use curveto::batch::{OnError, Options};
 use curveto::write::Format;
-use curveto::write::number::Precision;
 use curveto::{Cut, Method, Rule, Tolerance};
 
 use super::values;
@@ -20,7 +19,7 @@ pub(crate) struct BatchArgs {
     #[arg(short, long, value_name = "F", value_enum, default_value_t)]
     format: BatchFormat,
     /// A method by id or alias, where a line names none [default: minimax]
-    #[arg(short, long, value_name = "ID", value_parser = values::method)]
+    #[arg(short, long, value_name = "ID", value_parser = values::MethodReader)]
     method: Option<Method>,
     /// Exactly N segments, of equal parametric angle, where a line does not say
     #[arg(short = 'n', long, value_name = "N", conflicts_with = "tolerance")]
@@ -30,7 +29,7 @@ pub(crate) struct BatchArgs {
     tolerance: Option<Tolerance>,
     /// Decimals after the point, or auto: for each shape the fewest that add no more than a tenth of its error
     #[arg(short, long, value_name = "P", value_parser = values::precision, default_value = "auto")]
-    precision: Decimals,
+    precision: values::PrecisionWord,
     /// How many threads [default: one for every core]
     #[arg(short, long, value_name = "N")]
     jobs: Option<usize>,
@@ -38,9 +37,6 @@ pub(crate) struct BatchArgs {
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
     on_error: OnErrorArg,
 }
-
-/// Decimals, or `None` for auto.
-type Decimals = Option<u8>;
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 enum BatchFormat {
@@ -77,7 +73,7 @@ impl BatchArgs {
                 (None, Some(tolerance)) => Cut::Tolerance(tolerance),
                 (None, None) => Cut::Quarters,
             },
-            precision: self.precision.map(Precision::Fixed),
+            precision: self.precision.precision(),
             on_error: match self.on_error {
                 OnErrorArg::Stop => OnError::Stop,
                 OnErrorArg::Skip => OnError::Skip,

@@ -28,7 +28,7 @@ pub(crate) struct ConvertArgs {
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub(crate) report: Option<Report>,
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
-    #[arg(short, long, value_name = "ID", value_parser = values::method)]
+    #[arg(short, long, value_name = "ID", value_parser = values::MethodReader)]
     method: Option<Method>,
     /// Exactly N segments for each shape and arc, of equal parametric angle
     #[arg(short = 'n', long, value_name = "N", conflicts_with = "tolerance")]
@@ -38,11 +38,8 @@ pub(crate) struct ConvertArgs {
     tolerance: Option<Tolerance>,
     /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error
     #[arg(short, long, value_name = "P", value_parser = values::precision, default_value = "auto")]
-    precision: PrecisionArg,
+    precision: values::PrecisionWord,
 }
-
-/// Decimals, or `None` for auto.
-type PrecisionArg = Option<u8>;
 
 /// Where the result goes; standard output without any of them.
 #[derive(Debug, Args)]
@@ -117,7 +114,7 @@ impl ConvertArgs {
         let options = document::Options {
             rule: Rule::Method(self.method.unwrap_or_default()),
             cut,
-            precision: self.precision,
+            precision: self.precision.decimals(),
             only,
         };
         options.check()?;

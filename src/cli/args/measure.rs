@@ -48,16 +48,13 @@ pub(crate) struct Measured<S: Args> {
     pub(crate) approximation: ApproximationArgs,
     /// Round the control points to P decimals, or as drawing would with auto [default: full precision]
     #[arg(short, long, value_name = "P", value_parser = values::precision)]
-    pub(crate) precision: Option<DecimalsArg>,
+    pub(crate) precision: Option<values::PrecisionWord>,
     /// An SVG transform list, applied to the control points
     #[arg(long, value_name = "LIST", value_parser = values::transform, allow_hyphen_values = true)]
     pub(crate) transform: Option<Affine>,
     #[command(flatten)]
     pub(crate) report: ReportArgs,
 }
-
-/// Decimals, or `None` for auto; a name of its own, since clap takes a plain `Option` for an absent value.
-pub(crate) type DecimalsArg = Option<u8>;
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "A curve that someone else made")]

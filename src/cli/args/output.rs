@@ -9,7 +9,7 @@ use curveto::write::style::Style;
 use kurbo::Affine;
 
 use super::picture::PictureArgs;
-use super::values;
+use super::values::{self, PrecisionWord};
 use crate::cli::failure::Failure;
 use crate::cli::output::Target;
 
@@ -22,9 +22,9 @@ pub(crate) struct OutputArgs {
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error
-    #[arg(short, long, value_name = "P", value_parser = values::precision, default_value = "auto")]
-    precision: PrecisionArg,
+    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error [default: auto; in json all]
+    #[arg(short, long, value_name = "P", value_parser = values::precision)]
+    precision: Option<PrecisionWord>,
     /// An SVG transform list, applied to the control points
     #[arg(long, value_name = "LIST", value_parser = values::transform, allow_hyphen_values = true)]
     transform: Option<Affine>,
@@ -34,9 +34,6 @@ pub(crate) struct OutputArgs {
     #[command(flatten)]
     picture: PictureArgs,
 }
-
-/// Decimals, or `None` for auto.
-type PrecisionArg = Option<u8>;
 
 impl OutputArgs {
     /// Where output goes.
@@ -94,7 +91,7 @@ impl OutputArgs {
     /// How the points are to be rounded: as it was asked for, in full for JSON, else by what is drawn.
     pub(crate) fn rounding(&self, format: Format) -> Option<Precision> {
         match self.precision {
-            Some(decimals) => Some(Precision::Fixed(decimals)),
+            Some(word) => word.precision(),
             None => (format == Format::Json).then_some(Precision::Full),
         }
     }

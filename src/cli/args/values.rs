@@ -1,5 +1,10 @@
 //! Readers of single values, with messages that say what is expected.
 
+use std::ffi::OsStr;
+
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Arg, Command};
+use curveto::write::number::Precision;
 use curveto::{Angle, Method, Tolerance};
 use kurbo::{Affine, Point, Vec2};
 
@@ -16,6 +21,33 @@ fn told(error: &curveto::Error) -> String {
 
 pub(super) fn method(text: &str) -> Read<Method> {
     text.parse().map_err(|error| told(&error))
+}
+
+/// Reads a method; help and the completions of shells list the catalogue.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MethodReader;
+
+impl TypedValueParser for MethodReader {
+    type Value = Method;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<Method, clap::Error> {
+        method.parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let value = |method: Method| {
+            let card = method.card();
+            PossibleValue::new(card.id)
+                .help(card.title)
+                .aliases(card.aliases)
+        };
+        Some(Box::new(Method::ALL.into_iter().map(value)))
+    }
 }
 
 pub(super) fn angle(text: &str) -> Read<Angle> {
@@ -77,12 +109,35 @@ pub(super) fn tolerance(text: &str) -> Read<Tolerance> {
     })
 }
 
-/// Decimals, or `None` for `auto`.
-pub(super) fn precision(text: &str) -> Read<Option<u8>> {
+/// How numbers were asked to be written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PrecisionWord {
+    /// With the fewest decimals that add no more than a tenth of the error.
+    Auto,
+    /// With so many decimals.
+    Decimals(u8),
+}
+
+impl PrecisionWord {
+    /// The decimals, or `None` for auto.
+    pub(crate) const fn decimals(self) -> Option<u8> {
+        match self {
+            Self::Auto => None,
+            Self::Decimals(decimals) => Some(decimals),
+        }
+    }
+
+    /// The precision, or `None` for auto.
+    pub(crate) fn precision(self) -> Option<Precision> {
+        self.decimals().map(Precision::Fixed)
+    }
+}
+
+pub(super) fn precision(text: &str) -> Read<PrecisionWord> {
     match text {
-        "auto" => Ok(None),
+        "auto" => Ok(PrecisionWord::Auto),
         _ => match text.parse() {
-            Ok(decimals @ 0..=30) => Ok(Some(decimals)),
+            Ok(decimals @ 0..=30) => Ok(PrecisionWord::Decimals(decimals)),
             _ => Err("a precision is a number of decimals from 0 to 30, or auto".to_owned()),
         },
     }
