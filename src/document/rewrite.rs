@@ -194,6 +194,9 @@ impl<'a> Rewriter<'a, '_> {
             })
             .or_else(|| {
                 let lists = &scanner.doctype.attribute_lists;
+                if lists.is_empty() {
+                    return None;
+                }
                 let path = element.name.replace(element.local, "path");
                 let matters = |(name, text): &(&str, &str)| {
                     *name == element.name

@@ -225,7 +225,7 @@ impl<'a> Scanner<'a> {
                 "text outside the root element",
             ));
         }
-        if span.contains(']')
+        if memchr::memchr(b']', span.as_bytes()).is_some()
             && let Some(at) = span.find("]]>")
         {
             return Err(Fault::new(start + at, "`]]>` in text"));
