@@ -7,7 +7,6 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
-use assert_cmd::cargo::CommandCargoExt;
 use curveto::batch::{OnError, Options, run};
 use curveto::write::number::{Precision, text};
 use curveto::write::{Format, json, path};
@@ -23,7 +22,7 @@ fn answers(input: &str, options: &Options) -> Vec<String> {
 }
 
 fn curveto(args: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("curveto").unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_curveto"));
     command.args(args);
     command
 }

@@ -23,6 +23,7 @@ pub(crate) use output::OutputArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
 pub(crate) use sphere::SphereArgs;
 pub(crate) use spline::{SplineArgs, SplineSource};
+pub(crate) use values::PrecisionWord;
 
 use std::path::PathBuf;
 

@@ -49,7 +49,7 @@ pub(super) fn run(args: &MeasureArgs) -> Outcome {
 fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
     let precision = args
         .precision
-        .map_or(Some(Precision::Full), |word| word.precision());
+        .map_or(Some(Precision::Full), super::args::PrecisionWord::precision);
     let mut subjects = Vec::new();
     for rule in args.approximation.rules()? {
         let options = Options {
