@@ -1,5 +1,7 @@
 //! `<circle>`, `<ellipse>` and `<rect>` as path data: SVG 2's equivalent paths, start point, direction and order included.
 
+use std::borrow::Cow;
+
 use kurbo::{Point, Vec2};
 
 use super::arcs::Scratch;
@@ -26,13 +28,13 @@ pub(super) enum Shape {
 /// Reads a shape; `attribute` gives the resolved value of an attribute, if the element has it.
 pub(super) fn read<'v>(
     kind: Kind,
-    attribute: impl Fn(&str) -> Option<&'v str>,
+    attribute: impl Fn(&str) -> Option<Cow<'v, str>>,
 ) -> Result<Shape, Reason> {
     let get = |name: &'static str| -> Result<Option<Length>, Reason> {
         let Some(text) = attribute(name) else {
             return Ok(None);
         };
-        match length::read(text) {
+        match length::read(&text) {
             Reading::Length(length) => Ok(Some(length)),
             // `auto` is a value of rx and ry alone, and of width and height, where it is zero.
             Reading::Auto if !matches!(name, "cx" | "cy" | "r" | "x" | "y") => Ok(None),
@@ -216,7 +218,7 @@ mod tests {
             attributes
                 .iter()
                 .find(|(known, _)| *known == name)
-                .map(|(_, value)| *value)
+                .map(|(_, value)| Cow::Borrowed(*value))
         })?;
         let mut out = Vec::new();
         path_data(

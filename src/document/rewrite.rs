@@ -95,15 +95,6 @@ pub(super) fn run(
     ))
 }
 
-/// The resolved value of the attribute `name`; a value with an unknown entity reads as the entity.
-fn attribute<'s>(scanner: &'s Scanner<'_>, name: &str) -> Option<std::borrow::Cow<'s, str>> {
-    let found = scanner
-        .attributes
-        .iter()
-        .find(|attribute| attribute.name == name)?;
-    Some(value::text(found.value, &scanner.doctype).unwrap_or_else(|| found.value.into()))
-}
-
 impl<'a> Rewriter<'a, '_> {
     fn note(&mut self, element: &str, at: usize, reason: &Reason) {
         let (line, column) = self.places.locate(at);
@@ -119,7 +110,7 @@ impl<'a> Rewriter<'a, '_> {
     fn markers(&self, inherited: Markers, element: &Element<'_>, scanner: &Scanner<'_>) -> Markers {
         let mut markers = own::markers(inherited, &scanner.attributes, &scanner.doctype);
         if let Some(facts) = self.facts {
-            let (class, id) = (attribute(scanner, "class"), attribute(scanner, "id"));
+            let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
             let styled = facts.markers(element.local, class.as_deref(), id.as_deref());
             markers = Markers {
                 any: markers.any || styled.any,
@@ -184,7 +175,7 @@ impl<'a> Rewriter<'a, '_> {
         scanner: &Scanner<'_>,
     ) -> Option<Reason> {
         let by_document = self.facts.and_then(|facts| {
-            let (class, id) = (attribute(scanner, "class"), attribute(scanner, "id"));
+            let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
             facts.forbid(kind, element.start, class.as_deref(), id.as_deref())
         });
         by_document
@@ -276,7 +267,7 @@ impl<'a> Rewriter<'a, '_> {
         if spelled && scratch.memo.recall(key, &mut scratch.body) {
             return Ok(true);
         }
-        let shape = read_shape(kind, scanner)?;
+        let shape = element::read(kind, |name| scanner.attribute(name))?;
         if shape == Shape::Square {
             return Ok(false);
         }
@@ -293,7 +284,7 @@ impl<'a> Rewriter<'a, '_> {
     /// Whether a style may give a rectangle round corners that its attributes do not.
     fn may_be_rounded(&self, scanner: &Scanner<'_>) -> bool {
         let by_sheet = self.facts.is_some_and(|facts| {
-            let (class, id) = (attribute(scanner, "class"), attribute(scanner, "id"));
+            let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
             facts.may_round(class.as_deref(), id.as_deref())
         });
         let own = own::style(Kind::Rect, &scanner.attributes, &scanner.doctype);
@@ -363,20 +354,6 @@ impl<'a> Rewriter<'a, '_> {
         self.counts.count(Kind::Path, outcome.arcs);
         self.counts.smooth += outcome.smooth;
     }
-}
-
-fn read_shape(kind: Kind, scanner: &Scanner<'_>) -> core::result::Result<Shape, Reason> {
-    let found: Vec<_> = kind
-        .geometry()
-        .iter()
-        .map(|name| (*name, attribute(scanner, name)))
-        .collect();
-    element::read(kind, |name| {
-        found
-            .iter()
-            .find(|(known, _)| *known == name)
-            .and_then(|(_, value)| value.as_deref())
-    })
 }
 
 /// Brings edits of path data to their place in the file.

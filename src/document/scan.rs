@@ -2,6 +2,7 @@
 //! about well-formedness are read here.
 
 use core::ops::Range;
+use std::borrow::Cow;
 
 use quick_xml::Reader;
 use quick_xml::events::Event;
@@ -10,6 +11,7 @@ use super::attributes::{self, Attribute};
 use super::doctype::{Doctype, Resolved};
 use super::fault::{Fault, Result};
 use super::namespace::{Namespace, Namespaces};
+use super::value;
 
 /// One piece of a document.
 #[derive(Debug)]
@@ -99,6 +101,15 @@ impl<'a> Scanner<'a> {
     /// The start of the tag around the innermost open one.
     pub(super) fn grandparent(&self) -> Option<usize> {
         self.open.iter().rev().nth(1).copied()
+    }
+
+    /// The resolved value of an attribute of the last start tag; a value with an unknown entity reads as the entity.
+    pub(super) fn attribute(&self, name: &str) -> Option<Cow<'a, str>> {
+        let found = self
+            .attributes
+            .iter()
+            .find(|attribute| attribute.name == name)?;
+        Some(value::text(found.value, &self.doctype).unwrap_or(Cow::Borrowed(found.value)))
     }
 
     /// The next node.
