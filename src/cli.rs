@@ -43,18 +43,18 @@ pub(crate) fn main() -> ExitCode {
 
 fn run(command: Command) -> Outcome {
     match command {
-        Command::Circle(args) => draw::circle(&args),
-        Command::Ellipse(args) => draw::ellipse(&args),
-        Command::Arc(args) => draw::arc(&args),
-        Command::Batch(args) => batch::run(&args),
-        Command::Spline(args) => spline::run(&args),
-        Command::Sphere(args) => sphere::run(&args),
-        Command::Procset(args) => procset::run(&args),
-        Command::Methods(args) => methods::run(&args),
+        Command::Circle(args) => draw::circle(&args.0),
+        Command::Ellipse(args) => draw::ellipse(&args.0),
+        Command::Arc(args) => draw::arc(&args.0),
+        Command::Batch(args) => batch::run(&args.0),
+        Command::Spline(args) => spline::run(&args.0),
+        Command::Sphere(args) => sphere::run(&args.0),
+        Command::Procset(args) => procset::run(&args.0),
+        Command::Methods(args) => methods::run(&args.0),
         Command::Measure(args) => measure::run(&args),
-        Command::Compare(args) => compare::run(&args),
-        Command::Convert(args) => convert::run(&args),
-        Command::Completions(args) => shell::completions(&args),
-        Command::Man(args) => shell::man(&args),
+        Command::Compare(args) => compare::run(&args.0),
+        Command::Convert(args) => convert::run(&args.0),
+        Command::Completions(args) => shell::completions(&args.0),
+        Command::Man(args) => shell::man(&args.0),
     }
 }

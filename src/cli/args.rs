@@ -4,6 +4,7 @@ mod approximation;
 mod batch;
 pub(crate) mod compare;
 mod convert;
+mod deferred;
 pub(crate) mod measure;
 pub(crate) mod methods;
 mod output;
@@ -17,6 +18,7 @@ pub(crate) use approximation::ApproximationArgs;
 pub(crate) use batch::BatchArgs;
 pub(crate) use compare::CompareArgs;
 pub(crate) use convert::{ConvertArgs, DestinationArgs, Report};
+pub(crate) use deferred::Deferred;
 pub(crate) use measure::MeasureArgs;
 pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
@@ -47,31 +49,31 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Draw a circle
-    Circle(Draw<CircleShape>),
+    Circle(Deferred<Draw<CircleShape>>),
     /// Draw an ellipse
-    Ellipse(Draw<EllipseShape>),
+    Ellipse(Deferred<Draw<EllipseShape>>),
     /// Draw an arc of a circle or an ellipse
-    Arc(Draw<ArcShape>),
+    Arc(Deferred<Draw<ArcShape>>),
     /// Draw the shapes of a stream, one a line in, one a line out
-    Batch(BatchArgs),
+    Batch(Deferred<BatchArgs>),
     /// Draw a composite parametric cubic curve through points, after Chen
-    Spline(SplineArgs),
+    Spline(Deferred<SplineArgs>),
     /// Draw the parallels and meridians of a sphere, after Chen's Figure 1
-    Sphere(SphereArgs),
+    Sphere(Deferred<SphereArgs>),
     /// Print PostScript procedures that draw ellipses and circles, after Lancaster
-    Procset(ProcsetArgs),
+    Procset(Deferred<ProcsetArgs>),
     /// Tell what is known of the methods
-    Methods(MethodsArgs),
+    Methods(Deferred<MethodsArgs>),
     /// Measure a curve: its error, length, area, curvature and joints
     Measure(Box<MeasureArgs>),
     /// Compare methods by their error and the number of segments
-    Compare(CompareArgs),
+    Compare(Deferred<CompareArgs>),
     /// Replace circles, ellipses, rounded rectangles and path arcs in SVG files by Béziers; every other byte stays
-    Convert(ConvertArgs),
+    Convert(Deferred<ConvertArgs>),
     /// Print a completion script for a shell
-    Completions(CompletionsArgs),
+    Completions(Deferred<CompletionsArgs>),
     /// Print the manual page, or write those of all commands
-    Man(ManArgs),
+    Man(Deferred<ManArgs>),
 }
 
 /// A shape, how it is approximated and how it is written.
