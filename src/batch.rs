@@ -9,7 +9,7 @@ mod lines;
 
 use std::io::{self, Read, Write};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
 use std::thread;
 
 use crate::error::Error;
@@ -132,25 +132,31 @@ pub fn run(
         return Ok(writer.summary);
     }
     let (jobs, results) = start_threads(options);
+    // What was written goes back to the reader, so that memory is asked for once and not a chunk.
+    let (done, free) = channel::<Job>();
     let reader = thread::spawn(move || {
-        for job in jobs.iter().cycle() {
-            match chunks.next_chunk() {
-                Ok(Some(chunk)) if job.send(chunk.to_vec()).is_ok() => {}
-                Ok(_) => return Ok(()),
-                Err(error) => return Err(error),
+        for queue in jobs.iter().cycle() {
+            let Some(chunk) = chunks.next_chunk()? else {
+                return Ok(());
+            };
+            let mut job = free.try_recv().unwrap_or_default();
+            job.chunk.clear();
+            job.chunk.extend_from_slice(chunk);
+            if queue.send(job).is_err() {
+                return Ok(());
             }
         }
         Ok(())
     });
     for result in results.iter().cycle() {
-        match result.recv() {
-            Ok(answers) => {
-                if !writer.write(&answers)? {
-                    return Ok(writer.summary);
-                }
-            }
-            Err(_) => break,
+        let Ok(job) = result.recv() else {
+            break;
+        };
+        if !writer.write(&job.answers)? {
+            return Ok(writer.summary);
         }
+        // At the end the reader is gone and has no use for it.
+        let _ = done.send(job);
     }
     // The queues run dry only when the reader is done.
     match reader.join() {
@@ -159,20 +165,26 @@ pub fn run(
     }
 }
 
+/// A chunk and the answers to its lines.
+#[derive(Debug, Default)]
+struct Job {
+    chunk: Vec<u8>,
+    answers: Answers,
+}
+
 /// Threads that answer chunks: one queue into each and one out of it.
-fn start_threads(options: &Options) -> (Vec<SyncSender<Vec<u8>>>, Vec<Receiver<Answers>>) {
+fn start_threads(options: &Options) -> (Vec<SyncSender<Job>>, Vec<Receiver<Job>>) {
     let options = Arc::new(options.clone());
     (0..options.jobs)
         .map(|_| {
-            let (job, jobs) = sync_channel::<Vec<u8>>(QUEUE);
+            let (job, jobs) = sync_channel::<Job>(QUEUE);
             let (result, results) = sync_channel(QUEUE);
             let options = Arc::clone(&options);
             thread::spawn(move || {
                 let mut worker = Worker::new((*options).clone());
-                for chunk in jobs {
-                    let mut answers = Answers::default();
-                    worker.answer(&chunk, &mut answers);
-                    if result.send(answers).is_err() {
+                for mut job in jobs {
+                    worker.answer(&job.chunk, &mut job.answers);
+                    if result.send(job).is_err() {
                         break;
                     }
                 }
