@@ -196,10 +196,12 @@ fn excess(segment: &PathSeg, center: Point, radius: f64) -> Polynomial {
     let mut coefficients = [0.0; 7];
     for (k, coefficient) in coefficients.iter_mut().enumerate().take(2 * degree + 1) {
         let mut sum = minus_square.scaled(binomial(2 * degree, k));
-        for i in k.saturating_sub(degree)..=k.min(degree) {
+        // The products of i with k - i and of k - i with i are the same.
+        for i in k.saturating_sub(degree)..=k / 2 {
             let (p, q) = (points[i], points[k - i]);
             let dot = p[0].times(q[0]).plus(p[1].times(q[1]));
-            sum = sum.plus(dot.scaled(binomial(degree, i) * binomial(degree, k - i)));
+            let twice = if 2 * i == k { 1.0 } else { 2.0 };
+            sum = sum.plus(dot.scaled(twice * binomial(degree, i) * binomial(degree, k - i)));
         }
         *coefficient = sum.value() / binomial(2 * degree, k);
     }
