@@ -1,7 +1,9 @@
-//! Random elliptical arcs as cubics: ours, kurbo and `lyon_geom` in one process on the same inputs. `cargo bench --bench arcs`
+//! One table of ours and the peers, in one process on the same inputs: `make bench`.
 //!
-//! The peers take turns, and the best of many rounds counts, which a busy machine disturbs least.
-//! Prints one table: nanoseconds an arc, segments an arc, the ratio to kurbo, and the largest error found on a sample.
+//! Random elliptical arcs as cubics beside kurbo and `lyon_geom`, and SVG icons beside usvg. The peers take turns, and the best of
+//! many rounds counts, which a busy machine disturbs least. The ratio is to kurbo, and to usvg on documents.
+
+mod documents;
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -159,28 +161,53 @@ fn clock<T>(arcs: &[T], run: impl Fn(&T, &mut Sum)) -> (f64, f64) {
     (elapsed / count, sum.segments as f64 / count)
 }
 
-/// Lets the peers take turns and prints the best round of each.
-fn row(form: &str, tolerance: f64, mut peers: [Box<dyn FnMut() -> (f64, f64) + '_>; 3]) {
-    let mut rounds: [Vec<(f64, f64)>; 3] = Default::default();
+/// The best round of each peer, who take turns.
+fn best<const N: usize>(mut peers: [Box<dyn FnMut() -> (f64, f64) + '_>; N]) -> [(f64, f64); N] {
+    let mut best = [(f64::INFINITY, 0.0); N];
     for _ in 0..ROUNDS {
-        for (rounds, peer) in rounds.iter_mut().zip(&mut peers) {
-            rounds.push(peer());
+        for (best, peer) in best.iter_mut().zip(&mut peers) {
+            let round = peer();
+            if round.0 < best.0 {
+                *best = round;
+            }
         }
     }
-    let best = |rounds: &mut Vec<(f64, f64)>| {
-        rounds.sort_by(|a, b| a.0.total_cmp(&b.0));
-        rounds[0]
+    best
+}
+
+/// What an arc costs and how many segments it becomes.
+fn rows(form: &str, tolerance: f64, peers: [Box<dyn FnMut() -> (f64, f64) + '_>; 3]) {
+    let best = best(peers);
+    let [a, b, c] = best.map(|(time, _)| format!("{time:.1}"));
+    let ratio = best[0].0 / best[1].0;
+    println!("| {form}, {tolerance:e}: ns an arc | {a} | {b} | {c} | - | {ratio:.2} |");
+    let [a, b, c] = best.map(|(_, segments)| format!("{segments:.3}"));
+    let ratio = best[0].1 / best[1].1;
+    println!("| {form}, {tolerance:e}: segments an arc | {a} | {b} | {c} | - | {ratio:.2} |");
+}
+
+/// What a byte of SVG costs and what becomes of it, parsed and written again.
+fn documents_rows() {
+    let icons = documents::icons();
+    let bytes: usize = icons.iter().map(String::len).sum();
+    let run = |convert: fn(&str) -> usize| {
+        let clock = Instant::now();
+        let written: usize = icons.iter().map(|icon| convert(black_box(icon))).sum();
+        let elapsed = clock.elapsed().as_secs_f64() * 1e9;
+        (elapsed / bytes as f64, written as f64 / bytes as f64)
     };
-    let [a, b, c] = rounds.each_mut().map(best);
+    let [a, b] = best([
+        Box::new(|| run(documents::ours)),
+        Box::new(|| run(documents::usvgs)),
+    ]);
+    let (time, size) = (a.0 / b.0, a.1 / b.1);
     println!(
-        "| {form}, {tolerance:e} | {:.1} | {:.1} | {:.1} | {:.2} | {:.3} | {:.3} | {:.3} |",
-        a.0,
-        b.0,
-        c.0,
-        a.0 / b.0,
-        a.1,
-        b.1,
-        c.1
+        "| icons: ns a byte | {:.2} | - | - | {:.2} | {time:.2} |",
+        a.0, b.0
+    );
+    println!(
+        "| icons: bytes out a byte in | {:.2} | - | - | {:.2} | {size:.2} |",
+        a.1, b.1
     );
 }
 
@@ -196,7 +223,7 @@ fn centre_row(inputs: &[Input], tolerance: f64) {
     let ours: Vec<_> = inputs.iter().map(|input| input.ours).collect();
     let kurbo: Vec<_> = inputs.iter().map(|input| input.kurbo).collect();
     let lyon: Vec<_> = inputs.iter().map(|input| input.lyon).collect();
-    row(
+    rows(
         "centre",
         tolerance,
         [
@@ -221,7 +248,7 @@ fn svg_row(inputs: &[Input], tolerance: f64) {
     let ours: Vec<_> = inputs.iter().map(|input| input.ours_svg).collect();
     let kurbo: Vec<_> = inputs.iter().map(|input| input.kurbo_svg).collect();
     let lyon: Vec<_> = inputs.iter().map(|input| input.lyon_svg).collect();
-    row(
+    rows(
         "SVG end points",
         tolerance,
         [
@@ -259,15 +286,14 @@ fn main() {
     let mut numbers = Numbers(7);
     let inputs: Vec<Input> = (0..count).map(|_| Input::random(&mut numbers)).collect();
     println!("{count} random elliptical arcs, best of {ROUNDS} rounds");
-    println!(
-        "| form, relative tolerance | ours ns | kurbo ns | lyon_geom ns | ours/kurbo | segments ours | kurbo | lyon_geom |"
-    );
-    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
+    println!("| what, relative tolerance | ours | kurbo | lyon_geom | usvg | ratio |");
+    println!("| --- | ---: | ---: | ---: | ---: | ---: |");
     for tolerance in [1e-3, 1e-6] {
         centre_row(&inputs, tolerance);
         svg_row(&inputs, tolerance);
     }
     errors(&inputs);
+    documents_rows();
 }
 
 /// The largest relative error of each peer on a sample.
@@ -309,7 +335,8 @@ fn errors(inputs: &[Input]) {
                 .for_each_cubic_bezier(&mut |c| take(p(c.from), p(c.ctrl1), p(c.ctrl2), p(c.to)));
         });
         println!(
-            "largest relative error at {tolerance:e}: ours {ours:.3e}, kurbo {kurbo:.3e}, lyon_geom {lyon:.3e}"
+            "| largest relative error, {tolerance:e} | {ours:.2e} | {kurbo:.2e} | {lyon:.2e} | - | {:.2} |",
+            ours / kurbo
         );
     }
 }
