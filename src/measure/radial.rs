@@ -17,7 +17,7 @@ use crate::shape::Truth;
 
 /// How many brackets the search on an ellipse begins with between two crossings; they narrow towards the crossings, as the
 /// distance does where the curve touches the ellipse.
-const BRACKETS: u32 = 8;
+const BRACKETS: u32 = 32;
 
 /// A bracket in which the ellipse's normal turns by more than this, as a cosine, is halved: at the tips of a flat ellipse the
 /// distance varies with the normal, far faster than with t.
