@@ -96,15 +96,21 @@ impl Angle {
 /// The direction of an angle of at most 45 degrees (a little more where rounding made it so).
 #[inline]
 fn residual_direction(degrees: f64) -> Vec2 {
-    let size = degrees.abs();
-    let (sin, cos) = if size == 45.0 {
+    let size = first_direction(degrees.abs());
+    Vec2::new(size.x, size.y.copysign(degrees))
+}
+
+/// The direction of an angle from 0 to 45 degrees.
+#[inline]
+pub(crate) fn first_direction(degrees: f64) -> Vec2 {
+    let (sin, cos) = if degrees == 45.0 {
         (FRAC_1_SQRT_2, FRAC_1_SQRT_2)
-    } else if size == 30.0 {
+    } else if degrees == 30.0 {
         (0.5, 0.75_f64.sqrt())
     } else {
-        sin_cos(size.to_radians())
+        sin_cos(degrees.to_radians())
     };
-    Vec2::new(cos, sin.copysign(degrees))
+    Vec2::new(cos, sin)
 }
 
 /// Sine and cosine of an angle of at most an eighth of a turn, from Taylor's series up to the 17th power, whose rest is below 1e-19
@@ -138,7 +144,7 @@ fn sin_cos(x: f64) -> (f64, f64) {
             -1.0 / 6_402_373_705_728_000.0,
         ],
     );
-    (x + x * (y * sin), 1.0 - (0.5 * y - y * y * cos))
+    (x + (x * y) * sin, 1.0 - (0.5 * y - y * y * cos))
 }
 
 /// c0 + c1 y + ... + c7 y⁷.

@@ -1,6 +1,8 @@
 //! The angle of one piece with its sines and cosines, computed once.
 
-use crate::angle::Angle;
+use kurbo::Vec2;
+
+use crate::angle::{Angle, first_direction};
 
 /// The angle of one piece, positive, with the sines and cosines that the formulas ask for.
 ///
@@ -37,11 +39,15 @@ impl Span {
         }
     }
 
-    /// The size of `degrees` at less cost: s and c from the half angle, right but for the last digit.
+    /// Four times so many degrees, which are from 0 to 45, at less cost: all from their sine and cosine, right but for the last digit.
     #[inline]
-    pub(crate) fn step(degrees: f64) -> Self {
-        let degrees = degrees.abs();
-        let half = Angle::from_degrees(degrees / 2.0).direction();
+    pub(crate) fn of_quarter(degrees: f64) -> Self {
+        let quarter = first_direction(degrees);
+        let half = Vec2::new(
+            (quarter.x - quarter.y) * (quarter.x + quarter.y),
+            2.0 * quarter.y * quarter.x,
+        );
+        let degrees = 4.0 * degrees;
         Self {
             degrees,
             a: degrees.to_radians(),

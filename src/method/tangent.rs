@@ -10,14 +10,14 @@
 //! v = 4t(1-t) at which the error vanishes, H = -G w0/4:
 //!
 //! ```text
-//! A = 9 - 4.5 w0 (1+c),  B = 6s(1+w0),  K = 2(3+w0)(1-c),   k(a, w0) = 2K / (B + sqrt(B² + 4AK))
+//! k(a, w0) = (2/3) (3 + w0) sin h / ((1 + w0) cos h + R),   R = sqrt(4 - (1-w0) sin² h)
 //! ```
 //!
 //! What the error needs is y = 3k cos h - 2 sin h, in which H cos² h = -4 sin⁴ h - 4y sin h (1 + cos² h) - y² and G = 4y². A member of
 //! the family has
 //!
 //! ```text
-//! y = -2 sin³ h / (1 + cos² h + cos h sqrt(3 + w0 + (1-w0) cos² h))
+//! y = -2 sin³ h / (1 + cos² h + R cos h)
 //! ```
 //!
 //! in which nothing cancels at any angle, so that its error is known to the last digits where H and G have long lost theirs.
@@ -30,32 +30,28 @@ use crate::measure::RadialError;
 
 use super::{Piece, Span};
 
+/// R² of the family's member.
+#[inline]
+pub(super) fn root_square(span: &Span, w0: f64) -> f64 {
+    4.0 - (1.0 - w0) * (span.sh * span.sh)
+}
+
 /// The handle k(a, w0).
 #[inline]
 pub(super) fn family(span: &Span, w0: f64) -> f64 {
-    let a = 9.0 - 9.0 * w0 * span.ch * span.ch;
-    let b = 6.0 * span.s * (1.0 + w0);
-    let k = 2.0 * (3.0 + w0) * span.versine();
-    2.0 * k / (b + (b * b + 4.0 * a * k).sqrt())
+    let root = root_square(span, w0).sqrt();
+    2.0 / 3.0 * (3.0 + w0) * span.sh / ((1.0 + w0) * span.ch + root)
 }
 
 /// y of the family's member.
-#[inline]
 pub(super) fn family_y(span: &Span, w0: f64) -> f64 {
-    let square = span.ch * span.ch;
-    let root = (3.0 + w0 + (1.0 - w0) * square).sqrt();
-    -2.0 * span.sh.powi(3) / (1.0 + square + span.ch * root)
-}
-
-/// G of the family's member.
-#[inline]
-pub(super) fn big_g(span: &Span, w0: f64) -> f64 {
-    4.0 * family_y(span, w0).powi(2)
+    let root = root_square(span, w0).sqrt();
+    -2.0 * span.sh.powi(3) / (1.0 + span.ch * span.ch + span.ch * root)
 }
 
 /// The error of the family's member: extremes of r² - 1 at v = 2 w0/3 and v = 1.
 pub(super) fn family_error(span: &Span, w0: f64) -> RadialError {
-    let g = big_g(span, w0);
+    let g = 4.0 * family_y(span, w0).powi(2);
     RadialError {
         outward: root_minus_1(g * w0.powi(3) / 432.0),
         inward: -root_minus_1(-g * (1.0 - w0) / 64.0),
