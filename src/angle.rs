@@ -78,14 +78,19 @@ impl Angle {
     ///
     /// From a multiple of a quarter turn the fraction is reduced in whole numbers, so that `part` and `parts - part` mirror exactly.
     pub(crate) fn direction_in_turn(self, sign: f64, part: usize, parts: usize) -> Vec2 {
-        if self.degrees % 90.0 != 0.0 {
+        // The product is exact, so that it decides.
+        let start = (self.degrees / 90.0) as i64;
+        if start.unsigned_abs() > 1 << 46 || start as f64 * 90.0 != self.degrees {
             return Self::from_degrees(self.degrees + sign * 360.0 * (part as f64 / parts as f64))
                 .direction();
         }
         let quarters = (4 * part + parts / 2) / parts;
         let rest = (4 * part) as f64 - (quarters * parts) as f64;
-        let within = residual_direction(sign * 90.0 * rest / parts as f64);
-        let start = (self.degrees % 360.0 / 90.0) as i64;
+        let within = if rest == 0.0 {
+            Vec2::new(1.0, 0.0)
+        } else {
+            residual_direction(sign * 90.0 * rest / parts as f64)
+        };
         quarter_turns(
             within,
             (start + (sign * quarters as f64) as i64).cast_unsigned(),

@@ -20,16 +20,18 @@ impl Curve {
     /// The pieces placed by the outline's affine map; the pieces come as [`crate::method::Rule::pieces`] gives them.
     pub(crate) fn place(outline: &Outline, joints: &Joints, pieces: &[[Piece; 2]]) -> Self {
         let frames = Frames { outline, joints };
+        let end = |i: usize, piece: &Piece| frames.point(i, piece.end_radius, 0.0, 1.0);
+        let mut last = pieces
+            .first()
+            .map_or(Point::ZERO, |[first, _]| end(0, first));
         let segments = pieces
             .iter()
             .enumerate()
-            .map(|(i, [start, end])| {
-                let (p0, p3) = (
-                    frames.point(i, start.end_radius, 0.0, 1.0),
-                    frames.point(i + 1, end.end_radius, 0.0, 1.0),
-                );
+            .map(|(i, [start, end_piece])| {
+                let (p0, p3) = (last, end(i + 1, end_piece));
+                last = p3;
                 let p1 = frames.point(i, start.handle.x, start.handle.y, 1.0);
-                let p2 = frames.point(i + 1, end.handle.x, end.handle.y, -1.0);
+                let p2 = frames.point(i + 1, end_piece.handle.x, end_piece.handle.y, -1.0);
                 match start.degree {
                     Degree::Cubic => PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3)),
                     Degree::Quadratic => PathSeg::Quad(QuadBez::new(p0, p1.midpoint(p2), p3)),

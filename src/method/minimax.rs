@@ -19,7 +19,7 @@
 use crate::measure::RadialError;
 
 use super::Span;
-use super::tangent::{GOLDAPP_ZERO, family, family_error, root_square};
+use super::tangent::{GOLDAPP_ZERO, family, root_minus_1, root_square};
 
 /// γ by y², G = 4y².
 const GAMMA: f64 = 4.0 / 13_824.0;
@@ -64,7 +64,8 @@ pub(super) fn handle(span: &Span) -> f64 {
 }
 
 pub(super) fn error(span: &Span) -> RadialError {
-    RadialError::balanced(family_error(span, zero(span).0).peak())
+    let (_, square) = handle_with_square(span);
+    RadialError::balanced(root_minus_1(square))
 }
 
 /// The handle and the peak of r² - 1, which saves the roots of an error that is only compared.
@@ -77,7 +78,7 @@ pub(super) fn handle_with_square(span: &Span) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::super::numeric::root_near;
-    use super::super::tangent::{family_y, root_minus_1};
+    use super::super::tangent::family_y;
     use super::*;
 
     #[test]

@@ -2,7 +2,7 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 
-use super::number::{Precision, decimals_of, push_fixed, push_shortest, round};
+use super::number::{EightDigits, Precision, decimals_of, push_fixed, push_shortest, round};
 use crate::curve::Curve;
 
 /// The path data of one or more curves.
@@ -76,6 +76,11 @@ pub(crate) fn push_rounding(
     let Some(start) = curve.start().filter(|&start| fits && !kept && small(start)) else {
         return false;
     };
+    if let Some(writer) = EightDigits::new(decimals)
+        && push_short(out, curve, writer).is_some()
+    {
+        return true;
+    }
     let unit = largest / 1e15;
     let push = |out: &mut Vec<u8>, p: Point, first: bool| {
         for (x, separated) in [(p.x, !first), (p.y, true)] {
@@ -105,6 +110,41 @@ pub(crate) fn push_rounding(
         out.push(b'Z');
     }
     true
+}
+
+/// As [`push_rounding`] for curves of cubics all of whose numbers have at most eight digits; nothing is appended to `out` otherwise.
+fn push_short(out: &mut Vec<u8>, curve: &Curve, writer: EightDigits) -> Option<()> {
+    let before = out.len();
+    let written = write_short(out, curve, writer);
+    out.truncate(written.unwrap_or(before));
+    written.map(drop)
+}
+
+/// Writes behind what is in `out`, and tells where the text ends; what `out` holds beyond that is of no meaning.
+fn write_short(out: &mut Vec<u8>, curve: &Curve, writer: EightDigits) -> Option<usize> {
+    let mut at = out.len();
+    out.resize(at + LONGEST_SEGMENT * (curve.segments.len() + 1), 0);
+    let (out, start) = (out.as_mut_slice(), curve.start()?);
+    out[at] = b'M';
+    at += 1;
+    at = writer.write(out, at, start.x, false)?;
+    at = writer.write(out, at, start.y, true)?;
+    for segment in &curve.segments {
+        let PathSeg::Cubic(c) = segment else {
+            return None;
+        };
+        out[at] = b'C';
+        at += 1;
+        at = writer.write(out, at, c.p1.x, false)?;
+        for x in [c.p1.y, c.p2.x, c.p2.y, c.p3.x, c.p3.y] {
+            at = writer.write(out, at, x, true)?;
+        }
+    }
+    if curve.closed {
+        out[at] = b'Z';
+        at += 1;
+    }
+    Some(at)
 }
 
 /// Room for the text of a segment: six numbers of at most 15 digits with their signs, points and spaces.
