@@ -5,6 +5,9 @@ use crate::method::numeric::root;
 /// The largest degree: the square of a cubic.
 const MOST: usize = 6;
 
+/// How often a part is cut in two at most; roots that are closer than that pass for one.
+const MOST_CUTS: u32 = 48;
+
 /// A polynomial on [0, 1] in Bernstein form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Polynomial {
@@ -97,25 +100,68 @@ impl Polynomial {
         self.times(&Self::new(&ones[..=degree - self.degree]))
     }
 
-    /// Where it changes its sign in (0, 1), ascending: between the roots of its derivative it is monotone.
+    /// Where it changes its sign in (0, 1), ascending.
+    ///
+    /// A polynomial has as many roots as its Bernstein coefficients have changes of sign, or fewer by an even number (Descartes):
+    /// it is cut in two until every part has at most one.
     pub(crate) fn sign_changes(&self) -> Parameters {
         let mut found = Parameters::default();
-        let coefficients = self.coefficients();
-        let same_sign =
-            coefficients.iter().all(|&c| c >= 0.0) || coefficients.iter().all(|&c| c <= 0.0);
-        if self.degree < 1 || same_sign {
-            return found;
-        }
-        let turning = self.differences().sign_changes();
-        let mut from = 0.0;
-        for to in turning.iter().chain(core::iter::once(1.0)) {
-            let (low, high) = (self.at(from), self.at(to));
-            if (low > 0.0 && high < 0.0) || (low < 0.0 && high > 0.0) {
-                found.push(root(|t| self.at(t), from, to));
-            }
-            from = to;
-        }
+        self.isolate([0.0, 1.0], MOST_CUTS, &mut found);
         found
+    }
+
+    /// Finds the changes of sign of a part of a polynomial, whose parameters lie between these.
+    fn isolate(&self, [from, to]: [f64; 2], cuts: u32, found: &mut Parameters) {
+        let changes = self.coefficient_changes();
+        if changes == 0 {
+            return;
+        }
+        let (first, last) = (self.coefficients[0], self.coefficients[self.degree]);
+        let differ = (first > 0.0 && last < 0.0) || (first < 0.0 && last > 0.0);
+        if (changes == 1 || cuts == 0) && differ {
+            found.push(from + (to - from) * root(|t| self.at(t), 0.0, 1.0));
+        } else if cuts > 0 {
+            let (place, [left, right]) = self.cut();
+            let middle = from + (to - from) * place;
+            left.isolate([from, middle], cuts - 1, found);
+            right.isolate([middle, to], cuts - 1, found);
+        }
+    }
+
+    /// How often the sign changes along the coefficients, zeros left out.
+    fn coefficient_changes(&self) -> usize {
+        let (mut changes, mut last) = (0, 0.0);
+        for &c in self.coefficients().iter().filter(|&&c| c != 0.0) {
+            changes += usize::from(last != 0.0 && (c > 0.0) != (last > 0.0));
+            last = c;
+        }
+        changes
+    }
+
+    /// The parts before and behind a parameter near the middle that is no root.
+    fn cut(&self) -> (f64, [Self; 2]) {
+        let places = (0..=MOST).map(|i| 0.5 - i as f64 / 64.0);
+        let mut cut = (0.5, [*self; 2]);
+        for place in places {
+            cut = (place, self.cut_at(place));
+            if cut.1[1].coefficients[0] != 0.0 {
+                break;
+            }
+        }
+        cut
+    }
+
+    /// The parts before and behind t, by de Casteljau's algorithm.
+    fn cut_at(&self, t: f64) -> [Self; 2] {
+        let (mut left, mut right) = (*self, *self);
+        for k in 1..=self.degree {
+            for i in 0..=self.degree - k {
+                let [a, b] = [right.coefficients[i], right.coefficients[i + 1]];
+                right.coefficients[i] = a + t * (b - a);
+            }
+            left.coefficients[k] = right.coefficients[0];
+        }
+        [left, right]
     }
 }
 
@@ -132,9 +178,12 @@ pub(crate) struct Parameters {
 }
 
 impl Parameters {
+    /// Appends one; beyond the largest degree they are rounding.
     fn push(&mut self, t: f64) {
-        self.values[self.count] = t;
-        self.count += 1;
+        if let Some(value) = self.values.get_mut(self.count) {
+            *value = t;
+            self.count += 1;
+        }
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = f64> + '_ {
@@ -163,6 +212,30 @@ mod tests {
             assert!((p.times(&q).at(t) - p.at(t) * q.at(t)).abs() < 1e-14);
             assert!((p.minus(&q).at(t) - (p.at(t) - q.at(t))).abs() < 1e-14);
         }
+    }
+
+    #[test]
+    fn roots_at_the_ends_and_in_the_middle_and_double_ones_are_told_apart() {
+        let product = |roots: &[f64]| {
+            roots.iter().fold(Polynomial::new(&[1.0]), |p, root| {
+                p.times(&Polynomial::new(&[-root, 1.0 - root]))
+            })
+        };
+        let found = |roots: &[f64]| product(roots).sign_changes().iter().collect::<Vec<_>>();
+        let near = |a: &[f64], b: &[f64], by: f64| {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= by)
+        };
+        assert!(near(&found(&[0.0, 0.5, 1.0]), &[0.5], 1e-15));
+        assert!(near(&found(&[0.5, 0.5]), &[], 0.0));
+        assert!(near(&found(&[0.25, 0.25, 0.75]), &[0.75], 1e-15));
+        assert!(near(&found(&[0.5, 0.5, 0.5]), &[0.5], 1e-4));
+        assert!(near(&found(&[0.0, 0.0, 0.3, 1.0, 1.0]), &[0.3], 1e-15));
+        assert!(near(
+            &found(&[0.1, 0.101, 0.5, 0.9]),
+            &[0.1, 0.101, 0.5, 0.9],
+            1e-12
+        ));
+        assert!(near(&found(&[-0.1, 1.1]), &[], 0.0));
     }
 
     #[test]
