@@ -36,8 +36,8 @@ pub(super) struct Outcome {
 
 /// Receives the edits, in order, and the notes with their place in the data.
 pub(super) trait Sink {
-    /// The bytes of `range` become `text`.
-    fn edit(&mut self, range: Range<usize>, text: &[u8]);
+    /// The bytes of `range` become what the caller appends to the text that this gives.
+    fn edit(&mut self, range: Range<usize>) -> &mut Vec<u8>;
     /// The arc at `at` is left.
     fn note(&mut self, at: usize, reason: Reason);
 }
@@ -45,50 +45,81 @@ pub(super) trait Sink {
 /// Buffers that outlive one path.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
-    text: Vec<u8>,
     pub(super) body: Body,
     pub(super) beziers: Beziers,
     pub(super) memo: Memo,
 }
 
-/// Rewrites the arcs of `data`.
+/// Rewrites the arcs of the path data in `text[span]`, behind which the text ends or goes on with a quote.
 pub(super) fn rewrite(
-    data: &str,
+    text: &str,
+    span: Range<usize>,
     context: Context<'_>,
     scratch: &mut Scratch,
     sink: &mut impl Sink,
 ) -> Outcome {
-    let mut segments = Segments::new(data);
+    let data = &text.as_bytes()[span.clone()];
+    let Some(last) = memchr::memrchr2(b'a', b'A', data) else {
+        return Outcome::default();
+    };
+    let last = span.start + last;
+    let mut segments = Segments::new(text, span);
     let mut writer = Writer {
-        data,
+        text,
         context,
         scratch,
         sink,
         // Relative arcs need no current point, and most paths have no other ones.
-        follows_point: memchr::memchr3(b'A', b'S', b'T', data.as_bytes()).is_some(),
+        follows_point: memchr::memchr3(b'A', b'S', b'T', data).is_some(),
         point: Vec2::ZERO,
         subpath: Vec2::ZERO,
         previous: None,
-        effective: 0,
-        after: After::Letter,
+        end: End::default(),
         respell: 0,
         outcome: Outcome::default(),
     };
     while let Some(segment) = segments.next() {
         writer.segment(&segment, &segments);
+        // Behind the last arc nothing changes but the command that follows it.
+        if segment.start > last && segment.kind() != b'a' && writer.end.letter == segment.letter {
+            break;
+        }
     }
     if let Some(at) = segments.error()
-        && data.as_bytes()[at..]
-            .iter()
-            .any(|b| matches!(b, b'a' | b'A'))
+        && at <= last
     {
         writer.sink.note(at, Reason::PathError);
     }
     writer.outcome
 }
 
+/// What the output ends with.
+#[derive(Debug, Clone, Copy, Default)]
+struct End {
+    /// The command letter that a number without one would repeat; 0 where the letter has to be written.
+    letter: u8,
+    /// Behind an arc that was replaced: what its text ends with.
+    after: After,
+}
+
+impl End {
+    /// Writes the letter of what an arc becomes, where it is needed.
+    fn letter(&mut self, out: &mut Vec<u8>, arc: &Segment, small: u8) {
+        let letter = if arc.is_relative() {
+            small
+        } else {
+            small.to_ascii_uppercase()
+        };
+        if arc.explicit || self.letter != letter {
+            out.push(letter);
+            self.after = After::Letter;
+        }
+        self.letter = letter;
+    }
+}
+
 struct Writer<'a, 'b, S> {
-    data: &'a str,
+    text: &'a str,
     context: Context<'a>,
     scratch: &'b mut Scratch,
     sink: &'b mut S,
@@ -98,9 +129,7 @@ struct Writer<'a, 'b, S> {
     point: Vec2,
     subpath: Vec2,
     previous: Option<Segment>,
-    /// The command letter that a number without one would repeat in the output; 0 where the letter has to be written.
-    effective: u8,
-    after: After,
+    end: End,
     /// The smooth command that would take up a control point of the Bézier that was an arc, if the output ends with one.
     respell: u8,
     outcome: Outcome,
@@ -131,7 +160,11 @@ impl<S: Sink> Writer<'_, '_, S> {
             return;
         }
         // What is beyond numbers here is so for every arc behind it: they are left.
-        let [x, y] = segment.end_values(self.data).unwrap_or([f64::NAN; 2]);
+        let [x, y] = if segment.is_finite() {
+            segment.to
+        } else {
+            [f64::NAN; 2]
+        };
         self.point = match segment.kind() {
             b'h' => Vec2::new(base.x + x, self.point.y),
             b'v' => Vec2::new(self.point.x, base.y + x),
@@ -144,11 +177,11 @@ impl<S: Sink> Writer<'_, '_, S> {
 
     /// The segment stays; its letter is written where the output's last command is another one.
     fn keep(&mut self, segment: &Segment) {
-        if !segment.explicit && self.effective != segment.letter {
-            let range = self.behind_previous(segment)..segment.arguments;
-            self.sink.edit(range, &[segment.letter]);
+        if !segment.explicit && self.end.letter != segment.letter {
+            let range = self.from_previous(segment)..segment.arguments;
+            self.sink.edit(range).push(segment.letter);
         }
-        self.effective = match segment.letter {
+        self.end.letter = match segment.letter {
             b'm' => b'l',
             b'M' => b'L',
             letter => letter,
@@ -156,30 +189,30 @@ impl<S: Sink> Writer<'_, '_, S> {
         self.respell = 0;
     }
 
-    fn behind_previous(&self, segment: &Segment) -> usize {
-        self.previous
-            .as_ref()
-            .map_or(segment.start, |previous| previous.end)
+    /// Where the text of a segment begins: with what parts it from the one before, unless its own letter does.
+    fn from_previous(&self, segment: &Segment) -> usize {
+        match &self.previous {
+            Some(previous) if !segment.explicit => previous.end,
+            _ => segment.start,
+        }
     }
 
     /// `S` behind what was an arc: its first control point is the current point, which only `C` can say now. (`T` and `Q` for a
     /// method that draws quadratics.)
     fn smooth(&mut self, segment: &Segment) {
-        let text = &mut self.scratch.text;
-        text.clear();
+        let bytes = self.text.as_bytes();
         let full = if segment.kind() == b's' { b'c' } else { b'q' };
         let full = if segment.is_relative() {
             full
         } else {
             full.to_ascii_uppercase()
         };
+        let text = self.sink.edit(segment.start..segment.arguments + 1);
         text.push(full);
         let mut after = After::Letter;
         match &self.previous {
             _ if segment.is_relative() => after.push_text(text, b"0 0"),
-            Some(arc) if !arc.is_relative() => {
-                after.push_text(text, &self.data.as_bytes()[arc.tail..arc.end]);
-            }
+            Some(arc) if !arc.is_relative() => after.push_text(text, &bytes[arc.tail..arc.end]),
             _ => {
                 let size = self.point.x.abs().max(self.point.y.abs()).max(1e-9);
                 let decimals = (12 - size.log10().ceil() as i32).max(0).unsigned_abs();
@@ -187,35 +220,22 @@ impl<S: Sink> Writer<'_, '_, S> {
                 after.push(text, Decimal::round(self.point.y, decimals));
             }
         }
-        after.push_text(
-            text,
-            &self.data.as_bytes()[segment.arguments..=segment.arguments],
-        );
-        self.sink.edit(segment.start..segment.arguments + 1, text);
+        after.push_text(text, &bytes[segment.arguments..=segment.arguments]);
         self.outcome.smooth += 1;
-        self.effective = full;
+        self.end.letter = full;
         self.respell = 0;
     }
 
     fn arc(&mut self, segment: &Segment, behind: &Segments<'_>) {
-        let range = if segment.explicit {
-            segment.start
-        } else {
-            self.behind_previous(segment)
-        }..segment.end;
-        let replaced = if may_be_smooth(&self.data.as_bytes()[segment.end..]) && is_broken(behind) {
+        let broken =
+            may_be_smooth(&self.text.as_bytes()[segment.end..]) && is_broken(behind.clone());
+        let replaced = if broken {
             Err(Reason::PathErrorBehindArc)
-        } else if self.recall(segment) {
-            self.join(segment)
         } else {
-            self.draw(segment, behind)
+            self.replace(segment, behind)
         };
         match replaced {
-            Ok(respell) => {
-                self.sink.edit(range, &self.scratch.text);
-                self.outcome.arcs += 1;
-                self.respell = respell;
-            }
+            Ok(()) => self.outcome.arcs += 1,
             Err(reason) => {
                 self.sink.note(segment.start, reason);
                 self.keep(segment);
@@ -223,36 +243,73 @@ impl<S: Sink> Writer<'_, '_, S> {
         }
     }
 
-    /// Works out what an arc becomes.
-    fn draw(&mut self, segment: &Segment, behind: &Segments<'_>) -> Result<u8, Reason> {
-        let v = segment.values(self.data).ok_or(Reason::TooLarge)?;
-        // A relative arc is rounded on a grid that begins at its own start, an absolute one on the whole plane's.
+    /// Replaces an arc by a curve, or by what it is without an extent.
+    fn replace(&mut self, segment: &Segment, behind: &Segments<'_>) -> Result<(), Reason> {
+        let key = &self.text.as_bytes()[segment.arguments..segment.end];
+        // Only relative arcs depend on nothing but their text.
+        let known = if segment.is_relative() {
+            self.scratch.memo.find(key)
+        } else {
+            None
+        };
+        if known.is_none() {
+            let arc = self.parameters(segment)?;
+            if arc.to == arc.from {
+                return self.nothing(segment, behind);
+            }
+            if arc.radii.x == 0.0 || arc.radii.y == 0.0 {
+                self.line(segment);
+                return Ok(());
+            }
+            self.draw(segment, &arc)?;
+            if segment.is_relative() {
+                self.scratch.memo.keep(key, &self.scratch.body);
+            }
+        }
+        let Scratch { body, memo, .. } = &*self.scratch;
+        let curve = known.map_or_else(|| body.curve(), |index| memo.curve(index));
+        if self.context.vertices_show && curve.segments > 1 {
+            return Err(Reason::MarkerOnVertices);
+        }
+        let (letter, respell) = if curve.quadratic {
+            (b'q', b't')
+        } else {
+            (b'c', b's')
+        };
+        let out = self.sink.edit(self.from_previous(segment)..segment.end);
+        self.end.letter(out, segment, letter);
+        self.end.after.part(out, curve.text);
+        out.extend_from_slice(curve.text);
+        self.end.after = curve.after;
+        self.respell = respell;
+        Ok(())
+    }
+
+    /// The arc as its text gives it. A relative one is rounded on a grid that begins at its own start, an absolute one on the
+    /// whole plane's.
+    fn parameters(&self, segment: &Segment) -> Result<SvgArc, Reason> {
         let from = if segment.is_relative() {
             Point::ZERO
         } else {
             self.point.to_point()
         };
-        let arc = SvgArc {
-            from,
-            radii: Vec2::new(v[0], v[1]),
-            rotation: Angle::from_degrees(v[2]),
-            large_arc: v[3] != 0.0,
-            sweep: v[4] != 0.0,
-            to: Point::new(v[5], v[6]),
-        };
-        if arc.to == arc.from {
-            return self.nothing(behind);
-        }
-        if arc.radii.x == 0.0 || arc.radii.y == 0.0 {
-            self.line(segment);
-            return Ok(0);
-        }
-        self.beziers(segment, &arc)?;
-        self.join(segment)
+        let ([rx, ry, rotation], [large_arc, sweep]) =
+            segment.arc_values(self.text).ok_or(Reason::TooLarge)?;
+        let finite = [rx, ry, rotation].iter().all(|value| value.is_finite());
+        (finite && segment.is_finite())
+            .then_some(SvgArc {
+                from,
+                radii: Vec2::new(rx, ry),
+                rotation: Angle::from_degrees(rotation),
+                large_arc,
+                sweep,
+                to: Point::new(segment.to[0], segment.to[1]),
+            })
+            .ok_or(Reason::TooLarge)
     }
 
     /// Equal end points: the arc is left out, unless a zero-length subpath, a marker or a reflected control point could show it.
-    fn nothing(&mut self, behind: &Segments<'_>) -> Result<u8, Reason> {
+    fn nothing(&mut self, segment: &Segment, behind: &Segments<'_>) -> Result<(), Reason> {
         let alone = |kind: Option<u8>| matches!(kind, None | Some(b'm' | b'z'));
         let before = self.previous.as_ref().map(Segment::kind);
         let smooth = matches!(
@@ -263,111 +320,59 @@ impl<S: Sink> Writer<'_, '_, S> {
         let shows = || {
             alone(before)
                 && matches!(
-                    self.first_drawn(behind),
+                    self.first_drawn(behind.clone()),
                     None | Some(b'm' | b'z' | b's' | b't')
                 )
         };
         if self.context.vertices_show || smooth || shows() {
             return Err(Reason::EmptyArc);
         }
-        self.scratch.text.clear();
-        self.effective = 0;
-        Ok(0)
+        self.sink.edit(self.from_previous(segment)..segment.end);
+        self.end.letter = 0;
+        self.respell = 0;
+        Ok(())
     }
 
     /// The command behind an arc that draws nothing, further ones like it skipped.
-    fn first_drawn(&self, behind: &Segments<'_>) -> Option<u8> {
+    fn first_drawn(&self, mut behind: Segments<'_>) -> Option<u8> {
         let is_empty = |segment: &Segment| {
             let here = if segment.is_relative() {
                 Vec2::ZERO
             } else {
                 self.point
             };
-            segment.kind() == b'a' && segment.end_values(self.data) == Some([here.x, here.y])
+            segment.kind() == b'a' && segment.to == [here.x, here.y]
         };
-        let mut segments = behind.clone();
-        segments
+        behind
             .find(|segment| !is_empty(segment))
             .map(|segment| segment.kind())
     }
 
-    /// A zero radius: a straight line.
+    /// A zero radius: a straight line to the end point as the file spells it.
     fn line(&mut self, segment: &Segment) {
-        self.scratch.text.clear();
-        self.letter(segment, if segment.is_relative() { b'l' } else { b'L' });
-        self.tail(segment);
-    }
-
-    /// Writes the command letter where it is needed.
-    fn letter(&mut self, segment: &Segment, letter: u8) {
-        if segment.explicit || self.effective != letter {
-            self.scratch.text.push(letter);
-            self.after = After::Letter;
-        }
-        self.effective = letter;
-    }
-
-    /// Writes the end point as the file spells it.
-    fn tail(&mut self, segment: &Segment) {
-        let text = &self.data.as_bytes()[segment.tail..segment.end];
-        self.after.push_text(&mut self.scratch.text, text);
-    }
-
-    /// Takes the curve of an arc that was spelled like that before.
-    fn recall(&mut self, segment: &Segment) -> bool {
-        let Scratch { body, memo, .. } = &mut *self.scratch;
-        segment.is_relative()
-            && memo.recall(&self.data.as_bytes()[segment.arguments..segment.end], body)
+        let out = self.sink.edit(self.from_previous(segment)..segment.end);
+        self.end.letter(out, segment, b'l');
+        let to = &self.text.as_bytes()[segment.tail..segment.end];
+        self.end.after.push_text(out, to);
+        self.respell = 0;
     }
 
     /// Works out the curve of an arc.
-    fn beziers(&mut self, segment: &Segment, arc: &SvgArc) -> Result<(), Reason> {
+    fn draw(&mut self, segment: &Segment, arc: &SvgArc) -> Result<(), Reason> {
         let Scratch {
             body,
             beziers,
             memo,
-            ..
         } = &mut *self.scratch;
         bezier::arc(arc, self.context.options, memo, beziers)?;
         body.text.clear();
         (body.quadratic, body.segments) = (beziers.is_quadratic(), beziers.segments().len());
-        if segment.is_relative() {
-            body.after = relative(self.data, segment, beziers, &mut body.text)?;
-            memo.keep(&self.data.as_bytes()[segment.arguments..segment.end], body);
+        body.after = if segment.is_relative() {
+            relative(self.text, segment, beziers, &mut body.text)?
         } else {
-            body.after = absolute(self.data, segment, self.point, beziers, &mut body.text)?;
-        }
-        Ok(())
-    }
-
-    /// Joins the curve to what stands before it; returns the smooth command that would reflect its last control point.
-    fn join(&mut self, segment: &Segment) -> Result<u8, Reason> {
-        let Body {
-            quadratic,
-            segments,
-            ..
-        } = self.scratch.body;
-        if self.context.vertices_show && segments > 1 {
-            return Err(Reason::MarkerOnVertices);
-        }
-        let (letter, respell) = if quadratic {
-            (b'q', b't')
-        } else {
-            (b'c', b's')
+            absolute(self.text, segment, self.point, beziers, &mut body.text)?
         };
-        self.scratch.text.clear();
-        self.letter(
-            segment,
-            if segment.is_relative() {
-                letter
-            } else {
-                letter.to_ascii_uppercase()
-            },
-        );
-        let Scratch { text, body, .. } = &mut *self.scratch;
-        self.after.push_text(text, &body.text);
-        self.after = body.after;
-        Ok(respell)
+        Ok(())
     }
 }
 
@@ -381,7 +386,6 @@ fn may_be_smooth(rest: &[u8]) -> bool {
 }
 
 /// Whether the data have an error right behind a segment.
-fn is_broken(behind: &Segments<'_>) -> bool {
-    let mut behind = behind.clone();
+fn is_broken(mut behind: Segments<'_>) -> bool {
     behind.next().is_none() && behind.error().is_some()
 }

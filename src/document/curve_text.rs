@@ -20,6 +20,27 @@ pub(super) struct Body {
     pub(super) segments: usize,
 }
 
+/// The arguments of curves, wherever they are kept.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Curve<'a> {
+    pub(super) text: &'a [u8],
+    /// What they end with.
+    pub(super) after: After,
+    pub(super) quadratic: bool,
+    pub(super) segments: usize,
+}
+
+impl Body {
+    pub(super) fn curve(&self) -> Curve<'_> {
+        Curve {
+            text: &self.text,
+            after: self.after,
+            quadratic: self.quadratic,
+            segments: self.segments,
+        }
+    }
+}
+
 /// The arguments of absolute curves; returns what they end with.
 pub(super) fn absolute(
     data: &str,

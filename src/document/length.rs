@@ -57,7 +57,9 @@ pub(super) fn read(text: &str) -> Reading {
     if text == "auto" {
         return Reading::Auto;
     }
-    let Some((value, end)) = number::read(text.as_bytes(), 0) else {
+    let Some((value, end)) =
+        number::read(text.as_bytes(), 0).filter(|(value, _)| value.is_finite())
+    else {
         return Reading::Unknown;
     };
     let unit = &text[end..];

@@ -3,11 +3,11 @@
 //! Each thread keeps a bounded table for arcs, by their text, and one for spans, by their angle. Both hold what a computation
 //! gives again, so that nothing depends on what was converted before; they are emptied when the options change.
 
-use core::cell::RefCell;
+use core::cell::Cell;
 
 use super::Options;
 use super::arcs::Scratch;
-use super::curve_text::Body;
+use super::curve_text::{Body, Curve};
 use super::number::After;
 use crate::joints::Cut;
 use crate::method::{Piece, Rule, Span};
@@ -44,15 +44,15 @@ pub(super) struct Memo {
 }
 
 thread_local! {
-    static SCRATCH: RefCell<Scratch> = RefCell::default();
+    static SCRATCH: Cell<Option<Box<Scratch>>> = const { Cell::new(None) };
 }
 
 /// Runs `work` with this thread's buffers.
 pub(super) fn with_scratch<T>(options: &Options, work: impl FnOnce(&mut Scratch) -> T) -> T {
-    let mut scratch = SCRATCH.take();
+    let mut scratch = SCRATCH.take().unwrap_or_default();
     scratch.memo.serve(options);
     let result = work(&mut scratch);
-    SCRATCH.set(scratch);
+    SCRATCH.set(Some(scratch));
     result
 }
 
@@ -77,8 +77,13 @@ impl Memo {
         self.texts.clear();
     }
 
-    /// Where the arc with this key is, or the free place where it would be.
-    fn find(&self, key: &[u8]) -> Result<&Written, usize> {
+    /// Where the arc or the shape of this spelling is kept, if it is known.
+    pub(super) fn find(&self, key: &[u8]) -> Option<usize> {
+        self.look_up(key).ok()
+    }
+
+    /// The index of the arc with this key, or the free place where it would be.
+    fn look_up(&self, key: &[u8]) -> Result<usize, usize> {
         let mut place = slot(key);
         loop {
             let index = self.places.get(place).map_or(0, |index| *index as usize);
@@ -86,26 +91,26 @@ impl Memo {
                 return Err(place);
             };
             if self.texts.get(written.key as usize..written.text as usize) == Some(key) {
-                return Ok(written);
+                return Ok(index - 1);
             }
             place = (place + 1) % PLACES;
         }
     }
 
-    /// Fills `body` with what the arc or the shape of this spelling became, if it is known.
-    pub(super) fn recall(&self, key: &[u8], body: &mut Body) -> bool {
-        let Ok(written) = self.find(key) else {
-            return false;
+    /// What the arc or the shape that was found became.
+    pub(super) fn curve(&self, index: usize) -> Curve<'_> {
+        let Some(written) = self.arcs.get(index) else {
+            return Curve::default();
         };
-        body.text.clear();
-        body.text.extend_from_slice(
-            self.texts
+        Curve {
+            text: self
+                .texts
                 .get(written.text as usize..written.end as usize)
                 .unwrap_or_default(),
-        );
-        (body.after, body.quadratic, body.segments) =
-            (written.after, written.quadratic, written.segments as usize);
-        true
+            after: written.after,
+            quadratic: written.quadratic,
+            segments: written.segments as usize,
+        }
     }
 
     /// Keeps an arc or a shape.
@@ -121,7 +126,9 @@ impl Memo {
         if self.places.is_empty() {
             self.places.resize(PLACES, 0);
         }
-        let Err(place) = self.find(key) else { return };
+        let Err(place) = self.look_up(key) else {
+            return;
+        };
         let start = self.texts.len() as u32;
         self.texts.extend_from_slice(key);
         let text = self.texts.len() as u32;

@@ -12,7 +12,104 @@ const EXACT_POWERS: [f64; 23] = [
 /// what follows (`1em`).
 #[inline]
 pub(super) fn skip(bytes: &[u8], at: usize) -> Option<usize> {
-    let whole = at + usize::from(matches!(bytes.get(at), Some(b'-' | b'+')));
+    let whole = behind_sign(bytes, at);
+    match Short::at(bytes, whole) {
+        Some(short) => Some(whole + short.length()),
+        None => skip_long(bytes, at),
+    }
+}
+
+/// The number at `bytes[at..]` and the index behind it; infinite where it is beyond `f64`, `None` where none begins.
+#[inline]
+pub(super) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
+    let whole = behind_sign(bytes, at);
+    let Some(short) = Short::at(bytes, whole) else {
+        return read_long(bytes, at);
+    };
+    let value = short.value();
+    let negative = bytes.get(at) == Some(&b'-');
+    Some((if negative { -value } else { value }, whole + short.length()))
+}
+
+#[inline]
+fn behind_sign(bytes: &[u8], at: usize) -> usize {
+    at + usize::from(matches!(bytes.get(at), Some(b'-' | b'+')))
+}
+
+/// A number without sign and exponent that ends within eight bytes, as most do. It is found and read in a machine word: a loop over
+/// its bytes would end at another one each time, and a processor that guessed the number of digits wrong costs more than all of this.
+#[derive(Clone, Copy)]
+struct Short {
+    /// The text, the first byte lowest.
+    word: u64,
+    /// The bits before the point, or before the end where there is none.
+    whole: u32,
+    /// The bits of the text.
+    end: u32,
+}
+
+impl Short {
+    /// `0` in every byte.
+    const ZEROS: u64 = 0x3030_3030_3030_3030;
+    /// The highest bit of every byte.
+    const HIGH: u64 = 0x8080_8080_8080_8080;
+
+    #[inline]
+    fn at(bytes: &[u8], at: usize) -> Option<Self> {
+        let word = u64::from_le_bytes(*bytes.get(at..)?.first_chunk()?);
+        // From '0' to '9' a byte less '0' stays below the highest bit when 0x76 is added to it, any other reaches it.
+        let digits = word ^ Self::ZEROS;
+        let others =
+            (((digits & !Self::HIGH) + 0x7676_7676_7676_7676) | digits) & Self::HIGH;
+        let behind = others & others.wrapping_sub(1);
+        let (first, second) = (others.trailing_zeros() & !7, behind.trailing_zeros() & !7);
+        // A point belongs to the number where digits follow it.
+        let point = (word >> (first & 63)) as u8 == b'.' && second > first + 8;
+        let end = if point { second } else { first };
+        let next = (word >> (end & 63)) as u8;
+        (end > 0 && end < 64 && next | 0x20 != b'e').then_some(Self {
+            word,
+            whole: first,
+            end,
+        })
+    }
+
+    #[inline]
+    const fn length(self) -> usize {
+        (self.end / 8) as usize
+    }
+
+    /// The value: a mantissa below 2^53 by an exact power of ten is the correctly rounded quotient.
+    #[inline]
+    fn value(self) -> f64 {
+        let below = (1 << self.whole) - 1;
+        let has_point = self.end > self.whole;
+        let text = if has_point {
+            (self.word & below) | ((self.word >> 8) & !below)
+        } else {
+            self.word
+        };
+        let bits = self.end - if has_point { 8 } else { 0 };
+        // The last digit comes to the highest byte, what was behind it falls off, and zeros come before the first.
+        let digits = (text ^ Self::ZEROS) << (64 - bits);
+        let power = EXACT_POWERS[((bits - self.whole) / 8) as usize & 7];
+        eight_digits(digits) as f64 / power
+    }
+}
+
+/// The number of eight digits, one a byte, the first one lowest: pairs, then fours, then all, side by side.
+#[inline]
+const fn eight_digits(digits: u64) -> u64 {
+    const BYTES: u64 = 0x00ff_00ff_00ff_00ff;
+    const PAIRS: u64 = 0x0000_ffff_0000_ffff;
+    let pairs = 10 * (digits & BYTES) + ((digits >> 8) & BYTES);
+    let fours = 100 * (pairs & PAIRS) + ((pairs >> 16) & PAIRS);
+    10_000 * (fours & 0xffff_ffff) + (fours >> 32)
+}
+
+/// [`skip`] for any number.
+fn skip_long(bytes: &[u8], at: usize) -> Option<usize> {
+    let whole = behind_sign(bytes, at);
     let mut end = skip_digits(bytes, whole);
     if let Some(b'.') = bytes.get(end)
         && let fraction = skip_digits(bytes, end + 1)
@@ -20,17 +117,9 @@ pub(super) fn skip(bytes: &[u8], at: usize) -> Option<usize> {
     {
         end = fraction;
     }
-    if end == whole {
-        return None;
-    }
-    Some(if let Some(b'e' | b'E') = bytes.get(end) {
-        behind_exponent(bytes, end)
-    } else {
-        end
-    })
+    (end > whole).then(|| behind_exponent(bytes, end))
 }
 
-#[inline]
 fn skip_digits(bytes: &[u8], mut at: usize) -> usize {
     while let Some(b'0'..=b'9') = bytes.get(at) {
         at += 1;
@@ -38,42 +127,11 @@ fn skip_digits(bytes: &[u8], mut at: usize) -> usize {
     at
 }
 
-/// The number at `bytes[at..]` and the index behind it; `None` where none begins or where it is not finite.
-#[inline]
-pub(super) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
-    let digit = |i: usize| {
-        bytes
-            .get(i)
-            .map(|byte| byte.wrapping_sub(b'0'))
-            .filter(|digit| *digit < 10)
-    };
-    let whole = at + usize::from(matches!(bytes.get(at), Some(b'-' | b'+')));
-    let (mut end, mut mantissa, mut decimals) = (whole, 0_u64, 0);
-    while let Some(next) = digit(end) {
-        mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(next));
-        end += 1;
-    }
-    if bytes.get(end) == Some(&b'.') && digit(end + 1).is_some() {
-        let fraction = end + 1;
-        end = fraction;
-        while let Some(next) = digit(end) {
-            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(next));
-            end += 1;
-        }
-        decimals = end - fraction;
-    }
-    // Up to 19 digits never wrap; a mantissa below 2^53 and an exact power give the correctly rounded quotient.
-    let plain = end > whole
-        && end - at <= 19
-        && mantissa < 1 << 53
-        && !matches!(bytes.get(end), Some(b'e' | b'E'));
-    if plain && let Some(power) = EXACT_POWERS.get(decimals) {
-        let value = mantissa as f64 / power;
-        return Some((if bytes[at] == b'-' { -value } else { value }, end));
-    }
-    let end = skip(bytes, at)?;
-    let value: f64 = core::str::from_utf8(&bytes[at..end]).ok()?.parse().ok()?;
-    value.is_finite().then_some((value, end))
+/// [`read`] for any number.
+fn read_long(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
+    let end = skip_long(bytes, at)?;
+    let value = core::str::from_utf8(&bytes[at..end]).ok()?.parse().ok()?;
+    Some((value, end))
 }
 
 /// The index behind the exponent at `bytes[at..]`; `at` itself where there is none.
@@ -253,11 +311,17 @@ impl After {
         };
     }
 
-    /// Appends the text of one or more numbers.
-    pub(super) fn push_text(&mut self, out: &mut Vec<u8>, text: &[u8]) {
+    /// Appends the space that parts numbers from what stands before, where one is needed.
+    #[inline]
+    pub(super) fn part(self, out: &mut Vec<u8>, text: &[u8]) {
         if text.first().is_some_and(|first| self.runs_into(*first)) {
             out.push(b' ');
         }
+    }
+
+    /// Appends the text of one or more numbers.
+    pub(super) fn push_text(&mut self, out: &mut Vec<u8>, text: &[u8]) {
+        self.part(out, text);
         out.extend_from_slice(text);
         *self = Self::text(text);
     }

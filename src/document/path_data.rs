@@ -1,5 +1,7 @@
 //! SVG 2 path data as segments with byte spans: a command letter with one set of arguments each.
 
+use core::ops::Range;
+
 use super::number;
 
 /// One command and one set of its arguments.
@@ -17,6 +19,8 @@ pub(super) struct Segment {
     pub(super) tail: usize,
     /// The index behind the last argument.
     pub(super) end: usize,
+    /// The end point's numbers, for `H` and `V` the one there is; infinite where one is beyond `f64`.
+    pub(super) to: [f64; 2],
 }
 
 impl Segment {
@@ -25,44 +29,28 @@ impl Segment {
         self.letter.to_ascii_lowercase()
     }
 
-    /// The arguments, flags as 0 or 1; `None` where one is beyond `f64`.
-    pub(super) fn values(&self, data: &str) -> Option<[f64; 7]> {
-        let mut values = [0.0; 7];
-        let (count, _) = arguments(self.kind());
-        let mut at = self.arguments;
-        for (index, value) in values.iter_mut().enumerate().take(count) {
-            let start = at
-                + data.as_bytes()[at..]
-                    .iter()
-                    .take_while(|b| is_separator(**b))
-                    .count();
-            if is_flag(self.kind(), index) {
-                *value = f64::from(data.as_bytes()[start] - b'0');
-                at = start + 1;
-            } else {
-                (*value, at) = number::read(data.as_bytes(), start)?;
-            }
-        }
-        Some(values)
-    }
-
-    /// The end point's numbers (for `H` and `V` the one there is); `None` where one is beyond `f64`.
-    pub(super) fn end_values(&self, data: &str) -> Option<[f64; 2]> {
-        let (first, behind) = number::read(data.as_bytes(), self.tail)?;
-        if matches!(self.kind(), b'h' | b'v') {
-            return Some([first, 0.0]);
-        }
-        let second = behind
-            + data.as_bytes()[behind..]
-                .iter()
-                .take_while(|b| is_separator(**b))
-                .count();
-        Some([first, number::read(data.as_bytes(), second)?.0])
-    }
-
     /// Whether coordinates count from the current point.
     pub(super) const fn is_relative(&self) -> bool {
         self.letter.is_ascii_lowercase()
+    }
+
+    /// Whether the end point's numbers are within `f64`.
+    pub(super) const fn is_finite(&self) -> bool {
+        self.to[0].is_finite() && self.to[1].is_finite()
+    }
+
+    /// The arguments of an arc before its end point: radii and rotation, and the flags.
+    pub(super) fn arc_values(&self, text: &str) -> Option<([f64; 3], [bool; 2])> {
+        let bytes = text.as_bytes();
+        let mut values = [0.0; 3];
+        let mut at = self.arguments;
+        for value in &mut values {
+            (*value, at) = number::read(bytes, at)?;
+            at = behind_separator(bytes, at);
+        }
+        let large = bytes.get(at)?;
+        let sweep = bytes.get(behind_separator(bytes, at + 1))?;
+        Some((values, [large, sweep].map(|flag| *flag == b'1')))
     }
 }
 
@@ -71,6 +59,7 @@ impl Segment {
 pub(super) struct Segments<'a> {
     bytes: &'a [u8],
     at: usize,
+    end: usize,
     /// The letter that a further set of arguments repeats.
     repeated: Option<u8>,
     /// Whether a command has been read: the first has to be a `moveto`.
@@ -79,24 +68,17 @@ pub(super) struct Segments<'a> {
     error: Option<usize>,
 }
 
-/// The number of arguments, and the index of the argument that begins the end point.
-const fn arguments(kind: u8) -> (usize, usize) {
-    match kind {
-        b'm' | b'l' | b't' => (2, 0),
-        b'h' | b'v' => (1, 0),
-        b's' | b'q' => (4, 2),
-        b'c' => (6, 4),
-        b'a' => (7, 5),
-        _ => (0, 0),
-    }
-}
-
-const fn is_flag(kind: u8, index: usize) -> bool {
-    kind == b'a' && (index == 3 || index == 4)
-}
-
-const fn is_separator(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | 0x0c | b',')
+/// The number of arguments before the end point of a command that is no arc, and of the numbers of the end point.
+#[inline]
+const fn arguments(kind: u8) -> Option<(u8, u8)> {
+    Some(match kind {
+        b'm' | b'l' | b't' => (0, 2),
+        b'h' | b'v' => (0, 1),
+        b's' | b'q' => (2, 2),
+        b'c' => (4, 2),
+        b'z' => (0, 0),
+        _ => return None,
+    })
 }
 
 #[inline]
@@ -122,11 +104,19 @@ fn behind_separator(bytes: &[u8], at: usize) -> usize {
     }
 }
 
+/// The index behind a flag.
+#[inline]
+fn behind_flag(bytes: &[u8], at: usize) -> Option<usize> {
+    matches!(bytes.get(at), Some(b'0' | b'1')).then_some(at + 1)
+}
+
 impl<'a> Segments<'a> {
-    pub(super) const fn new(text: &'a str) -> Self {
+    /// The path data in `text[span]`. Behind them the text ends or goes on with a quote, which no number does.
+    pub(super) const fn new(text: &'a str, span: Range<usize>) -> Self {
         Self {
             bytes: text.as_bytes(),
-            at: 0,
+            at: span.start,
+            end: span.end,
             repeated: None,
             begun: false,
             error: None,
@@ -138,15 +128,9 @@ impl<'a> Segments<'a> {
         self.error
     }
 
-    #[inline]
-    fn skip_space(&mut self) {
-        self.at = behind_space(self.bytes, self.at);
-    }
-
     /// The arguments of a command whose letter has been read; `None` at an error.
+    #[inline]
     fn segment(&mut self, letter: u8, explicit: bool, start: usize) -> Option<Segment> {
-        let kind = letter.to_ascii_lowercase();
-        let (count, tail_index) = arguments(kind);
         let mut segment = Segment {
             letter,
             explicit,
@@ -154,65 +138,74 @@ impl<'a> Segments<'a> {
             arguments: self.at,
             tail: self.at,
             end: self.at,
+            to: [0.0; 2],
         };
-        let mut at = self.at;
-        for index in 0..count {
-            if index > 0 {
-                at = behind_separator(self.bytes, at);
+        let numbers = if segment.kind() == b'a' {
+            segment.tail = self.behind_arc_shape()?;
+            2
+        } else {
+            let (inner, numbers) = arguments(segment.kind())?;
+            for _ in 0..inner {
+                let end = number::skip(self.bytes, segment.tail)?;
+                segment.tail = behind_separator(self.bytes, end);
             }
-            if index == tail_index {
-                segment.tail = at;
-            }
-            at = if is_flag(kind, index) {
-                matches!(self.bytes.get(at), Some(b'0' | b'1')).then_some(at + 1)?
-            } else {
-                number::skip(self.bytes, at)?
-            };
-            segment.end = at;
+            numbers
+        };
+        let mut at = segment.tail;
+        for value in segment.to.iter_mut().take(numbers.into()) {
+            (*value, segment.end) = number::read(self.bytes, at)?;
+            at = behind_separator(self.bytes, segment.end);
         }
-        self.at = at;
-        if count == 0 {
-            segment.end = start + 1;
-        }
+        self.at = segment.end;
         Some(segment)
     }
 
+    /// The index behind the radii, the rotation and the flags of an arc.
+    #[inline]
+    fn behind_arc_shape(&self) -> Option<usize> {
+        let mut at = self.at;
+        for _ in 0..3 {
+            at = behind_separator(self.bytes, number::skip(self.bytes, at)?);
+        }
+        for _ in 0..2 {
+            at = behind_separator(self.bytes, behind_flag(self.bytes, at)?);
+        }
+        Some(at)
+    }
+
     /// A segment that begins with its letter.
+    #[inline]
     fn command(&mut self, letter: u8) -> Option<Segment> {
         let start = self.at;
-        let kind = letter.to_ascii_lowercase();
-        if !matches!(
-            kind,
-            b'm' | b'l' | b'h' | b'v' | b'c' | b's' | b'q' | b't' | b'a' | b'z'
-        ) || !self.begun && kind != b'm'
-        {
+        if !self.begun && !matches!(letter, b'm' | b'M') {
             return None;
         }
         self.begun = true;
         self.at += 1;
-        if kind == b'z' {
-            self.repeated = None;
-        } else {
-            self.skip_space();
-            self.repeated = Some(match letter {
-                b'm' => b'l',
-                b'M' => b'L',
-                other => other,
-            });
+        self.repeated = match letter {
+            b'm' => Some(b'l'),
+            b'M' => Some(b'L'),
+            b'z' | b'Z' => None,
+            other => Some(other),
+        };
+        if self.repeated.is_some() {
+            self.at = behind_space(self.bytes, self.at);
         }
         self.segment(letter, true, start)
     }
 
     /// A further set of arguments for the last letter.
+    #[inline]
     fn repetition(&mut self) -> Option<Segment> {
         let letter = self.repeated?;
         self.at = behind_separator(self.bytes, self.at);
         self.segment(letter, false, self.at)
     }
 
+    #[cold]
     fn fail<T>(&mut self, at: usize) -> Option<T> {
         self.error = Some(at);
-        self.at = self.bytes.len();
+        self.at = self.end;
         self.repeated = None;
         None
     }
@@ -221,9 +214,13 @@ impl<'a> Segments<'a> {
 impl Iterator for Segments<'_> {
     type Item = Segment;
 
+    #[inline]
     fn next(&mut self) -> Option<Segment> {
-        self.skip_space();
+        self.at = behind_space(self.bytes, self.at);
         let start = self.at;
+        if start >= self.end {
+            return None;
+        }
         let byte = *self.bytes.get(start)?;
         let segment = if byte.is_ascii_alphabetic() {
             self.command(byte)
@@ -243,7 +240,7 @@ mod tests {
     use super::*;
 
     fn letters(text: &str) -> (String, Option<usize>) {
-        let mut segments = Segments::new(text);
+        let mut segments = Segments::new(text, 0..text.len());
         let read: String = segments.by_ref().map(|s| s.letter as char).collect();
         (read, segments.error())
     }
@@ -276,23 +273,23 @@ mod tests {
     #[test]
     fn compact_arcs_have_exact_spans() {
         let text = "M600,350a25,25-30 0150-25l 1,1";
-        let arc = Segments::new(text).nth(1).unwrap();
+        let arc = Segments::new(text, 0..text.len()).nth(1).unwrap();
         assert_eq!(&text[arc.start..arc.end], "a25,25-30 0150-25");
         assert_eq!(&text[arc.tail..arc.end], "50-25");
         assert_eq!(
-            arc.values(text).unwrap(),
-            [25.0, 25.0, -30.0, 0.0, 1.0, 50.0, -25.0]
+            (arc.arc_values(text).unwrap(), arc.to),
+            (([25.0, 25.0, -30.0], [false, true]), [50.0, -25.0])
         );
     }
 
     #[test]
     fn a_repeated_arc_begins_with_its_first_argument() {
         let text = "M0 0a1 1 0 0 1 2 2, .5.5 0 00.1.1";
-        let arc = Segments::new(text).nth(2).unwrap();
+        let arc = Segments::new(text, 0..text.len()).nth(2).unwrap();
         assert_eq!(&text[arc.start..arc.end], ".5.5 0 00.1.1");
         assert_eq!(
-            arc.values(text).unwrap(),
-            [0.5, 0.5, 0.0, 0.0, 0.0, 0.1, 0.1]
+            (arc.arc_values(text).unwrap(), arc.to),
+            (([0.5, 0.5, 0.0], [false, false]), [0.1, 0.1])
         );
         assert!(!arc.explicit);
     }

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::arcs;
+use super::arcs::{self, Scratch};
 use super::attributes::Attribute;
 use super::element::{self, Shape};
 use super::facts::{self, Facts};
@@ -32,14 +32,42 @@ struct Open {
     markers: Markers,
 }
 
+/// The new text, and the notes.
+struct Output<'a> {
+    splice: Splice<'a>,
+    places: Places<'a>,
+    notes: Vec<Note>,
+}
+
+impl Output<'_> {
+    fn note(&mut self, element: &str, at: usize, reason: &Reason) {
+        let (line, column) = self.places.locate(at);
+        self.notes.push(Note {
+            line,
+            column,
+            element: element.to_owned(),
+            code: reason.code().to_owned(),
+            reason: reason.to_string(),
+        });
+    }
+}
+
+/// Where the path data of a shape are.
+enum ShapeData {
+    /// In the buffer for curves.
+    Drawn,
+    /// Among those that were worked out before.
+    Kept(usize),
+    /// Nowhere: the rectangle has square corners.
+    Square,
+}
+
 struct Rewriter<'a, 'f> {
     options: &'f Options,
     facts: Option<&'f Facts>,
-    splice: Splice<'a>,
-    places: Places<'a>,
+    output: Output<'a>,
     counts: Counts,
-    notes: Vec<Note>,
-    scratch: &'f mut arcs::Scratch,
+    scratch: &'f mut Scratch,
     /// How a shape is spelled.
     key: Vec<u8>,
 }
@@ -49,16 +77,18 @@ pub(super) fn run(
     source: &str,
     options: &Options,
     facts: Option<&Facts>,
-    scratch: &mut arcs::Scratch,
+    scratch: &mut Scratch,
 ) -> Result<Pass> {
     let mut scanner = Scanner::new(source)?;
     let mut rewriter = Rewriter {
         options,
         facts,
-        splice: Splice::new(source),
-        places: Places::new(source),
+        output: Output {
+            splice: Splice::new(source),
+            places: Places::new(source),
+            notes: Vec::new(),
+        },
         counts: Counts::default(),
-        notes: Vec::new(),
         scratch,
         key: Vec::new(),
     };
@@ -89,24 +119,13 @@ pub(super) fn run(
         }
     }
     Ok(Pass::Done(
-        rewriter.splice.finish(),
+        rewriter.output.splice.finish(),
         rewriter.counts,
-        rewriter.notes,
+        rewriter.output.notes,
     ))
 }
 
 impl<'a> Rewriter<'a, '_> {
-    fn note(&mut self, element: &str, at: usize, reason: &Reason) {
-        let (line, column) = self.places.locate(at);
-        self.notes.push(Note {
-            line,
-            column,
-            element: element.to_owned(),
-            code: reason.code().to_owned(),
-            reason: reason.to_string(),
-        });
-    }
-
     fn markers(&self, inherited: Markers, element: &Element<'_>, scanner: &Scanner<'_>) -> Markers {
         let mut markers = own::markers(inherited, &scanner.attributes, &scanner.doctype);
         if let Some(facts) = self.facts {
@@ -123,7 +142,7 @@ impl<'a> Rewriter<'a, '_> {
     /// The end tag of an element that became a path gets the new name.
     fn end(&mut self, open: Option<Open>, local: Range<usize>) {
         if open.is_some_and(|open| open.renamed) {
-            self.splice.replace(local, b"path");
+            self.output.splice.replace(local, b"path");
         }
     }
 
@@ -159,7 +178,7 @@ impl<'a> Rewriter<'a, '_> {
         if self.options.only.contains(Kind::Path)
             && let Some(found) = scanner.attributes.iter().find(has_arcs)
         {
-            self.note(
+            self.output.note(
                 element.local,
                 found.start,
                 &Reason::Elsewhere(if name == "d" { "d" } else { "path" }),
@@ -221,34 +240,36 @@ impl<'a> Rewriter<'a, '_> {
         if !rounded && !self.may_be_rounded(scanner) {
             return false;
         }
-        let reason = match self.shape_data(kind, scanner) {
-            Ok(true) => None,
-            Ok(false) if !self.may_be_rounded(scanner) => return false,
-            Ok(false) => Some(Reason::StyleGeometry("rx")),
-            Err(why) => Some(why),
+        let data = match self.shape_data(kind, scanner) {
+            Ok(ShapeData::Square) if !self.may_be_rounded(scanner) => return false,
+            Ok(ShapeData::Square) => Err(Reason::StyleGeometry("rx")),
+            data => data,
         };
         let reason = self
             .forbidden(kind, element, scanner)
-            .or(reason)
+            .or_else(|| data.as_ref().err().cloned())
             .or_else(|| has("d").then_some(Reason::HasPathData))
             .or_else(|| markers.any.then_some(Reason::Marker));
         if let Some(reason) = &reason {
-            self.note(kind.name(), element.start, reason);
-        } else {
-            let data = core::mem::take(&mut self.scratch.body.text);
-            self.replace(kind, element, scanner, &data);
-            self.scratch.body.text = data;
-            self.counts.count(kind, 1);
+            self.output.note(kind.name(), element.start, reason);
+            return false;
         }
-        reason.is_none()
+        let Scratch { body, memo, .. } = &*self.scratch;
+        let data = match data {
+            Ok(ShapeData::Kept(index)) => memo.curve(index),
+            _ => body.curve(),
+        };
+        replace(kind, element, scanner, data.text, &mut self.output.splice);
+        self.counts.count(kind, 1);
+        true
     }
 
-    /// Works out the path data of a shape, into the buffer for curves; `false` for a rectangle with square corners.
+    /// Works out the path data of a shape.
     fn shape_data(
         &mut self,
         kind: Kind,
         scanner: &Scanner<'_>,
-    ) -> core::result::Result<bool, Reason> {
+    ) -> core::result::Result<ShapeData, Reason> {
         let key = &mut self.key;
         key.clear();
         key.extend_from_slice(kind.name().as_bytes());
@@ -264,12 +285,12 @@ impl<'a> Rewriter<'a, '_> {
             key.extend_from_slice(found.map_or(&[], |attribute| attribute.value.as_bytes()));
         }
         let scratch = &mut *self.scratch;
-        if spelled && scratch.memo.recall(key, &mut scratch.body) {
-            return Ok(true);
+        if spelled && let Some(index) = scratch.memo.find(key) {
+            return Ok(ShapeData::Kept(index));
         }
         let shape = element::read(kind, |name| scanner.attribute(name))?;
         if shape == Shape::Square {
-            return Ok(false);
+            return Ok(ShapeData::Square);
         }
         let mut data = core::mem::take(&mut scratch.body.text);
         let drawn = element::path_data(&shape, self.options, scratch, &mut data);
@@ -278,7 +299,7 @@ impl<'a> Rewriter<'a, '_> {
         if spelled {
             scratch.memo.keep(key, &scratch.body);
         }
-        Ok(true)
+        Ok(ShapeData::Drawn)
     }
 
     /// Whether a style may give a rectangle round corners that its attributes do not.
@@ -289,28 +310,6 @@ impl<'a> Rewriter<'a, '_> {
         });
         let own = own::style(Kind::Rect, &scanner.attributes, &scanner.doctype);
         by_sheet || matches!(own.first_name(), "rx" | "ry") && !own.is_empty()
-    }
-
-    /// The tag's name becomes `path`, the first geometry attribute `d`; the other ones go with the space before them.
-    fn replace(&mut self, kind: Kind, element: &Element<'_>, scanner: &Scanner<'_>, data: &[u8]) {
-        self.splice.replace(element.local_span.clone(), b"path");
-        let mut written = false;
-        for attribute in scanner
-            .attributes
-            .iter()
-            .filter(|attribute| kind.geometry().contains(&attribute.name))
-        {
-            if written {
-                self.splice.replace(attribute.span.clone(), b"");
-            } else {
-                self.splice.replace(
-                    attribute.start..attribute.start + attribute.name.len(),
-                    b"d",
-                );
-                self.splice.replace(attribute.value_span.clone(), data);
-                written = true;
-            }
-        }
     }
 
     fn path(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) {
@@ -328,59 +327,87 @@ impl<'a> Rewriter<'a, '_> {
             match value::traced(d.value, &scanner.doctype) {
                 Some(traced) if !traced.text.contains(['a', 'A']) => return,
                 Some(traced) if !traced.entities => Some(traced),
-                _ => return self.note("path", d.start, &Reason::Entity),
+                _ => return self.output.note("path", d.start, &Reason::Entity),
             }
         } else {
             None
         };
         if let Some(reason) = self.forbidden(Kind::Path, element, scanner) {
-            return self.note("path", element.start, &reason);
+            return self.output.note("path", element.start, &reason);
         }
-        let (text, origin) = traced.as_ref().map_or((d.value, None), |traced| {
-            (traced.text.as_str(), Some(&traced.origin[..]))
-        });
         let context = arcs::Context {
             options: self.options,
             vertices_show: markers.middle,
         };
-        let mut scratch = core::mem::take(self.scratch);
+        let (text, span, origin) = match &traced {
+            Some(traced) => (
+                traced.text.as_str(),
+                0..traced.text.len(),
+                Some((d.value_span.start, &traced.origin[..])),
+            ),
+            None => (scanner.source, d.value_span.clone(), None),
+        };
         let mut sink = Sink {
-            rewriter: self,
-            base: d.value_span.start,
+            output: &mut self.output,
             origin,
         };
-        let outcome = arcs::rewrite(text, context, &mut scratch, &mut sink);
-        *self.scratch = scratch;
+        let outcome = arcs::rewrite(text, span, context, self.scratch, &mut sink);
         self.counts.count(Kind::Path, outcome.arcs);
         self.counts.smooth += outcome.smooth;
     }
 }
 
-/// Brings edits of path data to their place in the file.
-struct Sink<'r, 'a, 'f> {
-    rewriter: &'r mut Rewriter<'a, 'f>,
-    base: usize,
-    /// The way back from resolved references.
-    origin: Option<&'r [usize]>,
-}
-
-impl Sink<'_, '_, '_> {
-    fn place(&self, at: usize) -> usize {
-        self.base
-            + self
-                .origin
-                .map_or(at, |origin| origin.get(at).copied().unwrap_or(at))
+/// The tag's name becomes `path`, the first geometry attribute `d`; the other ones go with the space before them.
+fn replace(
+    kind: Kind,
+    element: &Element<'_>,
+    scanner: &Scanner<'_>,
+    data: &[u8],
+    splice: &mut Splice<'_>,
+) {
+    splice.replace(element.local_span.clone(), b"path");
+    let mut written = false;
+    for attribute in scanner
+        .attributes
+        .iter()
+        .filter(|attribute| kind.geometry().contains(&attribute.name))
+    {
+        if written {
+            splice.replace(attribute.span.clone(), b"");
+        } else {
+            splice.replace(
+                attribute.start..attribute.start + attribute.name.len(),
+                b"d",
+            );
+            splice.replace(attribute.value_span.clone(), data);
+            written = true;
+        }
     }
 }
 
-impl arcs::Sink for Sink<'_, '_, '_> {
-    fn edit(&mut self, range: Range<usize>, text: &[u8]) {
+/// Brings edits of path data to their place in the file.
+struct Sink<'r, 'a> {
+    output: &'r mut Output<'a>,
+    /// Where the value begins, and the way back from resolved references, where there are some.
+    origin: Option<(usize, &'r [usize])>,
+}
+
+impl Sink<'_, '_> {
+    fn place(&self, at: usize) -> usize {
+        self.origin.map_or(at, |(base, origin)| {
+            base + origin.get(at).copied().unwrap_or(at)
+        })
+    }
+}
+
+impl arcs::Sink for Sink<'_, '_> {
+    fn edit(&mut self, range: Range<usize>) -> &mut Vec<u8> {
         let range = self.place(range.start)..self.place(range.end);
-        self.rewriter.splice.replace(range, text);
+        self.output.splice.edit(range)
     }
 
     fn note(&mut self, at: usize, reason: Reason) {
         let place = self.place(at);
-        self.rewriter.note("path", place, &reason);
+        self.output.note("path", place, &reason);
     }
 }

@@ -19,16 +19,21 @@ impl<'a> Splice<'a> {
         }
     }
 
-    /// The bytes of `range` become `text`. Ranges ascend and do not overlap.
-    pub(super) fn replace(&mut self, range: Range<usize>, text: &[u8]) {
+    /// The bytes of `range` become what is appended to the text that this gives. Ranges ascend and do not overlap.
+    pub(super) fn edit(&mut self, range: Range<usize>) -> &mut Vec<u8> {
         if self.copied == 0 {
             self.out.reserve(self.source.len() / 2 * 3);
         }
-        if let Some(kept) = self.source.get(self.copied..range.start) {
-            self.out.extend_from_slice(kept.as_bytes());
+        if let Some(kept) = self.source.as_bytes().get(self.copied..range.start) {
+            self.out.extend_from_slice(kept);
         }
-        self.out.extend_from_slice(text);
         self.copied = range.end;
+        &mut self.out
+    }
+
+    /// The bytes of `range` become `text`.
+    pub(super) fn replace(&mut self, range: Range<usize>, text: &[u8]) {
+        self.edit(range).extend_from_slice(text);
     }
 
     /// The finished text; `None` where nothing was replaced.
