@@ -63,14 +63,15 @@ pub(super) fn rewrite(
         return Outcome::default();
     };
     let last = span.start + last;
-    let mut segments = Segments::new(text, span);
+    // Relative arcs need no current point, and most paths have no other ones.
+    let follows_point = memchr::memchr3(b'A', b'S', b'T', data).is_some();
+    let mut segments = Segments::new(text, span).with_ends(follows_point);
     let mut writer = Writer {
         text,
         context,
         scratch,
         sink,
-        // Relative arcs need no current point, and most paths have no other ones.
-        follows_point: memchr::memchr3(b'A', b'S', b'T', data).is_some(),
+        follows_point,
         point: Vec2::ZERO,
         subpath: Vec2::ZERO,
         previous: None,
@@ -293,19 +294,18 @@ impl<S: Sink> Writer<'_, '_, S> {
         } else {
             self.point.to_point()
         };
-        let ([rx, ry, rotation], [large_arc, sweep]) =
-            segment.arc_values(self.text).ok_or(Reason::TooLarge)?;
-        let finite = [rx, ry, rotation].iter().all(|value| value.is_finite());
-        (finite && segment.is_finite())
-            .then_some(SvgArc {
-                from,
-                radii: Vec2::new(rx, ry),
-                rotation: Angle::from_degrees(rotation),
-                large_arc,
-                sweep,
-                to: Point::new(segment.to[0], segment.to[1]),
-            })
-            .ok_or(Reason::TooLarge)
+        let v = segment
+            .arc_values(self.text)
+            .filter(|values| values.iter().all(|value| value.is_finite()))
+            .ok_or(Reason::TooLarge)?;
+        Ok(SvgArc {
+            from,
+            radii: Vec2::new(v[0], v[1]),
+            rotation: Angle::from_degrees(v[2]),
+            large_arc: v[3] != 0.0,
+            sweep: v[4] != 0.0,
+            to: Point::new(v[5], v[6]),
+        })
     }
 
     /// Equal end points: the arc is left out, unless a zero-length subpath, a marker or a reflected control point could show it.
@@ -334,7 +334,7 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 
     /// The command behind an arc that draws nothing, further ones like it skipped.
-    fn first_drawn(&self, mut behind: Segments<'_>) -> Option<u8> {
+    fn first_drawn(&self, behind: Segments<'_>) -> Option<u8> {
         let is_empty = |segment: &Segment| {
             let here = if segment.is_relative() {
                 Vec2::ZERO
@@ -344,6 +344,7 @@ impl<S: Sink> Writer<'_, '_, S> {
             segment.kind() == b'a' && segment.to == [here.x, here.y]
         };
         behind
+            .with_ends(true)
             .find(|segment| !is_empty(segment))
             .map(|segment| segment.kind())
     }

@@ -26,9 +26,9 @@ pub(super) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     let Some(short) = Short::at(bytes, whole) else {
         return read_long(bytes, at);
     };
-    let value = short.value();
-    let negative = bytes.get(at) == Some(&b'-');
-    Some((if negative { -value } else { value }, whole + short.length()))
+    let sign = u64::from(bytes.get(at) == Some(&b'-')) << 63;
+    let value = f64::from_bits(short.value().to_bits() | sign);
+    Some((value, whole + short.length()))
 }
 
 #[inline]
@@ -36,8 +36,10 @@ fn behind_sign(bytes: &[u8], at: usize) -> usize {
     at + usize::from(matches!(bytes.get(at), Some(b'-' | b'+')))
 }
 
-/// A number without sign and exponent that ends within eight bytes, as most do. It is found and read in a machine word: a loop over
-/// its bytes would end at another one each time, and a processor that guessed the number of digits wrong costs more than all of this.
+/// A number without sign and exponent that ends within eight bytes, as most do.
+///
+/// It is found and read in a machine word and without a branch: a loop over its bytes would end at another one each time, and a
+/// processor that guessed the number of digits wrong loses more time than all of this takes.
 #[derive(Clone, Copy)]
 struct Short {
     /// The text, the first byte lowest.
@@ -46,6 +48,8 @@ struct Short {
     whole: u32,
     /// The bits of the text.
     end: u32,
+    /// All ones where there is a point.
+    has_point: u64,
 }
 
 impl Short {
@@ -57,20 +61,21 @@ impl Short {
     #[inline]
     fn at(bytes: &[u8], at: usize) -> Option<Self> {
         let word = u64::from_le_bytes(*bytes.get(at..)?.first_chunk()?);
-        // From '0' to '9' a byte less '0' stays below the highest bit when 0x76 is added to it, any other reaches it.
+        // What is no digit has the highest bit, or gets it by adding 0x76 to its difference from '0'.
         let digits = word ^ Self::ZEROS;
-        let others =
-            (((digits & !Self::HIGH) + 0x7676_7676_7676_7676) | digits) & Self::HIGH;
+        let others = (((digits & !Self::HIGH) + 0x7676_7676_7676_7676) | digits) & Self::HIGH;
         let behind = others & others.wrapping_sub(1);
         let (first, second) = (others.trailing_zeros() & !7, behind.trailing_zeros() & !7);
         // A point belongs to the number where digits follow it.
-        let point = (word >> (first & 63)) as u8 == b'.' && second > first + 8;
-        let end = if point { second } else { first };
+        let is_point = (word >> (first & 63)) as u8 == b'.';
+        let has_point = u64::from(is_point & (second > first + 8)).wrapping_neg();
+        let end = first ^ ((first ^ second) & has_point as u32);
         let next = (word >> (end & 63)) as u8;
         (end > 0 && end < 64 && next | 0x20 != b'e').then_some(Self {
             word,
             whole: first,
             end,
+            has_point,
         })
     }
 
@@ -82,18 +87,14 @@ impl Short {
     /// The value: a mantissa below 2^53 by an exact power of ten is the correctly rounded quotient.
     #[inline]
     fn value(self) -> f64 {
-        let below = (1 << self.whole) - 1;
-        let has_point = self.end > self.whole;
-        let text = if has_point {
-            (self.word & below) | ((self.word >> 8) & !below)
-        } else {
-            self.word
-        };
-        let bits = self.end - if has_point { 8 } else { 0 };
-        // The last digit comes to the highest byte, what was behind it falls off, and zeros come before the first.
+        // The digits behind the point close up.
+        let behind = u64::MAX << self.whole;
+        let text = self.word ^ ((self.word ^ (self.word >> 8)) & behind & self.has_point);
+        let bits = self.end - (self.has_point as u32 & 8);
+        // The last digit comes to the highest byte, what is behind it falls off, and zeros come before the first.
         let digits = (text ^ Self::ZEROS) << (64 - bits);
-        let power = EXACT_POWERS[((bits - self.whole) / 8) as usize & 7];
-        eight_digits(digits) as f64 / power
+        let decimals = (bits - self.whole) / 8;
+        eight_digits(digits) as f64 / EXACT_POWERS[decimals as usize & 7]
     }
 }
 
@@ -108,6 +109,7 @@ const fn eight_digits(digits: u64) -> u64 {
 }
 
 /// [`skip`] for any number.
+#[cold]
 fn skip_long(bytes: &[u8], at: usize) -> Option<usize> {
     let whole = behind_sign(bytes, at);
     let mut end = skip_digits(bytes, whole);
@@ -128,6 +130,7 @@ fn skip_digits(bytes: &[u8], mut at: usize) -> usize {
 }
 
 /// [`read`] for any number.
+#[cold]
 fn read_long(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     let end = skip_long(bytes, at)?;
     let value = core::str::from_utf8(&bytes[at..end]).ok()?.parse().ok()?;

@@ -19,7 +19,7 @@ pub(super) struct Segment {
     pub(super) tail: usize,
     /// The index behind the last argument.
     pub(super) end: usize,
-    /// The end point's numbers, for `H` and `V` the one there is; infinite where one is beyond `f64`.
+    /// The end point's numbers, for `H` and `V` the one there is, if they are wanted; infinite where one is beyond `f64`.
     pub(super) to: [f64; 2],
 }
 
@@ -39,18 +39,21 @@ impl Segment {
         self.to[0].is_finite() && self.to[1].is_finite()
     }
 
-    /// The arguments of an arc before its end point: radii and rotation, and the flags.
-    pub(super) fn arc_values(&self, text: &str) -> Option<([f64; 3], [bool; 2])> {
+    /// The arguments of an arc, flags as 0 or 1.
+    pub(super) fn arc_values(&self, text: &str) -> Option<[f64; 7]> {
         let bytes = text.as_bytes();
-        let mut values = [0.0; 3];
+        let mut values = [0.0; 7];
         let mut at = self.arguments;
-        for value in &mut values {
-            (*value, at) = number::read(bytes, at)?;
+        for (index, value) in values.iter_mut().enumerate() {
+            if let 3 | 4 = index {
+                *value = f64::from(bytes.get(at)? - b'0');
+                at += 1;
+            } else {
+                (*value, at) = number::read(bytes, at)?;
+            }
             at = behind_separator(bytes, at);
         }
-        let large = bytes.get(at)?;
-        let sweep = bytes.get(behind_separator(bytes, at + 1))?;
-        Some((values, [large, sweep].map(|flag| *flag == b'1')))
+        Some(values)
     }
 }
 
@@ -60,6 +63,8 @@ pub(super) struct Segments<'a> {
     bytes: &'a [u8],
     at: usize,
     end: usize,
+    /// Whether the numbers of end points are wanted.
+    wants_ends: bool,
     /// The letter that a further set of arguments repeats.
     repeated: Option<u8>,
     /// Whether a command has been read: the first has to be a `moveto`.
@@ -68,19 +73,7 @@ pub(super) struct Segments<'a> {
     error: Option<usize>,
 }
 
-/// The number of arguments before the end point of a command that is no arc, and of the numbers of the end point.
-#[inline]
-const fn arguments(kind: u8) -> Option<(u8, u8)> {
-    Some(match kind {
-        b'm' | b'l' | b't' => (0, 2),
-        b'h' | b'v' => (0, 1),
-        b's' | b'q' => (2, 2),
-        b'c' => (4, 2),
-        b'z' => (0, 0),
-        _ => return None,
-    })
-}
-
+/// The index behind white space.
 #[inline]
 fn behind_space(bytes: &[u8], mut at: usize) -> usize {
     while let Some(b' ' | b'\t' | b'\n' | b'\r' | 0x0c) = bytes.get(at) {
@@ -92,10 +85,23 @@ fn behind_space(bytes: &[u8], mut at: usize) -> usize {
 /// The index behind white space with at most one comma.
 #[inline]
 fn behind_separator(bytes: &[u8], at: usize) -> usize {
-    // Digits, points and minus signs lie above, white space and commas do not.
-    if bytes.get(at).is_some_and(|byte| *byte > b',') {
-        return at;
+    /// The bit of each byte that parts numbers.
+    const SEPARATORS: u64 =
+        1 << b' ' | 1 << b'\t' | 1 << b'\n' | 1 << b'\r' | 1 << 0x0c | 1 << b',';
+    // Mostly one separator or none stands before a digit, a point or a minus sign, which lie above them all. Which of both it is
+    // can not be foreseen, so that a sum is faster than a branch.
+    let one = bytes
+        .get(at)
+        .map_or(0, |byte| u64::from(*byte < 64) & (SEPARATORS >> (byte & 63)));
+    let behind = at + (one & 1) as usize;
+    match bytes.get(behind) {
+        Some(b'-'..) => behind,
+        _ => behind_separators(bytes, at),
     }
+}
+
+/// [`behind_separator`] for any white space.
+fn behind_separators(bytes: &[u8], at: usize) -> usize {
     let at = behind_space(bytes, at);
     if bytes.get(at) == Some(&b',') {
         behind_space(bytes, at + 1)
@@ -104,10 +110,27 @@ fn behind_separator(bytes: &[u8], at: usize) -> usize {
     }
 }
 
+/// The index behind `COUNT` numbers and what parts them from the next one.
+#[inline]
+fn behind_numbers<const COUNT: usize>(bytes: &[u8], mut at: usize) -> Option<usize> {
+    for _ in 0..COUNT {
+        at = behind_separator(bytes, number::skip(bytes, at)?);
+    }
+    Some(at)
+}
+
 /// The index behind a flag.
 #[inline]
 fn behind_flag(bytes: &[u8], at: usize) -> Option<usize> {
     matches!(bytes.get(at), Some(b'0' | b'1')).then_some(at + 1)
+}
+
+/// The index behind the radii, the rotation and the flags of an arc.
+#[inline]
+fn behind_arc_shape(bytes: &[u8], at: usize) -> Option<usize> {
+    let large = behind_numbers::<3>(bytes, at)?;
+    let sweep = behind_separator(bytes, behind_flag(bytes, large)?);
+    Some(behind_separator(bytes, behind_flag(bytes, sweep)?))
 }
 
 impl<'a> Segments<'a> {
@@ -117,10 +140,16 @@ impl<'a> Segments<'a> {
             bytes: text.as_bytes(),
             at: span.start,
             end: span.end,
+            wants_ends: false,
             repeated: None,
             begun: false,
             error: None,
         }
+    }
+
+    /// The segments with the numbers of their end points.
+    pub(super) const fn with_ends(self, wants_ends: bool) -> Self {
+        Self { wants_ends, ..self }
     }
 
     /// The index at which the data stop being path data; what stands behind it is not drawn.
@@ -140,37 +169,30 @@ impl<'a> Segments<'a> {
             end: self.at,
             to: [0.0; 2],
         };
-        let numbers = if segment.kind() == b'a' {
-            segment.tail = self.behind_arc_shape()?;
-            2
-        } else {
-            let (inner, numbers) = arguments(segment.kind())?;
-            for _ in 0..inner {
-                let end = number::skip(self.bytes, segment.tail)?;
-                segment.tail = behind_separator(self.bytes, end);
-            }
-            numbers
+        let (bytes, at) = (self.bytes, self.at);
+        segment.tail = match segment.kind() {
+            b'm' | b'l' | b't' | b'h' | b'v' => at,
+            b's' | b'q' => behind_numbers::<2>(bytes, at)?,
+            b'c' => behind_numbers::<4>(bytes, at)?,
+            b'a' => behind_arc_shape(bytes, at)?,
+            b'z' => return Some(segment),
+            _ => return None,
         };
-        let mut at = segment.tail;
-        for value in segment.to.iter_mut().take(numbers.into()) {
-            (*value, segment.end) = number::read(self.bytes, at)?;
-            at = behind_separator(self.bytes, segment.end);
+        let single = matches!(segment.kind(), b'h' | b'v');
+        if self.wants_ends {
+            (segment.to[0], segment.end) = number::read(bytes, segment.tail)?;
+            if !single {
+                let second = behind_separator(bytes, segment.end);
+                (segment.to[1], segment.end) = number::read(bytes, second)?;
+            }
+        } else {
+            segment.end = number::skip(bytes, segment.tail)?;
+            if !single {
+                segment.end = number::skip(bytes, behind_separator(bytes, segment.end))?;
+            }
         }
         self.at = segment.end;
         Some(segment)
-    }
-
-    /// The index behind the radii, the rotation and the flags of an arc.
-    #[inline]
-    fn behind_arc_shape(&self) -> Option<usize> {
-        let mut at = self.at;
-        for _ in 0..3 {
-            at = behind_separator(self.bytes, number::skip(self.bytes, at)?);
-        }
-        for _ in 0..2 {
-            at = behind_separator(self.bytes, behind_flag(self.bytes, at)?);
-        }
-        Some(at)
     }
 
     /// A segment that begins with its letter.
@@ -277,8 +299,8 @@ mod tests {
         assert_eq!(&text[arc.start..arc.end], "a25,25-30 0150-25");
         assert_eq!(&text[arc.tail..arc.end], "50-25");
         assert_eq!(
-            (arc.arc_values(text).unwrap(), arc.to),
-            (([25.0, 25.0, -30.0], [false, true]), [50.0, -25.0])
+            arc.arc_values(text).unwrap(),
+            [25.0, 25.0, -30.0, 0.0, 1.0, 50.0, -25.0]
         );
     }
 
@@ -288,8 +310,8 @@ mod tests {
         let arc = Segments::new(text, 0..text.len()).nth(2).unwrap();
         assert_eq!(&text[arc.start..arc.end], ".5.5 0 00.1.1");
         assert_eq!(
-            (arc.arc_values(text).unwrap(), arc.to),
-            (([0.5, 0.5, 0.0], [false, false]), [0.1, 0.1])
+            arc.arc_values(text).unwrap(),
+            [0.5, 0.5, 0.0, 0.0, 0.0, 0.1, 0.1]
         );
         assert!(!arc.explicit);
     }
