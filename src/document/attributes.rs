@@ -32,80 +32,79 @@ impl<'a> Attribute<'a> {
 /// Up to this many attributes are compared pair by pair.
 const FEW: usize = 12;
 
-/// Reads what stands between the name of a tag and its end; `base` is the text's place in the document.
-pub(super) fn read<'a>(text: &'a str, base: usize, out: &mut Vec<Attribute<'a>>) -> Result<()> {
+/// The index behind the white space at `bytes[at..]`.
+#[inline]
+pub(super) fn behind_space(bytes: &[u8], mut at: usize) -> usize {
+    while let Some(b' ' | b'\t' | b'\n' | b'\r') = bytes.get(at) {
+        at += 1;
+    }
+    at
+}
+
+/// Reads the attributes behind the name of a tag, from `source[at..]` on; gives the index of what stands behind the last one and
+/// white space: mostly the end of the tag.
+pub(super) fn read<'a>(source: &'a str, at: usize, out: &mut Vec<Attribute<'a>>) -> Result<usize> {
     out.clear();
-    let bytes = text.as_bytes();
-    let space = |mut at: usize| {
-        while let Some(b' ' | b'\t' | b'\n' | b'\r') = bytes.get(at) {
-            at += 1;
-        }
-        at
-    };
-    let mut behind = 0;
+    let bytes = source.as_bytes();
+    let mut behind = at;
     loop {
-        let start = space(behind);
-        if start == bytes.len() {
-            return unique(out);
+        let start = behind_space(bytes, behind);
+        if let None | Some(b'>' | b'/' | b'?') = bytes.get(start) {
+            return unique(out).map(|()| start);
         }
-        let mut at = start;
-        while bytes.get(at).is_some_and(|b| NAME[usize::from(*b)]) {
-            at += 1;
-        }
-        let name = &text[start..at];
-        if start == behind || !begins_name(bytes[start]) {
-            return Err(Fault::new(base + start, "this is not an attribute"));
-        }
-        at = space(at);
-        if bytes.get(at) != Some(&b'=') {
+        let name = name(source, start)
+            .filter(|_| start > behind)
+            .ok_or_else(|| Fault::new(start, "this is not an attribute"))?;
+        let equals = behind_space(bytes, start + name.len());
+        if bytes.get(equals) != Some(&b'=') {
             return Err(Fault::new(
-                base + start,
+                start,
                 format!("the attribute `{name}` has no value"),
             ));
         }
-        at = space(at + 1);
-        let Some(quote @ (b'"' | b'\'')) = bytes.get(at).copied() else {
-            return Err(Fault::new(
-                base + at,
-                format!("the value of `{name}` has no quotes"),
-            ));
-        };
-        let value_start = at + 1;
-        let (mut length, mut has_references) = (0, false);
-        loop {
-            let Some(found) = memchr::memchr3(quote, b'<', b'&', &bytes[value_start + length..])
-            else {
-                return Err(Fault::new(
-                    base + at,
-                    format!("the value of `{name}` has no closing quote"),
-                ));
-            };
-            length += found;
-            match bytes[value_start + length] {
-                b'<' => {
-                    return Err(Fault::new(
-                        base + value_start + length,
-                        "`<` in the value of an attribute",
-                    ));
-                }
-                b'&' => {
-                    has_references = true;
-                    length += 1;
-                }
-                _ => break,
-            }
-        }
-        let value = &text[value_start..value_start + length];
-        let end = value_start + length + 1;
+        let opening = behind_space(bytes, equals + 1);
+        let (value, has_references) = value(source, opening, name)?;
+        let value_span = opening + 1..opening + 1 + value.len();
+        let end = value_span.end + 1;
         out.push(Attribute {
             name,
             value,
             has_references,
-            span: base + behind..base + end,
-            start: base + start,
-            value_span: base + value_start..base + value_start + length,
+            span: behind..end,
+            start,
+            value_span,
         });
         behind = end;
+    }
+}
+
+/// The value of the attribute `name` whose quote stands at `opening`, and whether there is a reference in it.
+fn value<'a>(source: &'a str, opening: usize, name: &str) -> Result<(&'a str, bool)> {
+    let bytes = source.as_bytes();
+    let Some(quote @ (b'"' | b'\'')) = bytes.get(opening).copied() else {
+        return Err(Fault::new(
+            opening,
+            format!("the value of `{name}` has no quotes"),
+        ));
+    };
+    let start = opening + 1;
+    let (mut at, mut has_references) = (start, false);
+    loop {
+        let Some(found) = memchr::memchr3(quote, b'<', b'&', &bytes[at..]) else {
+            return Err(Fault::new(
+                opening,
+                format!("the value of `{name}` has no closing quote"),
+            ));
+        };
+        at += found;
+        match bytes[at] {
+            b'<' => return Err(Fault::new(at, "`<` in the value of an attribute")),
+            b'&' => {
+                has_references = true;
+                at += 1;
+            }
+            _ => return Ok((&source[start..at], has_references)),
+        }
     }
 }
 
@@ -152,9 +151,14 @@ const fn begins_name(byte: u8) -> bool {
     byte >= 0x80 || byte.is_ascii_alphabetic() || matches!(byte, b'_' | b':')
 }
 
-/// Whether a text may name an element or an attribute.
-pub(super) fn is_name(name: &str) -> bool {
-    name.bytes().next().is_some_and(begins_name) && name.bytes().all(|byte| NAME[usize::from(byte)])
+/// The name of an element or an attribute that begins at `source[at..]`, if one does.
+pub(super) fn name(source: &str, at: usize) -> Option<&str> {
+    let rest = source.as_bytes().get(at..)?;
+    let length = rest.iter().take_while(|b| NAME[usize::from(**b)]).count();
+    rest.first()
+        .is_some_and(|first| begins_name(*first))
+        .then(|| source.get(at..at + length))
+        .flatten()
 }
 
 #[cfg(test)]
@@ -163,12 +167,12 @@ mod tests {
 
     #[test]
     fn spans_are_exact() {
-        let text = " a = 'x\"y'\n b:c=\"\" ";
+        let text = "<x a = 'x\"y'\n b:c=\"\" />";
         let mut out = Vec::new();
-        read(text, 10, &mut out).unwrap();
+        assert_eq!(read(text, 2, &mut out), Ok(text.len() - 2));
         let spans: Vec<_> = out
             .iter()
-            .map(|a| (a.name, a.value, &text[a.span.start - 10..a.span.end - 10]))
+            .map(|a| (a.name, a.value, &text[a.span.clone()]))
             .collect();
         assert_eq!(
             spans,

@@ -90,9 +90,9 @@ fn behind_separator(bytes: &[u8], at: usize) -> usize {
         1 << b' ' | 1 << b'\t' | 1 << b'\n' | 1 << b'\r' | 1 << 0x0c | 1 << b',';
     // Mostly one separator or none stands before a digit, a point or a minus sign, which lie above them all. Which of both it is
     // can not be foreseen, so that a sum is faster than a branch.
-    let one = bytes
-        .get(at)
-        .map_or(0, |byte| u64::from(*byte < 64) & (SEPARATORS >> (byte & 63)));
+    let one = bytes.get(at).map_or(0, |byte| {
+        u64::from(*byte < 64) & (SEPARATORS >> (byte & 63))
+    });
     let behind = at + (one & 1) as usize;
     match bytes.get(behind) {
         Some(b'-'..) => behind,

@@ -1,5 +1,7 @@
-//! A document as nodes with exact byte spans. quick-xml finds the tokens; names, attributes, namespaces and what it does not check
-//! about well-formedness are read here.
+//! A document as nodes with exact byte spans, and what makes it well-formed.
+//!
+//! Icons are short and full of tags, so that tags, text and comments are read here in one pass each; quick-xml finds the ends of
+//! everything else that begins with `<!` or `<?`.
 
 use core::ops::Range;
 use std::borrow::Cow;
@@ -7,11 +9,13 @@ use std::borrow::Cow;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
-use super::attributes::{self, Attribute};
+use super::attributes::{self, Attribute, behind_space};
 use super::doctype::{Doctype, Resolved};
 use super::fault::{Fault, Result};
 use super::namespace::{Namespace, Namespaces};
 use super::value;
+
+const BYTE_ORDER_MARK: char = '\u{feff}';
 
 /// One piece of a document.
 #[derive(Debug)]
@@ -50,6 +54,15 @@ pub(super) struct Element<'a> {
     pub(super) empty: bool,
 }
 
+/// A start tag whose end tag has not come.
+#[derive(Debug, Clone, Copy)]
+struct Open<'a> {
+    /// The byte of its `<`.
+    start: usize,
+    /// The name with its prefix.
+    name: &'a str,
+}
+
 /// Reads the nodes of a document in order.
 pub(super) struct Scanner<'a> {
     /// The whole document, with its byte order mark.
@@ -57,31 +70,28 @@ pub(super) struct Scanner<'a> {
     /// The attributes of the last start tag.
     pub(super) attributes: Vec<Attribute<'a>>,
     pub(super) doctype: Doctype<'a>,
-    reader: Reader<&'a [u8]>,
-    /// The length of the byte order mark.
-    base: usize,
+    /// The byte where the next node begins.
+    at: usize,
     namespaces: Namespaces<'a>,
-    /// The start of every open tag.
-    open: Vec<usize>,
+    open: Vec<Open<'a>>,
     seen_root: bool,
 }
 
 impl<'a> Scanner<'a> {
     /// A scanner at the start of `source`.
     pub(super) fn new(source: &'a str) -> Result<Self> {
-        let body = source.strip_prefix('\u{feff}').unwrap_or(source);
-        let base = source.len() - body.len();
-        if let Some(at) = forbidden_character(body) {
-            return Err(Fault::new(base + at, "a character that XML does not allow"));
+        if let Some(at) = forbidden_character(source) {
+            return Err(Fault::new(at, "a character that XML does not allow"));
         }
-        let mut reader = Reader::from_str(body);
-        reader.config_mut().check_comments = true;
         Ok(Self {
             source,
             attributes: Vec::with_capacity(16),
             doctype: Doctype::default(),
-            reader,
-            base,
+            at: if source.starts_with(BYTE_ORDER_MARK) {
+                BYTE_ORDER_MARK.len_utf8()
+            } else {
+                0
+            },
             namespaces: Namespaces::default(),
             open: Vec::with_capacity(16),
             seen_root: false,
@@ -95,12 +105,12 @@ impl<'a> Scanner<'a> {
 
     /// The start of the innermost open tag.
     pub(super) fn parent(&self) -> Option<usize> {
-        self.open.last().copied()
+        self.open.last().map(|open| open.start)
     }
 
     /// The start of the tag around the innermost open one.
     pub(super) fn grandparent(&self) -> Option<usize> {
-        self.open.iter().rev().nth(1).copied()
+        self.open.iter().rev().nth(1).map(|open| open.start)
     }
 
     /// The resolved value of an attribute of the last start tag; a value with an unknown entity reads as the entity.
@@ -114,72 +124,54 @@ impl<'a> Scanner<'a> {
 
     /// The next node.
     pub(super) fn next(&mut self) -> Result<Node<'a>> {
-        let start = self.base + self.reader.buffer_position() as usize;
-        let event = self.reader.read_event().map_err(|error| {
-            let at = self.base + self.reader.error_position() as usize;
-            Fault::new(at, error.to_string())
-        })?;
-        let end = self.base + self.reader.buffer_position() as usize;
-        let span = self.source.get(start..end).unwrap_or_default();
-        match event {
-            Event::Start(_) => self.start(start, span, false),
-            Event::Empty(_) => self.start(start, span, true),
-            Event::End(_) => Ok(self.end(start, span)),
-            Event::Text(_) => self.text(start, span),
-            Event::CData(_) if self.open.is_empty() => {
-                Err(Fault::new(start, "text outside the root element"))
-            }
-            Event::CData(_) => Ok(Node::Text(
-                span.strip_prefix("<![CDATA[")
-                    .and_then(|s| s.strip_suffix("]]>"))
-                    .unwrap_or_default(),
-            )),
-            Event::GeneralRef(_) => self.reference(start, span),
-            Event::PI(_) => Self::instruction(start, span),
-            Event::Decl(_) => self.declaration(start, span),
-            Event::DocType(_) => self.document_type(start, span),
-            Event::Comment(_) => Ok(Node::Other),
-            Event::Eof => self.finish(),
+        let start = self.at;
+        match self.source.as_bytes().get(start..).unwrap_or_default() {
+            [] => self.finish(),
+            [b'<', b'/', ..] => self.end(start),
+            [b'<', b'!', b'-', b'-', ..] => self.comment(start),
+            [b'<', b'!' | b'?', ..] => self.markup(start),
+            [b'<', ..] => self.start(start),
+            [b'&', ..] => self.reference(start),
+            _ => self.text(start),
         }
     }
 
-    fn start(&mut self, start: usize, span: &'a str, empty: bool) -> Result<Node<'a>> {
+    fn start(&mut self, start: usize) -> Result<Node<'a>> {
         if self.open.is_empty() && self.seen_root {
             return Err(Fault::new(start, "a second root element"));
         }
         self.seen_root = true;
-        let inner = &span[1..span.len() - if empty { 2 } else { 1 }];
-        let length = inner
-            .bytes()
-            .position(|b| b.is_ascii_whitespace())
-            .unwrap_or(inner.len());
-        let name = &inner[..length];
-        if !attributes::is_name(name) {
-            return Err(Fault::new(
-                start,
-                format!("`<{name}` is not the name of an element"),
-            ));
-        }
-        attributes::read(&inner[length..], start + 1 + length, &mut self.attributes)?;
+        let name = attributes::name(self.source, start + 1).ok_or_else(|| {
+            let rest = &self.source[start + 1..];
+            let end = rest.find(|c: char| c.is_ascii_whitespace() || matches!(c, '/' | '>'));
+            let name = &rest[..end.unwrap_or(rest.len())];
+            Fault::new(start, format!("`<{name}` is not the name of an element"))
+        })?;
+        let end = attributes::read(self.source, start + 1 + name.len(), &mut self.attributes)?;
+        let empty = match self.source.as_bytes().get(end..) {
+            Some([b'>', ..]) => false,
+            Some([b'/', b'>', ..]) => true,
+            Some([_, ..]) => return Err(Fault::new(end, "this is not an attribute")),
+            _ => return Err(Fault::new(start, format!("the tag `<{name}` has no end"))),
+        };
+        self.at = end + if empty { 2 } else { 1 };
         self.check_references()?;
         let root = self.open.is_empty();
         self.namespaces
             .enter(self.open.len(), &self.attributes, &self.doctype);
-        let prefix = name.find(':').unwrap_or(0);
-        let skip = if prefix == 0 { 0 } else { prefix + 1 };
-        let local = &name[skip..];
-        let namespace = self.namespaces.of_element(&name[..prefix], local, root);
+        let (prefix, local) = name.split_once(':').unwrap_or(("", name));
+        let namespace = self.namespaces.of_element(prefix, local, root);
         if empty {
             self.namespaces.leave(self.open.len());
         } else {
-            self.open.push(start);
+            self.open.push(Open { start, name });
         }
-        let local_start = start + 1 + skip;
+        let name_end = start + 1 + name.len();
         Ok(Node::Start(Element {
             start,
             name,
             local,
-            local_span: local_start..local_start + local.len(),
+            local_span: name_end - local.len()..name_end,
             namespace,
             empty,
         }))
@@ -212,40 +204,99 @@ impl<'a> Scanner<'a> {
         Ok(())
     }
 
-    fn end(&mut self, start: usize, span: &'a str) -> Node<'a> {
-        self.open.pop();
+    fn end(&mut self, start: usize) -> Result<Node<'a>> {
+        let bytes = self.source.as_bytes();
+        let rest = &self.source[start + 2..];
+        let open = self.open.pop();
+        let close = open
+            .filter(|open| rest.starts_with(open.name))
+            .map(|open| behind_space(bytes, start + 2 + open.name.len()))
+            .filter(|close| bytes.get(*close) == Some(&b'>'));
+        let (Some(open), Some(close)) = (open, close) else {
+            let name = &rest[..rest.find('>').unwrap_or(rest.len())];
+            let why = match open {
+                Some(open) => format!("`</{name}>` where `</{}>` should stand", open.name),
+                None => format!("`</{name}>` closes nothing"),
+            };
+            return Err(Fault::new(start, why));
+        };
         self.namespaces.leave(self.open.len());
-        let name = span
-            .trim_start_matches("</")
-            .trim_end_matches('>')
-            .trim_end();
-        let skip = name.find(':').map_or(0, |colon| colon + 1);
-        Node::End {
-            local: start + 2 + skip..start + 2 + name.len(),
-        }
+        self.at = close + 1;
+        let skip = open.name.find(':').map_or(0, |colon| colon + 1);
+        let name = start + 2;
+        Ok(Node::End {
+            local: name + skip..name + open.name.len(),
+        })
     }
 
-    fn text(&self, start: usize, span: &'a str) -> Result<Node<'a>> {
-        let blank = |text: &str| {
-            text.bytes()
-                .all(|b| matches!(b, b' ' | b'\t' | b'\n' | b'\r'))
-        };
-        if self.open.is_empty() && !blank(span) {
-            return Err(Fault::new(
-                start + (span.len() - span.trim_start().len()),
-                "text outside the root element",
-            ));
+    fn text(&mut self, start: usize) -> Result<Node<'a>> {
+        // Mostly white space alone stands between tags.
+        let blank = behind_space(self.source.as_bytes(), start);
+        if let None | Some(b'<') = self.source.as_bytes().get(blank) {
+            self.at = blank;
+            return Ok(Node::Text(&self.source[start..blank]));
         }
-        if memchr::memchr(b']', span.as_bytes()).is_some()
-            && let Some(at) = span.find("]]>")
-        {
+        if self.open.is_empty() {
+            return Err(Fault::new(blank, "text outside the root element"));
+        }
+        let rest = &self.source[start..];
+        let length = memchr::memchr2(b'<', b'&', rest.as_bytes()).unwrap_or(rest.len());
+        let text = &rest[..length];
+        if let Some(at) = text.find("]]>") {
             return Err(Fault::new(start + at, "`]]>` in text"));
         }
-        Ok(Node::Text(span))
+        self.at = start + length;
+        Ok(Node::Text(text))
     }
 
-    fn reference(&self, start: usize, span: &'a str) -> Result<Node<'a>> {
-        let name = span.trim_start_matches('&').trim_end_matches(';');
+    fn comment(&mut self, start: usize) -> Result<Node<'a>> {
+        let inner = start + "<!--".len();
+        let Some(length) = self.source[inner..].find("--") else {
+            return Err(Fault::new(start, "a comment without an end"));
+        };
+        let end = inner + length + "--".len();
+        if self.source.as_bytes().get(end) != Some(&b'>') {
+            return Err(Fault::new(inner + length, "`--` in a comment"));
+        }
+        self.at = end + 1;
+        Ok(Node::Other)
+    }
+
+    /// What else begins with `<!` or `<?`.
+    fn markup(&mut self, start: usize) -> Result<Node<'a>> {
+        let mut reader = Reader::from_str(&self.source[start..]);
+        let event = reader.read_event().map_err(|error| {
+            let at = start + reader.error_position() as usize;
+            Fault::new(at, error.to_string())
+        })?;
+        let end = start + reader.buffer_position() as usize;
+        self.at = end;
+        let span = self.source.get(start..end).unwrap_or_default();
+        match event {
+            Event::CData(_) if self.open.is_empty() => {
+                Err(Fault::new(start, "text outside the root element"))
+            }
+            Event::CData(_) => Ok(Node::Text(
+                span.strip_prefix("<![CDATA[")
+                    .and_then(|s| s.strip_suffix("]]>"))
+                    .unwrap_or_default(),
+            )),
+            Event::PI(_) => Self::instruction(start, span),
+            Event::Decl(_) => self.declaration(start, span),
+            Event::DocType(_) => self.document_type(start, span),
+            _ => Err(Fault::new(start, "this is no markup of XML")),
+        }
+    }
+
+    fn reference(&mut self, start: usize) -> Result<Node<'a>> {
+        let rest = &self.source[start + 1..];
+        let Some(name) = rest.find([';', '<', '&']).map(|end| &rest[..end]) else {
+            return Err(Fault::new(start, "`&` without a `;`"));
+        };
+        if rest.as_bytes().get(name.len()) != Some(&b';') {
+            return Err(Fault::new(start, "`&` without a `;`"));
+        }
+        self.at = start + 1 + name.len() + 1;
         match self.doctype.resolve(name) {
             Resolved::Malformed => Err(Fault::new(
                 start,
@@ -265,7 +316,7 @@ impl<'a> Scanner<'a> {
             .split(|c: char| c.is_ascii_whitespace())
             .next()
             .unwrap_or_default();
-        if !attributes::is_name(target) || target.eq_ignore_ascii_case("xml") {
+        if attributes::name(target, 0) != Some(target) || target.eq_ignore_ascii_case("xml") {
             return Err(Fault::new(
                 start,
                 format!("`<?{target}` is not a processing instruction"),
@@ -275,17 +326,16 @@ impl<'a> Scanner<'a> {
     }
 
     fn declaration(&mut self, start: usize, span: &'a str) -> Result<Node<'a>> {
-        if start != self.base {
+        if !matches!(&self.source[..start], "" | "\u{feff}") {
             return Err(Fault::new(
                 start,
                 "the XML declaration does not stand at the very start",
             ));
         }
-        let inner = span
-            .strip_prefix("<?xml")
-            .and_then(|s| s.strip_suffix("?>"))
-            .unwrap_or_default();
-        attributes::read(inner, start + 5, &mut self.attributes)?;
+        let end = attributes::read(self.source, start + "<?xml".len(), &mut self.attributes)?;
+        if end + "?>".len() != start + span.len() {
+            return Err(Fault::new(end, "this is not an attribute"));
+        }
         if self
             .attributes
             .first()
@@ -324,12 +374,9 @@ impl<'a> Scanner<'a> {
     }
 
     fn finish(&self) -> Result<Node<'a>> {
-        if let Some(&start) = self.open.last() {
-            let name: String = self.source[start + 1..]
-                .chars()
-                .take_while(|c| !c.is_whitespace() && !matches!(c, '/' | '>'))
-                .collect();
-            return Err(Fault::new(start, format!("`<{name}>` is never closed")));
+        if let Some(open) = self.open.last() {
+            let why = format!("`<{}>` is never closed", open.name);
+            return Err(Fault::new(open.start, why));
         }
         if !self.seen_root {
             return Err(Fault::new(self.source.len(), "no element"));
@@ -340,15 +387,18 @@ impl<'a> Scanner<'a> {
 
 /// The first character that XML 1.0 forbids.
 fn forbidden_character(text: &str) -> Option<usize> {
-    // One branch-free pass; the place is looked for only where there is one.
+    // The first byte of U+FFFE and U+FFFF, among others.
+    const HIGHEST: u8 = 0xef;
     let control = |b: u8| b < 0x20 && b != b'\t' && b != b'\n' && b != b'\r';
-    let some = text
+    // One branch-free pass; the place is looked for only where there may be one.
+    let may_be = text
         .as_bytes()
         .iter()
-        .fold(false, |some, &b| some | control(b));
-    if some {
-        return text.bytes().position(control);
+        .fold(false, |some, &b| some | control(b) | (b == HIGHEST));
+    if !may_be {
+        return None;
     }
-    memchr::memmem::find(text.as_bytes(), b"\xef\xbf\xbe")
-        .or_else(|| memchr::memmem::find(text.as_bytes(), b"\xef\xbf\xbf"))
+    text.bytes()
+        .position(control)
+        .or_else(|| text.find(['\u{fffe}', '\u{ffff}']))
 }
