@@ -79,8 +79,8 @@ pub(super) fn rewrite(
         respell: 0,
         outcome: Outcome::default(),
     };
-    while let Some(segment) = segments.next() {
-        writer.segment(&segment, &segments);
+    while let Some((segment, known)) = writer.next(&mut segments) {
+        writer.segment(&segment, known, &segments);
         // Behind the last arc nothing changes but the command that follows it.
         if segment.start > last && segment.kind() != b'a' && writer.end.letter == segment.letter {
             break;
@@ -137,9 +137,22 @@ struct Writer<'a, 'b, S> {
 }
 
 impl<S: Sink> Writer<'_, '_, S> {
-    fn segment(&mut self, segment: &Segment, behind: &Segments<'_>) {
+    /// The next segment, and where the memo has it, if it is an arc that was met before.
+    fn next(&self, segments: &mut Segments<'_>) -> Option<(Segment, Option<usize>)> {
+        let memo = &self.scratch.memo;
+        let known = segments.next_known(|key| {
+            let index = memo.find(key)?;
+            Some((index, memo.curve(index).to?))
+        });
+        match known {
+            Some((segment, index)) => Some((segment, Some(index))),
+            None => segments.next().map(|segment| (segment, None)),
+        }
+    }
+
+    fn segment(&mut self, segment: &Segment, known: Option<usize>, behind: &Segments<'_>) {
         match segment.kind() {
-            b'a' => self.arc(segment, behind),
+            b'a' => self.arc(segment, known, behind),
             kind if kind == self.respell => self.smooth(segment),
             _ => self.keep(segment),
         }
@@ -227,13 +240,13 @@ impl<S: Sink> Writer<'_, '_, S> {
         self.respell = 0;
     }
 
-    fn arc(&mut self, segment: &Segment, behind: &Segments<'_>) {
+    fn arc(&mut self, segment: &Segment, known: Option<usize>, behind: &Segments<'_>) {
         let broken =
             may_be_smooth(&self.text.as_bytes()[segment.end..]) && is_broken(behind.clone());
         let replaced = if broken {
             Err(Reason::PathErrorBehindArc)
         } else {
-            self.replace(segment, behind)
+            self.replace(segment, known, behind)
         };
         match replaced {
             Ok(()) => self.outcome.arcs += 1,
@@ -245,14 +258,17 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 
     /// Replaces an arc by a curve, or by what it is without an extent.
-    fn replace(&mut self, segment: &Segment, behind: &Segments<'_>) -> Result<(), Reason> {
-        let key = &self.text.as_bytes()[segment.arguments..segment.end];
+    fn replace(
+        &mut self,
+        segment: &Segment,
+        known: Option<usize>,
+        behind: &Segments<'_>,
+    ) -> Result<(), Reason> {
         // Only relative arcs depend on nothing but their text.
-        let known = if segment.is_relative() {
-            self.scratch.memo.find(key)
-        } else {
-            None
-        };
+        let key = segment
+            .is_relative()
+            .then(|| &self.text.as_bytes()[segment.arguments..segment.end]);
+        let known = known.or_else(|| self.scratch.memo.find(key?));
         if known.is_none() {
             let arc = self.parameters(segment)?;
             if arc.to == arc.from {
@@ -263,8 +279,9 @@ impl<S: Sink> Writer<'_, '_, S> {
                 return Ok(());
             }
             self.draw(segment, &arc)?;
-            if segment.is_relative() {
-                self.scratch.memo.keep(key, &self.scratch.body);
+            if let Some(key) = key {
+                let Scratch { body, memo, .. } = &mut *self.scratch;
+                memo.keep(key, &body.curve());
             }
         }
         let Scratch { body, memo, .. } = &*self.scratch;
@@ -368,6 +385,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         bezier::arc(arc, self.context.options, memo, beziers)?;
         body.text.clear();
         (body.quadratic, body.segments) = (beziers.is_quadratic(), beziers.segments().len());
+        body.to = Some([arc.to.x, arc.to.y]);
         body.after = if segment.is_relative() {
             relative(self.text, segment, beziers, &mut body.text)?
         } else {

@@ -18,6 +18,8 @@ pub(super) struct Body {
     pub(super) after: After,
     pub(super) quadratic: bool,
     pub(super) segments: usize,
+    /// The end point of an arc, as its numbers give it.
+    pub(super) to: Option<[f64; 2]>,
 }
 
 /// The arguments of curves, wherever they are kept.
@@ -28,6 +30,8 @@ pub(super) struct Curve<'a> {
     pub(super) after: After,
     pub(super) quadratic: bool,
     pub(super) segments: usize,
+    /// The end point of an arc, as its numbers give it.
+    pub(super) to: Option<[f64; 2]>,
 }
 
 impl Body {
@@ -37,6 +41,7 @@ impl Body {
             after: self.after,
             quadratic: self.quadratic,
             segments: self.segments,
+            to: self.to,
         }
     }
 }

@@ -7,7 +7,7 @@ use core::cell::Cell;
 
 use super::Options;
 use super::arcs::Scratch;
-use super::curve_text::{Body, Curve};
+use super::curve_text::Curve;
 use super::number::After;
 use crate::joints::Cut;
 use crate::method::{Piece, Rule, Span};
@@ -30,6 +30,7 @@ struct Written {
     after: After,
     quadratic: bool,
     segments: u32,
+    to: Option<[f64; 2]>,
 }
 
 /// The tables.
@@ -110,16 +111,17 @@ impl Memo {
             after: written.after,
             quadratic: written.quadratic,
             segments: written.segments as usize,
+            to: written.to,
         }
     }
 
     /// Keeps an arc or a shape.
-    pub(super) fn keep(&mut self, key: &[u8], body: &Body) {
-        if key.len() + body.text.len() > MOST_BYTES / 64 {
+    pub(super) fn keep(&mut self, key: &[u8], curve: &Curve<'_>) {
+        if key.len() + curve.text.len() > MOST_BYTES / 64 {
             return;
         }
         if self.arcs.len() == MOST_ENTRIES
-            || self.texts.len() + key.len() + body.text.len() > MOST_BYTES
+            || self.texts.len() + key.len() + curve.text.len() > MOST_BYTES
         {
             self.forget_arcs();
         }
@@ -132,16 +134,16 @@ impl Memo {
         let start = self.texts.len() as u32;
         self.texts.extend_from_slice(key);
         let text = self.texts.len() as u32;
-        self.texts.extend_from_slice(&body.text);
+        self.texts.extend_from_slice(curve.text);
         let end = self.texts.len() as u32;
-        let (after, quadratic, segments) = (body.after, body.quadratic, body.segments as u32);
         self.arcs.push(Written {
             key: start,
             text,
             end,
-            after,
-            quadratic,
-            segments,
+            after: curve.after,
+            quadratic: curve.quadratic,
+            segments: curve.segments as u32,
+            to: curve.to,
         });
         if let Some(entry) = self.places.get_mut(place) {
             *entry = self.arcs.len() as u32;
@@ -171,14 +173,19 @@ impl Memo {
 /// The place of a key in a table.
 fn slot(key: &[u8]) -> usize {
     const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
+    let mix = |hash: u64, word: u64| (hash.rotate_left(23) ^ word).wrapping_mul(FACTOR);
     let mut hash = key.len() as u64;
-    let mut chunks = key.chunks_exact(8);
-    for chunk in &mut chunks {
-        let word = chunk.try_into().map_or(0, u64::from_le_bytes);
-        hash = (hash.rotate_left(23) ^ word).wrapping_mul(FACTOR);
-    }
-    for byte in chunks.remainder() {
-        hash = (hash.rotate_left(9) ^ u64::from(*byte)).wrapping_mul(FACTOR);
+    if let Some(last) = key.last_chunk() {
+        // The last word may share bytes with the one before.
+        let (words, _) = key.as_chunks();
+        for word in words {
+            hash = mix(hash, u64::from_le_bytes(*word));
+        }
+        hash = mix(hash, u64::from_le_bytes(*last));
+    } else {
+        hash = key
+            .iter()
+            .fold(hash, |hash, byte| mix(hash, u64::from(*byte)));
     }
     (hash >> 40) as usize % PLACES
 }

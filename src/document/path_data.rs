@@ -15,7 +15,7 @@ pub(super) struct Segment {
     pub(super) start: usize,
     /// The first byte of the first argument.
     pub(super) arguments: usize,
-    /// The first byte of the end point's text (of the last argument for `H` and `V`).
+    /// The first byte of the end point's text (of the last argument for `H` and `V`); the end where the arc is known.
     pub(super) tail: usize,
     /// The index behind the last argument.
     pub(super) end: usize,
@@ -119,6 +119,24 @@ fn behind_numbers<const COUNT: usize>(bytes: &[u8], mut at: usize) -> Option<usi
     Some(at)
 }
 
+/// The index of the first byte above the digits, such as a letter; the end of the text where there is none.
+#[inline]
+fn behind_arguments(bytes: &[u8], mut at: usize) -> usize {
+    const HIGH: u64 = 0x8080_8080_8080_8080;
+    while let Some(chunk) = bytes.get(at..).and_then(<[u8]>::first_chunk) {
+        let word = u64::from_le_bytes(*chunk);
+        // The highest bit of every byte above '9', which 0x46 lifts to it.
+        let above = (((word & !HIGH) + 0x4646_4646_4646_4646) | word) & HIGH;
+        if above != 0 {
+            return at + above.trailing_zeros() as usize / 8;
+        }
+        at += 8;
+    }
+    let is_above = |byte: &u8| *byte > b'9';
+    let rest = bytes.get(at..).unwrap_or_default();
+    at + rest.iter().position(is_above).unwrap_or(rest.len())
+}
+
 /// The index behind a flag.
 #[inline]
 fn behind_flag(bytes: &[u8], at: usize) -> Option<usize> {
@@ -155,6 +173,38 @@ impl<'a> Segments<'a> {
     /// The index at which the data stop being path data; what stands behind it is not drawn.
     pub(super) const fn error(&self) -> Option<usize> {
         self.error
+    }
+
+    /// The next segment, if it is a relative arc alone behind its letter and `known` knows the text of its arguments, with what that
+    /// gives: the index of the arc and its end point. Most arcs of icons have been met before, and are not read again.
+    #[inline]
+    pub(super) fn next_known(
+        &mut self,
+        known: impl FnOnce(&[u8]) -> Option<(usize, [f64; 2])>,
+    ) -> Option<(Segment, usize)> {
+        let start = behind_space(self.bytes, self.at);
+        if !self.begun || self.bytes.get(start) != Some(&b'a') {
+            return None;
+        }
+        let arguments = start + 1;
+        let end = behind_arguments(self.bytes, arguments).min(self.end);
+        // What ends in the middle of a number is another one.
+        if let Some(b'e' | b'E') = self.bytes.get(end) {
+            return None;
+        }
+        let (index, to) = known(self.bytes.get(arguments..end)?)?;
+        self.at = end;
+        self.repeated = Some(b'a');
+        let segment = Segment {
+            letter: b'a',
+            explicit: true,
+            start,
+            arguments,
+            tail: end,
+            end,
+            to,
+        };
+        Some((segment, index))
     }
 
     /// The arguments of a command whose letter has been read; `None` at an error.

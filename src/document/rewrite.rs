@@ -296,8 +296,9 @@ impl<'a> Rewriter<'a, '_> {
         let drawn = element::path_data(&shape, self.options, scratch, &mut data);
         scratch.body.text = data;
         drawn?;
+        scratch.body.to = None;
         if spelled {
-            scratch.memo.keep(key, &scratch.body);
+            scratch.memo.keep(key, &scratch.body.curve());
         }
         Ok(ShapeData::Drawn)
     }
