@@ -8,11 +8,12 @@ use core::ops::Range;
 
 use kurbo::{Point, Vec2};
 
-use super::bezier::{self, Beziers};
+use super::bezier;
 use super::curve_text::{Body, absolute, relative};
+use super::decimal::{After, Decimal};
 use super::memo::Memo;
-use super::number::{After, Decimal};
 use super::path_data::{Segment, Segments};
+use super::segments::Beziers;
 use super::{Options, Reason};
 use crate::Angle;
 use crate::shape::endpoint::SvgArc;
@@ -241,9 +242,7 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 
     fn arc(&mut self, segment: &Segment, known: Option<usize>, behind: &Segments<'_>) {
-        let broken =
-            may_be_smooth(&self.text.as_bytes()[segment.end..]) && is_broken(behind.clone());
-        let replaced = if broken {
+        let replaced = if behind.is_broken_smooth() {
             Err(Reason::PathErrorBehindArc)
         } else {
             self.replace(segment, known, behind)
@@ -393,18 +392,4 @@ impl<S: Sink> Writer<'_, '_, S> {
         };
         Ok(())
     }
-}
-
-/// Whether a reader that forgives an error here would find a smooth command: then the arc before it must stay an arc.
-fn may_be_smooth(rest: &[u8]) -> bool {
-    let skipped = |b: &&u8| matches!(b, b' ' | b'\t' | b'\n' | b'\r' | b',');
-    matches!(
-        rest.iter().find(|b| !skipped(b)),
-        Some(b's' | b'S' | b't' | b'T')
-    )
-}
-
-/// Whether the data have an error right behind a segment.
-fn is_broken(mut behind: Segments<'_>) -> bool {
-    behind.next().is_none() && behind.error().is_some()
 }

@@ -5,65 +5,22 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 
+use super::decimal::MAX_DECIMALS;
 use super::decimals::decimals;
 use super::memo::Memo;
-use super::number::MAX_DECIMALS;
+use super::segments::{Beziers, Joint};
 use super::{Options, Reason};
 use crate::Angle;
 use crate::approximate::{self, approximate};
 use crate::curve::control_points;
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
-use crate::method::{Degree, Ends, Method, Piece, Rule};
-use crate::shape::endpoint::SvgArc;
+use crate::method::{Degree, Ends, Method, Rule};
+use crate::shape::endpoint::{Chord, SvgArc};
 use crate::shape::{Ellipse, Outline, Shape};
 use crate::write::number::Precision;
 
-/// The inner control points and the end of each segment, as offsets from where the whole arc is counted from.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Beziers {
-    points: Vec<Vec2>,
-    /// 2 for a quadratic, 3 for a cubic.
-    per_segment: usize,
-    /// The decimals for its control points.
-    pub(super) decimals: u32,
-}
-
-impl Beziers {
-    /// The segments.
-    pub(super) fn segments(&self) -> impl ExactSizeIterator<Item = &[Vec2]> {
-        self.points.chunks_exact(self.per_segment.max(1))
-    }
-
-    /// All points in their order.
-    pub(super) fn points(&self) -> &[Vec2] {
-        &self.points
-    }
-
-    /// Whether the segments are quadratics.
-    pub(super) const fn is_quadratic(&self) -> bool {
-        self.per_segment == 2
-    }
-
-    /// Adds a segment by its control points on the unit circle.
-    fn segment(&mut self, p1: Vec2, p2: Vec2, p3: Vec2, place: impl Fn(Vec2) -> Vec2) {
-        if self.is_quadratic() {
-            self.points.extend([
-                place(p1.to_point().midpoint(p2.to_point()).to_vec2()),
-                place(p3),
-            ]);
-        } else {
-            self.points.extend([place(p1), place(p2), place(p3)]);
-        }
-    }
-
-    fn begin(&mut self, degree: Degree) {
-        self.points.clear();
-        self.per_segment = match degree {
-            Degree::Cubic => 3,
-            Degree::Quadratic => 2,
-        };
-    }
-}
+/// From so many decimals on the last digits of every sum show, and they are to be those of the engine.
+const LAST_DIGITS: u32 = 12;
 
 /// Fills `out` with an arc. It is drawn from `arc.from`, and the points are offsets from there.
 pub(super) fn arc(
@@ -72,11 +29,22 @@ pub(super) fn arc(
     memo: &mut Memo,
     out: &mut Beziers,
 ) -> Result<(), Reason> {
+    let chord = arc.chord().map_err(|error| refused(&error))?;
+    let Some(chord) = chord else {
+        return Err(Reason::TooLarge);
+    };
+    let count = count(options, Angle::from_degrees(chord.sweep));
+    if count == Some(1) {
+        single(arc, &chord, options, memo, out)?;
+        if out.decimals < LAST_DIGITS {
+            return Ok(());
+        }
+    }
     let shape = arc.shape().map_err(|error| refused(&error))?;
     let Some(outline) = shape.outline() else {
         return Err(Reason::TooLarge);
     };
-    match count(options, outline.unit.sweep) {
+    match count {
         Some(count) => equal(&outline, arc, count, options, memo, out),
         None => by_engine(&shape, arc.from, options, out).map(|_| ()),
     }
@@ -110,7 +78,7 @@ pub(super) fn ellipse(
         let inner = [before.control(&piece, 1.0), after.control(&piece, -1.0)];
         out.segment(inner[0], inner[1], after.radius, place);
     }
-    out.decimals = decimals(&outline, start, Point::ZERO, error, options, out);
+    out.decimals = decimals(&outline.truth, start, Point::ZERO, error, options, out);
     Ok(start)
 }
 
@@ -166,6 +134,28 @@ fn by_engine(
     Ok(drawing.curve.start().unwrap_or_default().to_vec2())
 }
 
+/// One segment, as most arcs are: its ends on the unit circle are known from the chord, without an angle.
+fn single(
+    arc: &SvgArc,
+    chord: &Chord,
+    options: &Options,
+    memo: &mut Memo,
+    out: &mut Beziers,
+) -> Result<(), Reason> {
+    let (piece, error) = memo
+        .piece(options.rule, chord.sweep.abs())
+        .map_err(|error| refused(&error))?;
+    out.begin(piece.degree);
+    let truth = chord.truth();
+    let sign = 1.0_f64.copysign(chord.sweep);
+    let [first, last] = chord.directions();
+    let joint = |radius, offset| Joint { radius, offset };
+    let ends = [joint(first, Vec2::ZERO), joint(last, arc.to - arc.from)];
+    out.between(ends, &piece, sign, |way| truth.image(way));
+    out.decimals = decimals(&truth, Vec2::ZERO, arc.from, error, options, out);
+    Ok(())
+}
+
 /// Equal segments, each point reached from the nearer end of the arc.
 fn equal(
     outline: &Outline,
@@ -211,45 +201,11 @@ fn equal(
     let mut before = first;
     for i in 1..=count {
         let after = joint(i);
-        // Each point is reached from its own joint: a huge radius does not swallow the digits.
-        let inner = [before.way(&piece, sign), after.way(&piece, -sign)].map(place);
-        match piece.degree {
-            Degree::Cubic => out.points.extend([
-                before.offset + inner[0],
-                after.offset + inner[1],
-                after.offset,
-            ]),
-            Degree::Quadratic => {
-                let middle = (before.offset + inner[0])
-                    .to_point()
-                    .midpoint((after.offset + inner[1]).to_point());
-                out.points.extend([middle.to_vec2(), after.offset]);
-            }
-        }
+        out.between([before, after], &piece, sign, place);
         before = after;
     }
-    out.decimals = decimals(outline, Vec2::ZERO, arc.from, error, options, out);
+    out.decimals = decimals(&outline.truth, Vec2::ZERO, arc.from, error, options, out);
     Ok(())
-}
-
-/// A joint: its radius on the unit circle, and where it lies.
-#[derive(Clone, Copy)]
-struct Joint {
-    radius: Vec2,
-    offset: Vec2,
-}
-
-impl Joint {
-    /// The control point beside the joint, on the unit circle.
-    fn control(&self, piece: &Piece, sense: f64) -> Vec2 {
-        self.radius + self.way(piece, sense)
-    }
-
-    /// The way from the joint to the control point beside it, on the unit circle.
-    fn way(&self, piece: &Piece, sense: f64) -> Vec2 {
-        self.radius * (piece.handle.x - 1.0)
-            + Vec2::new(-self.radius.y, self.radius.x) * (sense * piece.handle.y)
-    }
 }
 
 /// From one angle of the unit circle to another: 2 sin(δ/2) across the direction halfway.

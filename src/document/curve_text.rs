@@ -3,9 +3,10 @@
 use kurbo::Vec2;
 
 use super::Reason;
-use super::bezier::Beziers;
-use super::number::{self, After, Decimal};
+use super::decimal::{After, Decimal};
+use super::number;
 use super::path_data::Segment;
+use super::segments::Beziers;
 
 /// Coordinates beyond this are left alone.
 const FARTHEST: f64 = 1e15;

@@ -3,15 +3,15 @@
 use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 
 use super::Options;
-use super::bezier::Beziers;
-use super::number::MAX_DECIMALS;
+use super::decimal::MAX_DECIMALS;
+use super::segments::Beziers;
 use crate::measure::radial;
-use crate::shape::Outline;
+use crate::shape::Truth;
 
 /// The decimals for the control points: those asked for, or the fewest d for which 10^-d/√2 is at most a tenth of the peak error.
 /// The curve begins at `start`; that and its points are offsets from `base`. On the unit circle its peak error is `error`.
 pub(super) fn decimals(
-    outline: &Outline,
+    truth: &Truth,
     start: Vec2,
     base: Point,
     error: f64,
@@ -27,13 +27,12 @@ pub(super) fn decimals(
         .iter()
         .map(size)
         .fold(f64::MIN_POSITIVE, f64::max);
-    let truth = &outline.truth;
     if truth.is_circle() {
         return fewest(error * truth.radii.x, largest);
     }
     // Mostly a rough measure asks for as many decimals as the exact one; on a flat ellipse it is too rough.
     if truth.radii.x.max(truth.radii.y) < 10.0 * truth.radii.x.min(truth.radii.y) {
-        let about = sampled_error(outline, start, base, drawn);
+        let about = sampled_error(truth, start, base, drawn);
         let (most, least) = (fewest(about * 0.99, largest), fewest(about * 1.03, largest));
         if most == least {
             return most;
@@ -63,10 +62,10 @@ fn path_segments(start: Vec2, base: Point, drawn: &Beziers) -> impl Iterator<Ite
 
 /// The largest distance from an ellipse at 24 points of each segment, to first order: a radial distance δ on the unit circle at
 /// (c, s) is δ/√((c/rx)² + (s/ry)²) along the normal.
-fn sampled_error(outline: &Outline, start: Vec2, base: Point, drawn: &Beziers) -> f64 {
+fn sampled_error(truth: &Truth, start: Vec2, base: Point, drawn: &Beziers) -> f64 {
     const SAMPLES: u32 = 24;
-    let to_unit = outline.placement.inverse();
-    let radii = outline.truth.radii;
+    let to_unit = truth.placement().inverse();
+    let radii = truth.radii;
     path_segments(start, base, drawn)
         .flat_map(|segment| {
             let segment = to_unit * segment;

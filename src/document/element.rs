@@ -6,8 +6,8 @@ use kurbo::{Point, Vec2};
 
 use super::arcs::Scratch;
 use super::bezier;
+use super::decimal::Decimal;
 use super::length::{self, Length, Reading};
-use super::number::Decimal;
 use super::pen::Pen;
 use super::property::Kind;
 use super::{Options, Reason};
@@ -97,7 +97,7 @@ fn clamp(radius: Length, side: Length) -> Length {
     }
     let exact = side.exact;
     match exact.units.checked_mul(5) {
-        Some(units) if exact.decimals < super::number::MAX_DECIMALS => Length {
+        Some(units) if exact.decimals < super::decimal::MAX_DECIMALS => Length {
             value: half,
             exact: Decimal {
                 units,

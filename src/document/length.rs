@@ -1,6 +1,7 @@
 //! Lengths of geometry attributes in user units.
 
-use super::number::{self, Decimal};
+use super::decimal::Decimal;
+use super::number;
 
 /// A length: its value, and its digits as the file spells them.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,7 +8,7 @@ use core::cell::Cell;
 use super::Options;
 use super::arcs::Scratch;
 use super::curve_text::Curve;
-use super::number::After;
+use super::decimal::After;
 use crate::joints::Cut;
 use crate::method::{Piece, Rule, Span};
 

@@ -207,6 +207,19 @@ impl<'a> Segments<'a> {
         Some((segment, index))
     }
 
+    /// Whether the data have an error right here where a reader that forgives it would find a smooth command: then an arc before it
+    /// must stay an arc.
+    pub(super) fn is_broken_smooth(&self) -> bool {
+        let rest = self.bytes.get(self.at..).unwrap_or_default();
+        let next = rest
+            .iter()
+            .find(|byte| !matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | b','));
+        let mut behind = self.clone();
+        matches!(next, Some(b's' | b'S' | b't' | b'T'))
+            && behind.next().is_none()
+            && behind.error.is_some()
+    }
+
     /// The arguments of a command whose letter has been read; `None` at an error.
     #[inline]
     fn segment(&mut self, letter: u8, explicit: bool, start: usize) -> Option<Segment> {

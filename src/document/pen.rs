@@ -2,9 +2,9 @@
 
 use kurbo::Vec2;
 
-use super::bezier::Beziers;
+use super::decimal::{After, Decimal};
 use super::length::Length;
-use super::number::{After, Decimal};
+use super::segments::Beziers;
 
 /// A point by its digits.
 type Place = [Decimal; 2];

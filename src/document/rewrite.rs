@@ -8,6 +8,7 @@ use super::element::{self, Shape};
 use super::facts::{self, Facts};
 use super::fault::Result;
 use super::namespace::Namespace;
+use super::output::{Output, Sink};
 use super::own;
 use super::place::Places;
 use super::property::{Kind, Markers};
@@ -30,26 +31,6 @@ pub(super) enum Pass {
 struct Open {
     renamed: bool,
     markers: Markers,
-}
-
-/// The new text, and the notes.
-struct Output<'a> {
-    splice: Splice<'a>,
-    places: Places<'a>,
-    notes: Vec<Note>,
-}
-
-impl Output<'_> {
-    fn note(&mut self, element: &str, at: usize, reason: &Reason) {
-        let (line, column) = self.places.locate(at);
-        self.notes.push(Note {
-            line,
-            column,
-            element: element.to_owned(),
-            code: reason.code().to_owned(),
-            reason: reason.to_string(),
-        });
-    }
 }
 
 /// Where the path data of a shape are.
@@ -383,32 +364,5 @@ fn replace(
             splice.replace(attribute.value_span.clone(), data);
             written = true;
         }
-    }
-}
-
-/// Brings edits of path data to their place in the file.
-struct Sink<'r, 'a> {
-    output: &'r mut Output<'a>,
-    /// Where the value begins, and the way back from resolved references, where there are some.
-    origin: Option<(usize, &'r [usize])>,
-}
-
-impl Sink<'_, '_> {
-    fn place(&self, at: usize) -> usize {
-        self.origin.map_or(at, |(base, origin)| {
-            base + origin.get(at).copied().unwrap_or(at)
-        })
-    }
-}
-
-impl arcs::Sink for Sink<'_, '_> {
-    fn edit(&mut self, range: Range<usize>) -> &mut Vec<u8> {
-        let range = self.place(range.start)..self.place(range.end);
-        self.output.splice.edit(range)
-    }
-
-    fn note(&mut self, at: usize, reason: Reason) {
-        let place = self.place(at);
-        self.output.note("path", place, &reason);
     }
 }

@@ -10,12 +10,11 @@ use quick_xml::Reader;
 use quick_xml::events::Event;
 
 use super::attributes::{self, Attribute, behind_space};
+use super::characters::{BYTE_ORDER_MARK, first_forbidden};
 use super::doctype::{Doctype, Resolved};
 use super::fault::{Fault, Result};
 use super::namespace::{Namespace, Namespaces};
 use super::value;
-
-const BYTE_ORDER_MARK: char = '\u{feff}';
 
 /// One piece of a document.
 #[derive(Debug)]
@@ -80,7 +79,7 @@ pub(super) struct Scanner<'a> {
 impl<'a> Scanner<'a> {
     /// A scanner at the start of `source`.
     pub(super) fn new(source: &'a str) -> Result<Self> {
-        if let Some(at) = forbidden_character(source) {
+        if let Some(at) = first_forbidden(source) {
             return Err(Fault::new(at, "a character that XML does not allow"));
         }
         Ok(Self {
@@ -383,22 +382,4 @@ impl<'a> Scanner<'a> {
         }
         Ok(Node::Done)
     }
-}
-
-/// The first character that XML 1.0 forbids.
-fn forbidden_character(text: &str) -> Option<usize> {
-    // The first byte of U+FFFE and U+FFFF, among others.
-    const HIGHEST: u8 = 0xef;
-    let control = |b: u8| b < 0x20 && b != b'\t' && b != b'\n' && b != b'\r';
-    // One branch-free pass; the place is looked for only where there may be one.
-    let may_be = text
-        .as_bytes()
-        .iter()
-        .fold(false, |some, &b| some | control(b) | (b == HIGHEST));
-    if !may_be {
-        return None;
-    }
-    text.bytes()
-        .position(control)
-        .or_else(|| text.find(['\u{fffe}', '\u{ffff}']))
 }

@@ -1,0 +1,55 @@
+//! Where a pass writes: the new text, and the notes with their places.
+
+use core::ops::Range;
+
+use super::place::Places;
+use super::reason::Reason;
+use super::splice::Splice;
+use super::{Note, arcs};
+
+/// The new text, and the notes.
+pub(super) struct Output<'a> {
+    pub(super) splice: Splice<'a>,
+    pub(super) places: Places<'a>,
+    pub(super) notes: Vec<Note>,
+}
+
+impl Output<'_> {
+    pub(super) fn note(&mut self, element: &str, at: usize, reason: &Reason) {
+        let (line, column) = self.places.locate(at);
+        self.notes.push(Note {
+            line,
+            column,
+            element: element.to_owned(),
+            code: reason.code().to_owned(),
+            reason: reason.to_string(),
+        });
+    }
+}
+
+/// Brings edits of path data to their place in the file.
+pub(super) struct Sink<'r, 'a> {
+    pub(super) output: &'r mut Output<'a>,
+    /// Where the value begins, and the way back from resolved references, where there are some.
+    pub(super) origin: Option<(usize, &'r [usize])>,
+}
+
+impl Sink<'_, '_> {
+    fn place(&self, at: usize) -> usize {
+        self.origin.map_or(at, |(base, origin)| {
+            base + origin.get(at).copied().unwrap_or(at)
+        })
+    }
+}
+
+impl arcs::Sink for Sink<'_, '_> {
+    fn edit(&mut self, range: Range<usize>) -> &mut Vec<u8> {
+        let range = self.place(range.start)..self.place(range.end);
+        self.output.splice.edit(range)
+    }
+
+    fn note(&mut self, at: usize, reason: Reason) {
+        let place = self.place(at);
+        self.output.note("path", place, &reason);
+    }
+}
