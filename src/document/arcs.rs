@@ -193,7 +193,7 @@ impl<S: Sink> Writer<'_, '_, S> {
     /// The segment stays; its letter is written where the output's last command is another one.
     fn keep(&mut self, segment: &Segment) {
         if !segment.explicit && self.end.letter != segment.letter {
-            let range = self.from_previous(segment)..segment.arguments;
+            let range = self.text_start(segment)..segment.arguments;
             self.sink.edit(range).push(segment.letter);
         }
         self.end.letter = match segment.letter {
@@ -205,7 +205,7 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 
     /// Where the text of a segment begins: with what parts it from the one before, unless its own letter does.
-    fn from_previous(&self, segment: &Segment) -> usize {
+    fn text_start(&self, segment: &Segment) -> usize {
         match &self.previous {
             Some(previous) if !segment.explicit => previous.end,
             _ => segment.start,
@@ -293,7 +293,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         } else {
             (b'c', b's')
         };
-        let out = self.sink.edit(self.from_previous(segment)..segment.end);
+        let out = self.sink.edit(self.text_start(segment)..segment.end);
         self.end.letter(out, segment, letter);
         self.end.after.part(out, curve.text);
         out.extend_from_slice(curve.text);
@@ -343,7 +343,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         if self.context.vertices_show || smooth || shows() {
             return Err(Reason::EmptyArc);
         }
-        self.sink.edit(self.from_previous(segment)..segment.end);
+        self.sink.edit(self.text_start(segment)..segment.end);
         self.end.letter = 0;
         self.respell = 0;
         Ok(())
@@ -367,7 +367,7 @@ impl<S: Sink> Writer<'_, '_, S> {
 
     /// A zero radius: a straight line to the end point as the file spells it.
     fn line(&mut self, segment: &Segment) {
-        let out = self.sink.edit(self.from_previous(segment)..segment.end);
+        let out = self.sink.edit(self.text_start(segment)..segment.end);
         self.end.letter(out, segment, b'l');
         let to = &self.text.as_bytes()[segment.tail..segment.end];
         self.end.after.push_text(out, to);

@@ -7,11 +7,12 @@ pub(super) fn first_forbidden(text: &str) -> Option<usize> {
     // The first byte of U+FFFE and U+FFFF, among others.
     const HIGHEST: u8 = 0xef;
     let control = |b: u8| b < 0x20 && b != b'\t' && b != b'\n' && b != b'\r';
+    let suspect = |b: u8| control(b) || b == HIGHEST;
     // One branch-free pass; the place is looked for only where there may be one.
     let may_be = text
         .as_bytes()
         .iter()
-        .fold(false, |some, &b| some | control(b) | (b == HIGHEST));
+        .fold(false, |some, &b| some | suspect(b));
     if !may_be {
         return None;
     }

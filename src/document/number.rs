@@ -69,7 +69,7 @@ impl Short {
         let (first, second) = (others.trailing_zeros() & !7, behind.trailing_zeros() & !7);
         // A point belongs to the number where digits follow it.
         let is_point = (word >> (first & 63)) as u8 == b'.';
-        let has_point = u64::from(is_point & (second > first + 8)).wrapping_neg();
+        let has_point = (u64::from(is_point) & u64::from(second > first + 8)).wrapping_neg();
         let end = first ^ ((first ^ second) & has_point as u32);
         let next = (word >> (end & 63)) as u8;
         (end > 0 && end < 64 && next | 0x20 != b'e').then_some(Self {
@@ -169,11 +169,19 @@ mod tests {
                 123_456_789_012_345_678_901_234_567_890.0,
                 30,
             ),
+            ("1e999", f64::INFINITY, 5),
+            ("-12345.6", -12345.6, 8),
+            ("-1234567", -1_234_567.0, 8),
+            ("12345678", 12_345_678.0, 8),
             ("0.1234567890123456789012", 0.123_456_789_012_345_68, 24),
         ] {
             assert_eq!(read(text.as_bytes(), 0), Some((value, end)), "{text}");
+            // A whole word of text behind it changes nothing.
+            let followed = format!("{text}\" fill=\"none\"/>");
+            assert_eq!(read(followed.as_bytes(), 0), Some((value, end)), "{text}");
+            assert_eq!(skip(followed.as_bytes(), 0), Some(end), "{text}");
         }
-        for text in ["", ".", "-", "e5", ".e5", "1e999", "--1"] {
+        for text in ["", ".", "-", "e5", ".e5", "--1"] {
             assert_eq!(read(text.as_bytes(), 0), None, "{text}");
         }
     }
