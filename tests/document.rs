@@ -110,8 +110,8 @@ fn fixtures_keep_every_other_byte_and_are_drawn_alike() {
             independent::render(&before, 256),
             independent::render(&after, 256),
         ) {
-            let (_, many) = independent::difference(&a, &b, 64);
-            assert_eq!(many, 0, "{name} is drawn otherwise");
+            let off = independent::difference(&a, &b, 256, 1);
+            assert!(off <= 64, "{name} is drawn otherwise: by {off} of 255");
         }
     }
 }

@@ -541,28 +541,24 @@ pub(crate) fn render(text: &str, size: u32) -> Option<Vec<u8>> {
     Some(pixels.take())
 }
 
-/// The largest difference of a channel between two renderings, and how many channels differ by more than `noise`.
-pub(crate) fn difference(a: &[u8], b: &[u8], noise: u8) -> (u8, usize) {
-    let differences = || a.iter().zip(b).map(|(a, b)| a.abs_diff(*b));
-    (
-        differences().max().unwrap_or(0),
-        differences().filter(|d| *d > noise).count(),
-    )
-}
-
-/// A rendering at half the size, each pixel the mean of four.
-pub(crate) fn halved(pixels: &[u8], size: usize) -> Vec<u8> {
-    let at = |x: usize, y: usize, channel: usize| u16::from(pixels[4 * (y * size + x) + channel]);
-    let half = size / 2;
-    (0..half * half * 4)
-        .map(|i| {
-            let (x, y, channel) = (2 * (i / 4 % half), 2 * (i / 4 / half), i % 4);
-            ((at(x, y, channel)
-                + at(x + 1, y, channel)
-                + at(x, y + 1, channel)
-                + at(x + 1, y + 1, channel)
-                + 2)
-                / 4) as u8
-        })
-        .collect()
+/// The largest difference of a channel between two renderings of `size` pixels a side, each pixel the mean of `block` by `block`
+/// rendered ones.
+pub(crate) fn difference(a: &[u8], b: &[u8], size: usize, block: usize) -> u8 {
+    let mut largest = 0;
+    for (x, y) in (0..size / block).flat_map(|y| (0..size / block).map(move |x| (x, y))) {
+        let mut sums = [0_i32; 4];
+        for row in y * block..(y + 1) * block {
+            let start = 4 * (row * size + x * block);
+            let (a, b) = (&a[start..start + 4 * block], &b[start..start + 4 * block]);
+            if a == b {
+                continue;
+            }
+            for (i, (a, b)) in a.iter().zip(b).enumerate() {
+                sums[i % 4] += i32::from(*a) - i32::from(*b);
+            }
+        }
+        let most = sums.iter().map(|sum| sum.unsigned_abs()).max().unwrap();
+        largest = largest.max(most.div_ceil((block * block) as u32));
+    }
+    largest as u8
 }
