@@ -15,6 +15,7 @@ mod fault;
 mod length;
 mod memo;
 mod namespace;
+mod note;
 mod number;
 mod output;
 mod own;
@@ -30,12 +31,15 @@ mod selector;
 mod splice;
 mod value;
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 use thiserror::Error;
 
 use crate::joints::Cut;
 use crate::method::{Ends, Rule, Span};
 
+pub use note::Note;
 pub use property::Kind;
 pub use reason::Reason;
 
@@ -162,27 +166,12 @@ impl core::ops::Add for Counts {
     }
 }
 
-/// Something that was left as it is.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Note {
-    /// The line, from 1.
-    pub line: usize,
-    /// The column in characters, from 1.
-    pub column: usize,
-    /// The name of the element.
-    pub element: String,
-    /// The reason's short, stable name.
-    pub code: String,
-    /// The reason in words.
-    pub reason: String,
-}
-
 /// A converted document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Converted {
-    /// The new text; the old one, byte for byte, where nothing was replaced.
+pub struct Converted<'a> {
+    /// The new text; where nothing was replaced the old one, byte for byte and borrowed.
     #[serde(skip)]
-    pub text: String,
+    pub text: Cow<'a, str>,
     /// What was replaced.
     pub replaced: Counts,
     /// What was left, and why.
@@ -236,7 +225,7 @@ impl Error {
 /// # Errors
 ///
 /// A document that is not well-formed XML, or that declares an encoding other than UTF-8.
-pub fn convert(text: &str, options: &Options) -> Result<Converted, Error> {
+pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Error> {
     let fail = |fault| Error::new(text, fault);
     let pass = memo::with_scratch(options, |scratch| {
         match rewrite::run(text, options, None, scratch)? {
@@ -250,7 +239,7 @@ pub fn convert(text: &str, options: &Options) -> Result<Converted, Error> {
         Pass::NeedsFacts => (None, Counts::default(), Vec::new()),
     };
     Ok(Converted {
-        text: new.unwrap_or_else(|| text.to_owned()),
+        text: new.map_or(Cow::Borrowed(text), Cow::Owned),
         replaced,
         notes,
     })

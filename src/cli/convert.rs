@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::Context;
-use curveto::document::{self, Converted, Options};
+use curveto::document::{self, Counts, Note, Options};
 use flate2::Compression;
 use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
@@ -93,8 +93,8 @@ impl<E: Into<Failure>> From<E> for Trouble {
     }
 }
 
-/// Converts one file.
-fn process(job: &Job, options: &Options) -> Result<Converted, Trouble> {
+/// Converts one file: what was replaced, and what was left.
+fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble> {
     let raw = read(&job.input)?;
     let compressed = raw.starts_with(&[0x1f, 0x8b]);
     let bytes = if compressed {
@@ -104,11 +104,12 @@ fn process(job: &Job, options: &Options) -> Result<Converted, Trouble> {
     };
     let text =
         document::decode(if compressed { &bytes } else { &raw }).map_err(Trouble::Document)?;
-    let mut converted = document::convert(text, options).map_err(Trouble::Document)?;
+    let converted = document::convert(text, options).map_err(Trouble::Document)?;
     let changed = converted.replaced.total() > 0;
+    let done = (converted.replaced, converted.notes);
     let target = match &job.destination {
-        Destination::Nowhere => return Ok(converted),
-        Destination::InPlace(_) if !changed => return Ok(converted),
+        Destination::Nowhere => return Ok(done),
+        Destination::InPlace(_) if !changed => return Ok(done),
         Destination::InPlace(path) | Destination::OutDir(path) | Destination::File(path) => {
             Target::File(path.clone())
         }
@@ -119,13 +120,15 @@ fn process(job: &Job, options: &Options) -> Result<Converted, Trouble> {
         Destination::File(path) => is_svgz(path),
         _ => compressed,
     };
-    let output = match (changed, compress) {
-        (false, _) if compress == compressed => raw,
-        (_, true) => deflate(converted.text.as_bytes())?,
-        (_, false) => core::mem::take(&mut converted.text).into_bytes(),
-    };
-    write(&target, &output)?;
-    Ok(converted)
+    let text = converted.text.as_bytes();
+    if !changed && compress == compressed {
+        write(&target, &raw)?;
+    } else if compress {
+        write(&target, &deflate(text)?)?;
+    } else {
+        write(&target, text)?;
+    }
+    Ok(done)
 }
 
 fn is_svgz(path: &Path) -> bool {

@@ -15,14 +15,13 @@ pub(super) struct Output<'a> {
 }
 
 impl Output<'_> {
-    pub(super) fn note(&mut self, element: &str, at: usize, reason: &Reason) {
+    pub(super) fn note(&mut self, element: &'static str, at: usize, reason: Reason) {
         let (line, column) = self.places.locate(at);
         self.notes.push(Note {
             line,
             column,
-            element: element.to_owned(),
-            code: reason.code().to_owned(),
-            reason: reason.to_string(),
+            element,
+            reason,
         });
     }
 }
@@ -50,6 +49,6 @@ impl arcs::Sink for Sink<'_, '_> {
 
     fn note(&mut self, at: usize, reason: Reason) {
         let place = self.place(at);
-        self.output.note("path", place, &reason);
+        self.output.note("path", place, reason);
     }
 }

@@ -148,10 +148,16 @@ impl<'a> Rewriter<'a, '_> {
 
     /// Path data that are not a path's `d`.
     fn elsewhere(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) {
-        let name = match element.local {
-            "glyph" | "missing-glyph" | "hatchpath" | "hatchPath" => "d",
-            "animateMotion" | "textPath" => "path",
-            _ => return,
+        let known = [
+            ("glyph", "d"),
+            ("missing-glyph", "d"),
+            ("hatchpath", "d"),
+            ("hatchPath", "d"),
+            ("animateMotion", "path"),
+            ("textPath", "path"),
+        ];
+        let Some((holder, name)) = known.into_iter().find(|known| known.0 == element.local) else {
+            return;
         };
         let has_arcs = |attribute: &&Attribute<'_>| {
             attribute.name == name && attribute.value.contains(['a', 'A'])
@@ -159,11 +165,8 @@ impl<'a> Rewriter<'a, '_> {
         if self.options.only.contains(Kind::Path)
             && let Some(found) = scanner.attributes.iter().find(has_arcs)
         {
-            self.output.note(
-                element.local,
-                found.start,
-                &Reason::Elsewhere(if name == "d" { "d" } else { "path" }),
-            );
+            self.output
+                .note(holder, found.start, Reason::Elsewhere(name));
         }
     }
 
@@ -231,7 +234,7 @@ impl<'a> Rewriter<'a, '_> {
             .or_else(|| data.as_ref().err().cloned())
             .or_else(|| has("d").then_some(Reason::HasPathData))
             .or_else(|| markers.any.then_some(Reason::Marker));
-        if let Some(reason) = &reason {
+        if let Some(reason) = reason {
             self.output.note(kind.name(), element.start, reason);
             return false;
         }
@@ -309,13 +312,13 @@ impl<'a> Rewriter<'a, '_> {
             match value::traced(d.value, &scanner.doctype) {
                 Some(traced) if !traced.text.contains(['a', 'A']) => return,
                 Some(traced) if !traced.entities => Some(traced),
-                _ => return self.output.note("path", d.start, &Reason::Entity),
+                _ => return self.output.note("path", d.start, Reason::Entity),
             }
         } else {
             None
         };
         if let Some(reason) = self.forbidden(Kind::Path, element, scanner) {
-            return self.output.note("path", element.start, &reason);
+            return self.output.note("path", element.start, reason);
         }
         let context = arcs::Context {
             options: self.options,

@@ -1,8 +1,8 @@
 //! What `convert` tells on standard error.
 
-use std::io::Write;
+use std::io::{self, BufWriter, Write};
 
-use curveto::document::{Converted, Counts, Kind, Note};
+use curveto::document::{Counts, Kind, Note};
 use serde::Serialize;
 
 use super::Trouble;
@@ -39,7 +39,7 @@ struct Document<'a> {
 }
 
 impl FileReport {
-    pub(super) fn of(job: &Job, result: Result<Converted, Trouble>) -> Self {
+    pub(super) fn of(job: &Job, result: Result<(Counts, Vec<Note>), Trouble>) -> Self {
         let mut report = Self {
             file: job.name(),
             changed: false,
@@ -50,9 +50,7 @@ impl FileReport {
             closed_pipe: false,
         };
         match result {
-            Ok(Converted {
-                replaced, notes, ..
-            }) => {
+            Ok((replaced, notes)) => {
                 report.changed = replaced.total() > 0;
                 report.replaced = replaced;
                 report.notes = notes;
@@ -79,13 +77,13 @@ impl FileReport {
 
 /// Tells about all files: errors and what was left, and with `--report` the counts.
 pub(super) fn tell(reports: &[FileReport], form: Option<Report>) {
-    let text = if form == Some(Report::Json) {
-        json(reports)
-    } else {
-        text(reports, form.is_some())
-    };
+    let mut out = BufWriter::new(io::stderr().lock());
     // Where standard error is gone, nobody is left to tell.
-    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+    let _ = if form == Some(Report::Json) {
+        json(reports, &mut out)
+    } else {
+        text(reports, form.is_some(), &mut out)
+    };
 }
 
 fn total(reports: &[FileReport]) -> Counts {
@@ -94,7 +92,7 @@ fn total(reports: &[FileReport]) -> Counts {
         .fold(Counts::default(), |sum, report| sum + report.replaced)
 }
 
-fn json(reports: &[FileReport]) -> String {
+fn json(reports: &[FileReport], out: &mut impl Write) -> io::Result<()> {
     let document = Document {
         version: 1,
         replaced: total(reports),
@@ -106,40 +104,41 @@ fn json(reports: &[FileReport]) -> String {
         notes: reports.iter().map(|report| report.notes.len()).sum(),
         files: reports,
     };
-    serde_json::to_string_pretty(&document).unwrap_or_default() + "\n"
+    serde_json::to_writer_pretty(&mut *out, &document)?;
+    writeln!(out)
 }
 
-fn text(reports: &[FileReport], counts: bool) -> String {
-    let mut lines = Vec::new();
+fn text(reports: &[FileReport], counts: bool, out: &mut impl Write) -> io::Result<()> {
     for report in reports {
-        lines.extend(report.error.iter().map(|error| format!("error: {error}\n")));
-        lines.extend(report.hint.iter().map(|hint| format!("hint: {hint}\n")));
-        lines.extend(report.notes.iter().map(|note| {
+        let file = &report.file;
+        if let Some(error) = &report.error {
+            writeln!(out, "error: {error}")?;
+        }
+        if let Some(hint) = &report.hint {
+            writeln!(out, "hint: {hint}")?;
+        }
+        for note in &report.notes {
             let Note {
                 line,
                 column,
                 element,
                 reason,
-                ..
             } = note;
-            format!(
-                "note: {}:{line}:{column}: <{element}> is left: {reason}\n",
-                report.file
-            )
-        }));
+            writeln!(
+                out,
+                "note: {file}:{line}:{column}: <{element}> is left: {reason}"
+            )?;
+        }
         if counts && report.error.is_none() {
-            lines.push(format!("{}: {}\n", report.file, told(&report.replaced)));
+            writeln!(out, "{file}: {}", told(&report.replaced))?;
         }
     }
     if counts && reports.len() > 1 {
         let changed = reports.iter().filter(|report| report.changed).count();
-        lines.push(format!(
-            "{changed} of {} files: {}\n",
-            reports.len(),
-            told(&total(reports))
-        ));
+        let (files, told) = (reports.len(), told(&total(reports)));
+        writeln!(out, "{changed} of {files} files: {told}")?;
     }
-    lines.concat()
+    Ok(())
 }
 
 /// The counts in words.
