@@ -193,6 +193,8 @@ pub struct SvgPath {
 ///
 /// Where the text is not well-formed XML.
 pub fn svg_paths(text: &str) -> Result<Vec<SvgPath>> {
+    // The reader leaves a byte order mark out of its positions.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::from_str(text);
     let mut found = Vec::new();
     let mut maps = vec![Ok(Affine::IDENTITY)];
@@ -320,5 +322,8 @@ mod tests {
         assert!(line.p0.distance(Point::new(10.0, 2.0)) < 1e-12);
         assert!(paths[1].curves.is_err());
         assert!(svg_paths("<svg><path").is_err());
+        let marked = svg_paths("\u{feff}<svg>\n<!--\u{e9}--><path/></svg>").unwrap();
+        assert_eq!(marked[0].line, 2);
+        assert!(svg_paths("\u{feff}c0").is_ok());
     }
 }
