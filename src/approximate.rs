@@ -380,9 +380,11 @@ impl<'a> Request<'a> {
         for fewer in (1..found.curve.segments.len()).rev() {
             let equal = Joints::equal(&self.outline.unit, fewer);
             let adaptive = (fewer % stride == 0).then(|| balance.joints(fewer));
-            match within(equal).or_else(|| within(adaptive?)) {
+            match within(equal).or_else(|| adaptive.and_then(within)) {
                 Some(better) => found = better,
-                None => break,
+                // Where both ways were tried, still fewer would be worse still.
+                None if fewer % stride == 0 => break,
+                None => {}
             }
         }
         Some(found)
