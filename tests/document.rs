@@ -199,6 +199,14 @@ fn an_empty_arc_that_may_show_is_left() {
 }
 
 #[test]
+fn numbers_that_are_no_whole_arc_do_not_become_a_whole_curve() {
+    assert!(path("M0 0a0 5 0 0 1 5 5 7 7x").ends_with("l5 5 a7 7x"));
+    assert!(path("M0 0A5 5 0 0 1 5 5 5 5 0 0 1 9").ends_with(" 5 5 A5 5 0 0 1 9"));
+    assert!(path("M0 0a5 5 0 0 1 5 5,1 1 2 2 3 3").ends_with(" 5a,1 1 2 2 3 3"));
+    assert_eq!(path("M0 0L9 9A5 5 0 1 1 9 9 7 7"), "M0 0L9 9 A7 7");
+}
+
+#[test]
 fn path_data_are_replaced_up_to_their_error() {
     let out = path("M0 0a5 5 0 0 1 5 5 L1 x a5 5 0 0 1 5 5");
     assert!(

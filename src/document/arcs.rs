@@ -87,6 +87,9 @@ pub(super) fn rewrite(
             break;
         }
     }
+    if let Some(at) = segments.number_at_error() {
+        writer.stray_number(at);
+    }
     if let Some(at) = segments.error()
         && at <= last
     {
@@ -202,6 +205,17 @@ impl<S: Sink> Writer<'_, '_, S> {
             letter => letter,
         };
         self.respell = 0;
+    }
+
+    /// Numbers behind the last arc that are too few for another one are not drawn, but behind the curve or the line that the arc
+    /// became they could be enough for a further one. The arc's own letter in front of them keeps them an error.
+    fn stray_number(&mut self, at: usize) {
+        if let Some(arc) = &self.previous
+            && arc.kind() == b'a'
+            && self.end.letter != arc.letter
+        {
+            self.sink.edit(at..at).push(arc.letter);
+        }
     }
 
     /// Where the text of a segment begins: with what parts it from the one before, unless its own letter does.

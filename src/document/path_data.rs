@@ -175,6 +175,12 @@ impl<'a> Segments<'a> {
         self.error
     }
 
+    /// The index of the error, if it is a number too many or the first of too few.
+    pub(super) fn number_at_error(&self) -> Option<usize> {
+        self.error
+            .filter(|&at| number::skip(self.bytes, behind_separator(self.bytes, at)).is_some())
+    }
+
     /// The next segment, if it is a relative arc alone behind its letter and `known` knows the text of its arguments, with what that
     /// gives: the index of the arc and its end point. Most arcs of icons have been met before, and are not read again.
     #[inline]
