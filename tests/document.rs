@@ -17,7 +17,6 @@ use std::time::{Duration, Instant};
 
 use curveto::document::{self, Converted, Error, Kind, Only, Options};
 use curveto::{Cut, Method, Rule, Tolerance};
-use proptest::prelude::*;
 
 /// The error of the default at 94.5 degrees, the widest single cubic, and what rounding adds.
 const ERROR: f64 = 2.95e-4;
@@ -637,83 +636,4 @@ fn bombs_end_quickly() {
         "{:?}",
         start.elapsed()
     );
-}
-
-// ---- random documents
-
-fn number() -> impl Strategy<Value = String> {
-    prop_oneof![
-        (-99_i32..100).prop_map(|n| n.to_string()),
-        (-9999_i32..10000).prop_map(|n| format!("{}", f64::from(n) / 100.0)),
-        (0_u32..100).prop_map(|n| format!(".{n}")),
-        Just("1e1".to_owned()),
-        Just("-0".to_owned()),
-        Just("+3.50".to_owned()),
-    ]
-}
-
-fn command() -> impl Strategy<Value = String> {
-    let separator = || prop_oneof![Just(" "), Just(","), Just(" , "), Just("\n")];
-    let numbers = |count: usize| {
-        (prop::collection::vec((number(), separator()), count)).prop_map(|list| {
-            list.into_iter()
-                .fold(String::new(), |text, (number, separator)| {
-                    text + separator + &number
-                })[..]
-                .trim_start_matches([' ', ',', '\n'])
-                .to_owned()
-        })
-    };
-    let flag = || prop_oneof![Just('0'), Just('1')];
-    let arc = (numbers(3), flag(), flag(), numbers(2), separator())
-        .prop_map(|(radii, a, b, end, s)| format!("{radii}{s}{a}{b}{end}"));
-    prop_oneof![
-        4 => (prop_oneof![Just('a'), Just('A')], prop::collection::vec(arc, 1..4)).prop_map(|(letter, arcs)| format!("{letter}{}", arcs.join(" "))),
-        1 => (prop_oneof![Just('m'), Just('M'), Just('l'), Just('L'), Just('t'), Just('T')], numbers(2)).prop_map(|(c, n)| format!("{c}{n}")),
-        1 => (prop_oneof![Just('h'), Just('V'), Just('H'), Just('v')], numbers(1)).prop_map(|(c, n)| format!("{c} {n}")),
-        2 => (prop_oneof![Just('s'), Just('S'), Just('q'), Just('Q')], numbers(4)).prop_map(|(c, n)| format!("{c}{n}")),
-        1 => (prop_oneof![Just('c'), Just('C')], numbers(6)).prop_map(|(c, n)| format!("{c}{n}")),
-        1 => Just("z".to_owned()),
-    ]
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
-
-    #[test]
-    fn any_path_is_drawn_alike(commands in prop::collection::vec(command(), 1..12)) {
-        let d = format!("M1 2{}", commands.concat());
-        let text = format!("<svg xmlns='http://www.w3.org/2000/svg'><path d='{d}'/></svg>");
-        let out = convert(&text);
-        let new = out.text.split("d='").nth(1).unwrap().split('\'').next().unwrap();
-        // Beyond the tolerance itself: scaled-up radii and huge arcs cost digits.
-        if let Err(why) = independent::same_curve(&independent::segments(&d), &independent::segments(new), 3.2e-4) {
-            prop_assert!(false, "{why}\n{d}\n{new}");
-        }
-        let again = convert(&out.text);
-        prop_assert_eq!(&again.text, &out.text);
-        prop_assert_eq!(again.replaced.total(), 0);
-    }
-
-    #[test]
-    fn any_text_ends_without_a_panic(text in ".{0,200}") {
-        let _ = document::convert(&text, &Options::default());
-        let _ = document::decode(text.as_bytes());
-        let _ = document::convert(&svg(&format!("<path d='{text}'/><circle r='{text}'/><style>{text}</style>")), &Options::default());
-    }
-
-    #[test]
-    fn a_damaged_document_ends_without_a_panic(file in 0_usize..64, at in any::<prop::sample::Index>(), with in ".{0,3}", cut in 0_usize..5) {
-        let files = fixtures();
-        let mut text = std::fs::read_to_string(&files[file % files.len()]).unwrap();
-        let mut start = at.index(text.len());
-        while !text.is_char_boundary(start) { start -= 1; }
-        let mut end = (start + cut).min(text.len());
-        while !text.is_char_boundary(end) { end += 1; }
-        text.replace_range(start..end, &with);
-        if let Ok(out) = document::convert(&text, &Options::default()) {
-            let again = document::convert(&out.text, &Options::default()).unwrap();
-            prop_assert_eq!(&again.text, &out.text);
-        }
-    }
 }
