@@ -2,6 +2,7 @@
 //!
 //! A writer sees a [`Figure`], whose points are already rounded, and knows no method.
 
+pub mod catalogue;
 pub mod comparison;
 mod deviation;
 pub mod json;

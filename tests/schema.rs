@@ -8,16 +8,23 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use curveto::compare::Comparison;
+use curveto::write::catalogue::{CatalogueDocument, MethodDocument};
 use curveto::write::json::DrawingDocument;
 use curveto::write::measurement::Measurement;
+use curveto::write::sphere::SphereDocument;
+use curveto::write::spline::SplineDocument;
 use schemars::{Schema, schema_for};
 use serde_json::Value;
 
-fn published() -> [(&'static str, Schema); 3] {
+fn published() -> [(&'static str, Schema); 7] {
     [
         ("drawing", schema_for!(DrawingDocument)),
         ("measurement", schema_for!(Measurement)),
         ("comparison", schema_for!(Comparison)),
+        ("spline", schema_for!(SplineDocument)),
+        ("sphere", schema_for!(SphereDocument)),
+        ("methods", schema_for!(CatalogueDocument)),
+        ("method", schema_for!(MethodDocument)),
     ]
 }
 
@@ -169,47 +176,104 @@ fn flattened(schema: &Value, root: &Value) -> Value {
     }
 }
 
+const PATH: &str = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
+
+/// Each schema, and commands that print what it describes.
+const CASES: [(&str, &[&str]); 17] = [
+    ("drawing", &["circle", "50", "-f", "json"]),
+    (
+        "drawing",
+        &["ellipse", "5", "3", "-m", "minimax-g0", "-f", "json"],
+    ),
+    (
+        "drawing",
+        &[
+            "arc", "5", "--start", "0", "--end", "90", "--handle", "0.5", "-f", "json",
+        ],
+    ),
+    (
+        "drawing",
+        &["arc", "--svg", "M0 0A0 0 0 0 1 5 5", "-f", "json"],
+    ),
+    ("measurement", &["measure", "circle", "50", "-f", "json"]),
+    (
+        "measurement",
+        &[
+            "measure", "arc", "5", "3", "--start", "0", "--end", "90", "-f", "json",
+        ],
+    ),
+    ("measurement", &["measure", "--path", PATH, "-f", "json"]),
+    (
+        "measurement",
+        &[
+            "measure",
+            "--path",
+            "M0 0C0 0 1 1 1 1Q3 1 3 0L0 0",
+            "-f",
+            "json",
+        ],
+    ),
+    ("comparison", &["compare", "-f", "json"]),
+    (
+        "spline",
+        &["spline", "--points", "0,0 1,2 3,1", "-f", "json"],
+    ),
+    (
+        "spline",
+        &[
+            "spline",
+            "--points",
+            "0,0 1,2 3,1",
+            "--ends",
+            "fixed:1,0,0,1",
+            "--parametrization",
+            "arc-length",
+            "--quadrature",
+            "gauss2",
+            "--transform",
+            "scale(2)",
+            "-f",
+            "json",
+        ],
+    ),
+    ("sphere", &["sphere", "50", "-f", "json"]),
+    (
+        "sphere",
+        &[
+            "sphere",
+            "50",
+            "--hidden",
+            "dash",
+            "--view",
+            "20,30",
+            "--transform",
+            "scale(2)",
+            "-f",
+            "json",
+        ],
+    ),
+    (
+        "sphere",
+        &[
+            "sphere",
+            "5",
+            "--meridians",
+            "3",
+            "--hidden",
+            "none",
+            "-f",
+            "json",
+        ],
+    ),
+    ("methods", &["methods", "-f", "json"]),
+    ("method", &["methods", "minimax", "-f", "json"]),
+    ("method", &["methods", "lancaster-best", "-f", "json"]),
+];
+
 #[test]
 fn what_is_printed_obeys_the_schemas() {
-    let path = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
-    let cases: [(&str, &[&str]); 9] = [
-        ("drawing", &["circle", "50", "-f", "json"]),
-        (
-            "drawing",
-            &["ellipse", "5", "3", "-m", "minimax-g0", "-f", "json"],
-        ),
-        (
-            "drawing",
-            &[
-                "arc", "5", "--start", "0", "--end", "90", "--handle", "0.5", "-f", "json",
-            ],
-        ),
-        (
-            "drawing",
-            &["arc", "--svg", "M0 0A0 0 0 0 1 5 5", "-f", "json"],
-        ),
-        ("measurement", &["measure", "circle", "50", "-f", "json"]),
-        (
-            "measurement",
-            &[
-                "measure", "arc", "5", "3", "--start", "0", "--end", "90", "-f", "json",
-            ],
-        ),
-        ("measurement", &["measure", "--path", path, "-f", "json"]),
-        (
-            "measurement",
-            &[
-                "measure",
-                "--path",
-                "M0 0C0 0 1 1 1 1Q3 1 3 0L0 0",
-                "-f",
-                "json",
-            ],
-        ),
-        ("comparison", &["compare", "-f", "json"]),
-    ];
     let schemas = published();
-    for (name, arguments) in cases {
+    for (name, arguments) in CASES {
         let (_, schema) = schemas.iter().find(|(known, _)| *known == name).unwrap();
         let root = serde_json::to_value(schema).unwrap();
         let root = flattened(&root, &root);

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Method;
@@ -17,7 +18,7 @@ pub enum Degree {
 }
 
 /// Where the ends of each piece lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Ends {
     /// On the circle.
@@ -27,7 +28,7 @@ pub enum Ends {
 }
 
 /// How two pieces join.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 pub enum Continuity {
     /// They do not meet, or there is no such pair.
     #[serde(rename = "none")]

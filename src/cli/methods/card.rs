@@ -2,17 +2,17 @@
 
 use comfy_table::{CellAlignment, Table};
 use curveto::method::{Continuity, Ends, Span};
+use curveto::write::catalogue::{MethodDocument, corner};
 use curveto::write::number::{significant, text};
 use curveto::{Method, Result};
 
-use super::entry::{Entry, corner};
 use super::notes::notes;
 use super::table::{lines, plain};
 
 /// The numbers of segments to the circle that a card tells.
 const COUNTS: [u32; 7] = [2, 3, 4, 5, 6, 8, 12];
 
-pub(super) fn render(method: Method, entry: &Entry) -> Result<String> {
+pub(super) fn render(method: Method, entry: &MethodDocument) -> Result<String> {
     let mut out = heading(entry);
     out += &section("", &words(entry));
     out += &section("A quarter of the unit circle", &quarter(entry));
@@ -27,7 +27,7 @@ pub(super) fn render(method: Method, entry: &Entry) -> Result<String> {
     Ok(out)
 }
 
-fn heading(entry: &Entry) -> String {
+fn heading(entry: &MethodDocument) -> String {
     let aliases = if entry.aliases.is_empty() {
         String::new()
     } else {
@@ -55,7 +55,7 @@ fn section(heading: &str, rows: &[(&str, String)]) -> String {
     format!("\n{heading}{}", lines(&table, "  "))
 }
 
-fn words(entry: &Entry) -> Vec<(&'static str, String)> {
+fn words(entry: &MethodDocument) -> Vec<(&'static str, String)> {
     let degree = if entry.degree == 3 {
         "cubic"
     } else {
@@ -77,7 +77,7 @@ fn words(entry: &Entry) -> Vec<(&'static str, String)> {
     ]
 }
 
-fn joints(entry: &Entry) -> String {
+fn joints(entry: &MethodDocument) -> String {
     let told = |continuity: Continuity| match continuity {
         Continuity::Apart => "refused".to_owned(),
         Continuity::G0 => "G0, corners".to_owned(),
@@ -90,7 +90,7 @@ fn joints(entry: &Entry) -> String {
     )
 }
 
-fn order(entry: &Entry) -> String {
+fn order(entry: &MethodDocument) -> String {
     match (entry.order, entry.leading_constant) {
         (Some(order), Some(constant)) => format!(
             "{order}: the error tends to {} a^{order}, a in radians; the factor is {}",
@@ -101,7 +101,7 @@ fn order(entry: &Entry) -> String {
     }
 }
 
-fn quarter(entry: &Entry) -> Vec<(&'static str, String)> {
+fn quarter(entry: &MethodDocument) -> Vec<(&'static str, String)> {
     let quarter = &entry.quarter;
     let points: Vec<String> = quarter
         .points

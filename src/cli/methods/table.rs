@@ -2,9 +2,8 @@
 
 use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
 use curveto::method::{Continuity, Ends};
+use curveto::write::catalogue::MethodDocument;
 use curveto::write::number::significant;
-
-use super::entry::Entry;
 
 /// Wider lines are no joy to read, and a pipe has no width of its own.
 pub(super) const WIDEST: u16 = 100;
@@ -49,7 +48,7 @@ const GROUPS: [(u8, Ends, &str); 4] = [
     ),
 ];
 
-pub(super) fn render(entries: &[Entry]) -> String {
+pub(super) fn render(entries: &[MethodDocument]) -> String {
     let mut table = plain();
     table.add_row([
         "method",
@@ -90,7 +89,7 @@ fn marker(heading: &str) -> String {
     format!("<{}>", heading.len())
 }
 
-fn row(entry: &Entry) -> [String; 7] {
+fn row(entry: &MethodDocument) -> [String; 7] {
     let id = if entry.aliases.is_empty() {
         entry.id.to_owned()
     } else {

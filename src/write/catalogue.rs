@@ -1,73 +1,100 @@
-//! What programs get of each method.
+//! The catalogue of methods as JSON and CSV.
 
-use curveto::approximate::{Options, approximate};
-use curveto::curve::control_points;
-use curveto::method::{Continuity, Degree, Ends, Span};
-use curveto::write::number::{Precision, text};
-use curveto::{Circle, Cut, Method, RadialError, Result, Shape};
+use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::number::{Precision, text};
+use crate::approximate::{Options, approximate};
+use crate::curve::control_points;
+use crate::method::{Continuity, Degree, Ends, Method, Span};
+use crate::{Circle, Cut, RadialError, Result, Shape};
+
 /// The whole catalogue.
-#[derive(Debug, Serialize)]
-pub(super) struct Catalogue {
-    pub(super) version: u32,
-    pub(super) methods: Vec<Entry>,
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct CatalogueDocument {
+    /// The version of this form.
+    pub version: u32,
+    /// Its methods.
+    pub methods: Vec<MethodDocument>,
 }
 
 /// A method, with its figures at a quarter of the unit circle.
-#[derive(Debug, Serialize)]
-pub(super) struct Entry {
-    pub(super) id: &'static str,
-    pub(super) aliases: &'static [&'static str],
-    pub(super) title: &'static str,
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct MethodDocument {
+    /// The name that `-m` takes.
+    pub id: &'static str,
+    /// Other names that `-m` takes.
+    pub aliases: &'static [&'static str],
+    /// What it does, in a few words.
+    pub title: &'static str,
     /// 2 or 3.
-    pub(super) degree: u8,
-    pub(super) ends: Ends,
+    pub degree: u8,
+    /// Where the ends of each piece lie.
+    pub ends: Ends,
     /// Whether it draws closed shapes: all do.
-    pub(super) closed: bool,
+    pub closed: bool,
     /// Whether it draws open arcs and uneven joints.
-    pub(super) open: bool,
-    pub(super) continuity: Joining,
-    /// Nothing where the error follows no power of the angle.
-    pub(super) order: Option<u8>,
-    pub(super) leading_constant: Option<f64>,
+    pub open: bool,
+    /// How segments join.
+    pub continuity: JoiningDocument,
+    /// The power of the angle with which the error falls; nothing where it follows none.
+    pub order: Option<u8>,
+    /// The factor before that power, the angle in radians and the radius 1.
+    pub leading_constant: Option<f64>,
     /// The same as a formula.
-    pub(super) leading: &'static str,
-    pub(super) quarter: Quarter,
-    pub(super) largest_angle: f64,
-    pub(super) criterion: &'static str,
-    pub(super) origin: &'static str,
-    pub(super) source: &'static str,
-    pub(super) formula: &'static str,
-    pub(super) advice: &'static str,
+    pub leading: &'static str,
+    /// Its figures at a quarter.
+    pub quarter: QuarterDocument,
+    /// The largest angle of a segment, in degrees.
+    pub largest_angle: f64,
+    /// What singles it out.
+    pub criterion: &'static str,
+    /// Where it comes from, in two or three words.
+    pub origin: &'static str,
+    /// Where it comes from: author, title, year; "derived" where it was built from its criterion alone.
+    pub source: &'static str,
+    /// How its control points are found, in the notation of docs/methods.md.
+    pub formula: &'static str,
+    /// When to use it.
+    pub advice: &'static str,
 }
 
 /// How segments join.
-#[derive(Debug, Serialize)]
-pub(super) struct Joining {
-    pub(super) equal: Continuity,
-    pub(super) uneven: Continuity,
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct JoiningDocument {
+    /// Where all have the same angle.
+    pub equal: Continuity,
+    /// Where they have not.
+    pub uneven: Continuity,
 }
 
 /// The segment from (1, 0) to (0, 1), one of four of a circle.
-#[derive(Debug, Serialize)]
-pub(super) struct Quarter {
-    pub(super) points: Vec<[f64; 2]>,
-    pub(super) handle: f64,
-    pub(super) end_radius: f64,
-    pub(super) error: ErrorEntry,
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct QuarterDocument {
+    /// Its control points.
+    pub points: Vec<[f64; 2]>,
+    /// The length of its handles.
+    pub handle: f64,
+    /// The distance of its ends from the centre.
+    pub end_radius: f64,
+    /// Its error.
+    pub error: QuarterErrorDocument,
     /// How far the tangent turns at a joint, in degrees.
-    pub(super) corner: f64,
+    pub corner: f64,
 }
 
-#[derive(Debug, Serialize)]
-pub(super) struct ErrorEntry {
-    pub(super) outward: f64,
-    pub(super) inward: f64,
-    pub(super) peak: f64,
+/// The largest distances from the unit circle, both at least 0.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct QuarterErrorDocument {
+    /// Outside the circle.
+    pub outward: f64,
+    /// Inside the circle.
+    pub inward: f64,
+    /// The larger of the two.
+    pub peak: f64,
 }
 
-impl From<RadialError> for ErrorEntry {
+impl From<RadialError> for QuarterErrorDocument {
     fn from(error: RadialError) -> Self {
         Self {
             outward: error.outward,
@@ -77,8 +104,13 @@ impl From<RadialError> for ErrorEntry {
     }
 }
 
-impl Entry {
-    pub(super) fn new(method: Method) -> Result<Self> {
+impl MethodDocument {
+    /// What there is to tell of a method.
+    ///
+    /// # Errors
+    ///
+    /// Where the method cannot draw a quarter of a circle; all can.
+    pub fn new(method: Method) -> Result<Self> {
         let card = method.card();
         Ok(Self {
             id: card.id,
@@ -91,14 +123,14 @@ impl Entry {
             ends: card.ends,
             closed: true,
             open: card.ends == Ends::OnCircle,
-            continuity: Joining {
+            continuity: JoiningDocument {
                 equal: card.continuity_equal,
                 uneven: card.continuity_uneven,
             },
             order: (card.order > 0).then_some(card.order),
             leading_constant: (card.order > 0).then_some(card.leading_constant),
             leading: card.leading,
-            quarter: Quarter::new(method)?,
+            quarter: QuarterDocument::new(method)?,
             largest_angle: card.largest_angle,
             criterion: card.criterion,
             origin: card.origin,
@@ -109,7 +141,7 @@ impl Entry {
     }
 }
 
-impl Quarter {
+impl QuarterDocument {
     fn new(method: Method) -> Result<Self> {
         let options = Options {
             rule: method.into(),
@@ -133,7 +165,11 @@ impl Quarter {
 }
 
 /// How far the tangent turns at a joint of equal segments, in degrees; 0 where the joints are smooth.
-pub(super) fn corner(method: Method, span: &Span) -> Result<f64> {
+///
+/// # Errors
+///
+/// Where the method refuses the angle.
+pub fn corner(method: Method, span: &Span) -> Result<f64> {
     let card = method.card();
     Ok(if card.continuity_equal == Continuity::G0 {
         // The piece before the joint leaves the circle's tangent as far to the other side.
@@ -144,7 +180,8 @@ pub(super) fn corner(method: Method, span: &Span) -> Result<f64> {
 }
 
 /// A line a method, after RFC 4180.
-pub(super) fn csv(entries: &[Entry]) -> String {
+#[must_use]
+pub fn csv(entries: &[MethodDocument]) -> String {
     const HEADER: &str = "id,aliases,title,degree,ends,closed,open,continuity_equal,continuity_uneven,order,leading_constant,leading,\
         quarter_handle,quarter_end_radius,quarter_outward,quarter_inward,quarter_error,quarter_corner,\
         largest_angle,criterion,origin,source,formula,advice";
@@ -156,7 +193,7 @@ pub(super) fn csv(entries: &[Entry]) -> String {
     out
 }
 
-fn fields(entry: &Entry) -> [String; 24] {
+fn fields(entry: &MethodDocument) -> [String; 24] {
     let ends = match entry.ends {
         Ends::OnCircle => "on-circle",
         Ends::OffCircle => "off-circle",
