@@ -5,6 +5,7 @@ mod batch;
 pub(crate) mod compare;
 mod convert;
 mod deferred;
+mod each;
 pub(crate) mod measure;
 pub(crate) mod methods;
 mod output;

@@ -34,7 +34,7 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
         eprintln!("note: there is no .svg or .svgz file to convert");
     }
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.jobs.map_or(0, Into::into))
+        .num_threads(args.each.jobs.map_or(0, Into::into))
         .build()
         .context("cannot start threads")?;
     let bar = progress(jobs.len());

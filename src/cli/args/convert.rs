@@ -1,14 +1,11 @@
 //! The words of `convert`.
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use curveto::document::{self, Kind, Only};
-use curveto::joints::MOST_SEGMENTS;
-use curveto::{Cut, Method, Rule, Tolerance};
 
-use super::values;
+use super::each::EachArgs;
 use crate::cli::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -21,24 +18,11 @@ pub(crate) struct ConvertArgs {
     /// Replace only these
     #[arg(long, value_enum, value_name = "KIND,...", value_delimiter = ',')]
     only: Vec<KindArg>,
-    /// How many files at a time [default: one for each processor]
-    #[arg(short, long, value_name = "N")]
-    pub(crate) jobs: Option<NonZeroUsize>,
     /// What was replaced and what was left, on standard error; without it, what was left
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub(crate) report: Option<Report>,
-    /// A method by id or alias; 'curveto methods' lists them [default: minimax]
-    #[arg(short, long, value_name = "ID", value_parser = values::MethodReader)]
-    method: Option<Method>,
-    /// Exactly N segments for each shape and arc, of equal parametric angle
-    #[arg(short = 'n', long, value_name = "N", conflicts_with = "tolerance")]
-    segments: Option<usize>,
-    /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
-    #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true)]
-    tolerance: Option<Tolerance>,
-    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error
-    #[arg(short, long, value_name = "P", value_parser = values::precision, default_value = "auto")]
-    precision: values::PrecisionWord,
+    #[command(flatten)]
+    pub(crate) each: EachArgs,
 }
 
 /// Where the result goes; standard output without any of them.
@@ -101,20 +85,10 @@ impl ConvertArgs {
         } else {
             Only::of(&kinds)
         };
-        let cut = match (self.segments, self.tolerance) {
-            (Some(count), _) if count == 0 || count > MOST_SEGMENTS => {
-                return Err(Failure::request(format!(
-                    "{count} segments are not between 1 and {MOST_SEGMENTS}"
-                )));
-            }
-            (Some(count), _) => Cut::Count(count),
-            (None, Some(tolerance)) => Cut::Tolerance(tolerance),
-            (None, None) => Cut::Quarters,
-        };
         let options = document::Options {
-            rule: Rule::Method(self.method.unwrap_or_default()),
-            cut,
-            precision: self.precision.decimals(),
+            rule: self.each.rule(),
+            cut: self.each.cut()?,
+            precision: self.each.precision.decimals(),
             only,
         };
         options.check()?;

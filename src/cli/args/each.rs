@@ -1,0 +1,49 @@
+//! The words of commands that go through many shapes: how each of them is approximated, by how many threads.
+
+use std::num::NonZeroUsize;
+
+use clap::Args;
+use curveto::joints::MOST_SEGMENTS;
+use curveto::{Cut, Error, Method, Rule, Tolerance};
+
+use super::values;
+use crate::cli::failure::Failure;
+
+#[derive(Debug, Args)]
+pub(crate) struct EachArgs {
+    /// A method by id or alias; 'curveto methods' lists them [default: minimax]
+    #[arg(short, long, value_name = "ID", value_parser = values::MethodReader)]
+    method: Option<Method>,
+    /// Exactly N segments for each shape and arc, of equal parametric angle
+    #[arg(short = 'n', long, value_name = "N", conflicts_with = "tolerance")]
+    segments: Option<usize>,
+    /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
+    #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true)]
+    tolerance: Option<Tolerance>,
+    /// Decimals after the point, or auto: for each shape the fewest that add no more than a tenth of its error
+    #[arg(short, long, value_name = "P", value_parser = values::precision, default_value = "auto")]
+    pub(crate) precision: values::PrecisionWord,
+    /// How many threads [default: one for each processor]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+}
+
+impl EachArgs {
+    /// What gives the control points.
+    pub(crate) fn rule(&self) -> Rule {
+        Rule::Method(self.method.unwrap_or_default())
+    }
+
+    /// Where each shape is cut; refuses counts that none could have.
+    pub(crate) fn cut(&self) -> Result<Cut, Failure> {
+        Ok(match (self.segments, self.tolerance) {
+            (Some(count), _) if count == 0 || count > MOST_SEGMENTS => {
+                let most = MOST_SEGMENTS;
+                return Err(Error::Count { count, most }.into());
+            }
+            (Some(count), _) => Cut::Count(count),
+            (None, Some(tolerance)) => Cut::Tolerance(tolerance),
+            (None, None) => Cut::Quarters,
+        })
+    }
+}
