@@ -1,6 +1,6 @@
 //! A picture as a list of lines, dots and words, and its two forms: SVG and PNG.
 
-use core::fmt::Write;
+use core::fmt::{self, Write};
 
 use kurbo::{Affine, BezPath, PathEl, Point, Vec2};
 use tiny_skia::{
@@ -44,15 +44,19 @@ pub(super) enum Item {
         radius: f64,
         colour: Colour,
     },
-    Text {
-        at: Point,
-        words: String,
-        size: f64,
-        anchor: Anchor,
-        colour: Colour,
-        /// Whether it runs upwards.
-        upwards: bool,
-    },
+    Text(Text),
+}
+
+/// A line of words.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Text {
+    pub(super) at: Point,
+    pub(super) words: String,
+    pub(super) size: f64,
+    pub(super) anchor: Anchor,
+    pub(super) colour: Colour,
+    /// Whether it runs upwards.
+    pub(super) upwards: bool,
 }
 
 /// A picture on white.
@@ -162,33 +166,7 @@ impl Item {
                 ),
                 None => Ok(()),
             },
-            Self::Text {
-                at,
-                words,
-                size,
-                anchor,
-                colour,
-                upwards,
-            } => {
-                let anchor = match anchor {
-                    Anchor::Start => "",
-                    Anchor::Middle => " text-anchor=\"middle\"",
-                    Anchor::End => " text-anchor=\"end\"",
-                };
-                let (x, y) = (coordinate(at.x), coordinate(at.y));
-                let turn = if *upwards {
-                    format!(" transform=\"rotate(-90 {x} {y})\"")
-                } else {
-                    String::new()
-                };
-                writeln!(
-                    out,
-                    "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{turn}>{}</text>",
-                    text(*size),
-                    hex(*colour),
-                    escape(words)
-                )
-            }
+            Self::Text(line) => line.push_svg(out),
         };
     }
 
@@ -222,36 +200,50 @@ impl Item {
                 let path = BezPath::from_path_segments(curve.segments.into_iter());
                 fill(pixmap, &path, *colour, to_pixels);
             }
-            Self::Text {
-                at,
-                words,
-                size,
-                anchor,
-                colour,
-                upwards,
-            } => {
-                let shift = font.width(words, *size)
-                    * match anchor {
-                        Anchor::Start => 0.0,
-                        Anchor::Middle => 0.5,
-                        Anchor::End => 1.0,
-                    };
-                let turn = if *upwards {
-                    -core::f64::consts::FRAC_PI_2
-                } else {
-                    0.0
-                };
-                let place = Affine::translate(at.to_vec2())
-                    * Affine::rotate(turn)
-                    * Affine::translate((-shift, 0.0));
-                fill(
-                    pixmap,
-                    &(place * font.outline(words, *size)),
-                    *colour,
-                    to_pixels,
-                );
-            }
+            Self::Text(line) => fill(pixmap, &line.outline(font), line.colour, to_pixels),
         }
+    }
+}
+
+impl Text {
+    fn push_svg(&self, out: &mut String) -> fmt::Result {
+        let anchor = match self.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let (x, y) = (coordinate(self.at.x), coordinate(self.at.y));
+        let turn = if self.upwards {
+            format!(" transform=\"rotate(-90 {x} {y})\"")
+        } else {
+            String::new()
+        };
+        writeln!(
+            out,
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{turn}>{}</text>",
+            text(self.size),
+            hex(self.colour),
+            escape(&self.words)
+        )
+    }
+
+    /// The outlines of its letters in their place.
+    fn outline(&self, font: &Font) -> BezPath {
+        let shift = font.width(&self.words, self.size)
+            * match self.anchor {
+                Anchor::Start => 0.0,
+                Anchor::Middle => 0.5,
+                Anchor::End => 1.0,
+            };
+        let turn = if self.upwards {
+            -core::f64::consts::FRAC_PI_2
+        } else {
+            0.0
+        };
+        let place = Affine::translate(self.at.to_vec2())
+            * Affine::rotate(turn)
+            * Affine::translate((-shift, 0.0));
+        place * font.outline(&self.words, self.size)
     }
 }
 

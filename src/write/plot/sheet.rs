@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::picture::{Anchor, Colour, Item, Pen, Picture};
+use super::picture::{Anchor, Colour, Item, Pen, Picture, Text};
 use super::scale::{Axis, power_of_ten};
 use super::text::Font;
 use super::{Chart, Names, Series};
@@ -105,14 +105,14 @@ impl Sheet<'_> {
     }
 
     fn text(&mut self, at: Point, words: &str, size: f64, anchor: Anchor) {
-        self.items.push(Item::Text {
+        self.items.push(Item::Text(Text {
             at,
             words: words.to_owned(),
             size,
             anchor,
             colour: INK,
             upwards: false,
-        });
+        }));
     }
 
     fn line(&mut self, points: Vec<Point>, pen: Pen) {
@@ -212,14 +212,14 @@ impl Sheet<'_> {
             BODY,
             Anchor::End,
         );
-        self.items.push(Item::Text {
+        self.items.push(Item::Text(Text {
             at: Point::new(20.0, frame.center().y),
             words: self.chart.y_title.clone(),
             size: BODY,
             anchor: Anchor::Middle,
             colour: INK,
             upwards: true,
-        });
+        }));
     }
 
     fn lines(&mut self) {
