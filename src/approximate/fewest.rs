@@ -1,0 +1,178 @@
+//! The fewest segments within a tolerance.
+
+use super::{ROUNDING_SHARE, Request, Sketch};
+use crate::error::{Error, Result};
+use crate::joints::adaptive::Balance;
+use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
+use crate::method::{Method, Rule, Span};
+use crate::write::number::Precision;
+
+/// How many counts beyond the estimate are tried.
+const MOST_TRIES: usize = 64;
+
+impl Request<'_> {
+    /// The fewest segments whose rounded curve is within the tolerance.
+    pub(super) fn fewest(&self, tolerance: Tolerance) -> Result<Sketch> {
+        let truth = &self.outline.truth;
+        let tolerance = tolerance.for_radius(truth.larger_radius());
+        self.check_tolerance(tolerance)?;
+        if let Some(balance) = Balance::new(&self.outline, self.options.rule)
+            && let Some(sketch) = self.fewest_adaptive(&balance, tolerance)
+        {
+            return Ok(sketch);
+        }
+        let mut last_refusal = None;
+        for count in self.counts(tolerance) {
+            match self.equal(count, Some(tolerance)) {
+                Ok(sketch) if self.is_within(&sketch, tolerance) => return Ok(sketch),
+                Ok(_) => {}
+                Err(refusal @ Error::Impossible { .. }) => last_refusal = Some(refusal),
+                Err(other) => return Err(other),
+            }
+        }
+        Err(self.refusal(tolerance, last_refusal))
+    }
+
+    /// Refuses tolerances that no curve could meet.
+    fn check_tolerance(&self, tolerance: f64) -> Result<()> {
+        let truth = &self.outline.truth;
+        if tolerance <= 0.0 || !tolerance.is_finite() {
+            return Err(Error::NotPositive {
+                what: "tolerance",
+                value: tolerance,
+            });
+        }
+        let reach = truth.center.to_vec2().hypot() + truth.larger_radius();
+        let finest = 8.0 * f64::EPSILON * reach;
+        if tolerance < finest {
+            return Err(self.out_of_reach(
+                tolerance,
+                "it is finer than the digits of a double-precision coordinate",
+                format!("the finest tolerance at this size is about {finest:.1e}"),
+            ));
+        }
+        Ok(())
+    }
+
+    /// Why no count was found.
+    fn refusal(&self, tolerance: f64, last_refusal: Option<Error>) -> Error {
+        match (last_refusal, self.options.precision) {
+            (_, Some(Precision::Fixed(decimals)))
+                if 10_f64.powi(-i32::from(decimals)) > tolerance =>
+            {
+                self.out_of_reach(
+                    tolerance,
+                    format!("rounding to {decimals} decimals moves points farther than that"),
+                    "give more decimals with -p, or leave the precision to -p auto",
+                )
+            }
+            (Some(refusal), _) if self.counts(tolerance).count() < 2 => refusal,
+            _ => self.out_of_reach(
+                tolerance,
+                "its error does not fall that far",
+                "take a larger tolerance, or -m minimax, whose error falls with the sixth power of the angle",
+            ),
+        }
+    }
+
+    fn out_of_reach(
+        &self,
+        tolerance: f64,
+        why: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Error {
+        Error::ToleranceOutOfReach {
+            method: self.options.rule.id(),
+            tolerance,
+            why: why.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// The fewest segments at joints that equalise the error, or at equal angles where those are still fewer.
+    fn fewest_adaptive(&self, balance: &Balance, tolerance: f64) -> Option<Sketch> {
+        let within = |joints: Result<Joints>| {
+            joints
+                .and_then(|joints| self.cut(joints, Some(tolerance)))
+                .ok()
+                .filter(|sketch| self.is_within(sketch, tolerance))
+        };
+        let allowed = (tolerance + self.rounding(tolerance)) / self.outline.truth.larger_radius();
+        let (first, stride) = (balance.fewest(allowed), balance.stride());
+        let mut found = (first..=MOST_SEGMENTS)
+            .step_by(stride)
+            .take(MOST_TRIES)
+            .find_map(|count| within(balance.joints(count)))?;
+        for fewer in (1..found.curve.segments.len()).rev() {
+            let equal = Joints::equal(&self.outline.unit, fewer);
+            let adaptive = (fewer % stride == 0).then(|| balance.joints(fewer));
+            match within(equal).or_else(|| adaptive.and_then(within)) {
+                Some(better) => found = better,
+                // Where both ways were tried, still fewer would be worse still.
+                None if fewer % stride == 0 => break,
+                None => {}
+            }
+        }
+        Some(found)
+    }
+
+    /// The counts that may be the fewest, ascending.
+    fn counts(&self, tolerance: f64) -> impl Iterator<Item = usize> + use<> {
+        let sweep = self.outline.unit.sweep.degrees().abs();
+        let rule = self.options.rule;
+        let (first, last) = match rule {
+            Rule::Method(Method::LancasterBest) => (1, 8),
+            Rule::Method(Method::LancasterDrawellipse) => (
+                quarters(self.outline.unit.sweep),
+                quarters(self.outline.unit.sweep),
+            ),
+            // On an open arc its ends have the circle's derivatives, and it errs less than on a closed shape, which the estimate knows.
+            Rule::Method(Method::Chen1) if !self.outline.unit.closed => {
+                ((self.least_count(tolerance) / 2).max(1), MOST_SEGMENTS)
+            }
+            // The error of a literal handle is least near its own angle and grows again beyond it.
+            Rule::Handle(k) => (
+                1,
+                (sweep / (4.0 * (0.75 * k.abs()).atan()).to_degrees()).min(1e4) as usize + 3,
+            ),
+            _ => (self.least_count(tolerance), MOST_SEGMENTS),
+        };
+        // Rounding and the error of joints beyond the estimate ask for a few more segments; a rule whose error does not fall ends here.
+        first..=last.min(2 * first + MOST_TRIES)
+    }
+
+    /// A bound on how far rounding may bring the curve nearer to the true shape.
+    fn rounding(&self, tolerance: f64) -> f64 {
+        match self.options.precision {
+            Some(Precision::Fixed(decimals)) => 10_f64.powi(-i32::from(decimals)),
+            _ => tolerance * ROUNDING_SHARE,
+        }
+    }
+
+    /// A count below which even the flattest place of the shape would be beyond the tolerance.
+    fn least_count(&self, tolerance: f64) -> usize {
+        let truth = &self.outline.truth;
+        let sweep = self.outline.unit.sweep.degrees().abs();
+        let allowed = (tolerance + self.rounding(tolerance)) / truth.radii.x.min(truth.radii.y);
+        let beyond = |count: usize| {
+            self.options
+                .rule
+                .radial_error(&Span::from_degrees(sweep / count as f64))
+                .map_or(true, |error| error.peak() > allowed)
+        };
+        let mut high = 1;
+        while high < MOST_SEGMENTS && beyond(high) {
+            high *= 2;
+        }
+        let mut low = high / 2;
+        while low + 1 < high {
+            let middle = usize::midpoint(low, high);
+            if beyond(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high.clamp(1, MOST_SEGMENTS)
+    }
+}
