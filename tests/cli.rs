@@ -356,6 +356,37 @@ fn a_file_keeps_its_mode_and_a_link_its_target() {
     assert!(fs::read_to_string(&file).unwrap().starts_with("M50 0C"));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn what_cannot_be_written_is_told_in_the_words_of_the_system() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = folder.path().join("a.svg");
+    fs::write(&drawing, "<svg><circle r='5'/></svg>").unwrap();
+    let drawing = drawing.to_str().unwrap();
+    let folder = folder.path().to_str().unwrap();
+    for (file, why) in [
+        ("/proc/a.svg", "No such file or directory"),
+        (folder, "Is a directory"),
+        ("/dev/full", "No space left on device"),
+    ] {
+        for arguments in [
+            &["circle", "50", "-f", "svg", "-o", file][..],
+            &["spline", "--points", "0,0 1,1", "-f", "svg", "-o", file],
+            &["sphere", "50", "-f", "svg", "-o", file],
+            &["procset", "-o", file],
+            &["convert", drawing, "-o", file],
+        ] {
+            let output = run(arguments);
+            let message = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(
+                message.contains(&format!("cannot write {file}: {why}")),
+                "{arguments:?}: {message}"
+            );
+            assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        }
+    }
+}
+
 #[test]
 fn a_closed_pipe_ends_quietly_with_0() {
     let mut child = Command::new(env!("CARGO_BIN_EXE_curveto"))

@@ -63,9 +63,10 @@ impl Target {
         match self {
             Self::Stdout => {
                 let mut out = io::stdout().lock();
-                out.write_all(bytes)?;
-                out.flush()?;
-                Ok(())
+                Ok(out
+                    .write_all(bytes)
+                    .and_then(|()| out.flush())
+                    .context("cannot write to standard output")?)
             }
             Self::File(path) => Ok(write_file(path, bytes)
                 .with_context(|| format!("cannot write {}", path.display()))?),
@@ -85,19 +86,13 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
-    // Asked first for its plain message: the error of the file that is made there names a file that nobody knows.
-    fs::metadata(folder)?;
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".curveto-");
-    let mode = existing.map_or_else(new_file_mode, |data| Some(data.permissions()));
-    if let Some(mode) = &mode {
-        builder.permissions(mode.clone());
-    }
-    let mut file = builder
-        .tempfile_in(folder)
-        .map_err(|error| io::Error::from(error.kind()))?;
+    let mode = existing.map(|data| data.permissions());
+    // Opened here and not by tempfile, whose errors name a file that nobody knows.
+    let mut file = tempfile::Builder::new()
+        .prefix(".curveto-")
+        .make_in(folder, |path| create(path, mode.as_ref()))?;
     file.write_all(bytes)?;
-    if let Some(mode) = mode.filter(|_| path.exists()) {
+    if let Some(mode) = mode {
         // The mask of the process does not apply to a mode that was there.
         file.as_file().set_permissions(mode)?;
     }
@@ -105,15 +100,19 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// What a new file may be, before the mask of the process.
+/// Makes a file that nobody may read who may not read the one whose place it takes.
 #[cfg(unix)]
-#[expect(clippy::unnecessary_wraps, reason = "other systems have no such mode")]
-fn new_file_mode() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
+fn create(path: &Path, mode: Option<&Permissions>) -> io::Result<File> {
+    use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
+    let mode = mode.map_or(0o666, |mode| mode.mode() & 0o777);
+    File::options()
+        .write(true)
+        .create_new(true)
+        .mode(mode)
+        .open(path)
 }
 
 #[cfg(not(unix))]
-fn new_file_mode() -> Option<Permissions> {
-    None
+fn create(path: &Path, _: Option<&Permissions>) -> io::Result<File> {
+    File::create_new(path)
 }
