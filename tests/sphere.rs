@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use std::process::Command;
+mod program;
 
 use curveto::sphere::{Line, Options, Part, Picture, Sphere, View};
 use curveto::write::number::Precision;
@@ -197,17 +197,7 @@ fn images_of_great_circles_are_as_far_off_as_stated() {
 }
 
 fn printed(arguments: &[&str]) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .arg("sphere")
-        .args(arguments)
-        .output()
-        .unwrap();
-    assert!(
-        output.status.success(),
-        "{arguments:?}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    String::from_utf8(output.stdout).unwrap()
+    program::printed(&[&["sphere"], arguments].concat())
 }
 
 #[test]
@@ -268,13 +258,7 @@ fn impossible_spheres_are_refused() {
             "apprich cannot do this",
         ),
     ] {
-        let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-            .arg("sphere")
-            .args(arguments)
-            .output()
-            .unwrap();
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let message = program::refused(&[&["sphere"], arguments].concat());
         assert!(message.contains(told), "{arguments:?}: {message}");
     }
 }
