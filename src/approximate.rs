@@ -275,7 +275,10 @@ impl<'a> Request<'a> {
     fn peak_by_formula(&self, joints: &Joints) -> Option<f64> {
         let truth = &self.outline.truth;
         let first = joints.spans.first()?;
-        let alike = joints.spans.iter().all(|span| span == first);
+        let alike = joints
+            .spans
+            .iter()
+            .all(|span| span.degrees() == first.degrees());
         if !truth.is_circle() || !alike || self.options.rule.method() == Some(Method::Chen1) {
             return None;
         }
@@ -339,11 +342,16 @@ pub(crate) fn automatic_precision<'a>(
     segments: impl IntoIterator<Item = &'a PathSeg>,
 ) -> Precision {
     let mut largest = 0.0_f64;
-    for segment in segments {
-        // Raising a line or a quadratic adds no point beyond its own.
-        let c = segment.to_cubic();
-        for p in [c.p0, c.p1, c.p2, c.p3] {
+    let mut heed = |points: &[Point]| {
+        for p in points {
             largest = largest.max(p.x.abs()).max(p.y.abs());
+        }
+    };
+    for segment in segments {
+        match *segment {
+            PathSeg::Line(l) => heed(&[l.p0, l.p1]),
+            PathSeg::Quad(q) => heed(&[q.p0, q.p1, q.p2]),
+            PathSeg::Cubic(c) => heed(&[c.p0, c.p1, c.p2, c.p3]),
         }
     }
     Precision::moving_at_most(ROUNDING_SHARE * error, largest)

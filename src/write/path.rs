@@ -63,6 +63,14 @@ pub(crate) fn push_rounding(
     let Precision::Fixed(decimals @ 0..=14) = precision else {
         return false;
     };
+    if kept {
+        return false;
+    }
+    if let Some(writer) = EightDigits::new(decimals)
+        && push_short(out, curve, writer).is_some()
+    {
+        return true;
+    }
     let largest = LARGEST_WHOLE[usize::from(decimals)];
     let cubic = |segment: &PathSeg| match *segment {
         PathSeg::Cubic(c) => Some([c.p1, c.p2, c.p3]),
@@ -73,14 +81,9 @@ pub(crate) fn push_rounding(
         .segments
         .iter()
         .all(|segment| cubic(segment).is_some_and(|points| points.into_iter().all(small)));
-    let Some(start) = curve.start().filter(|&start| fits && !kept && small(start)) else {
+    let Some(start) = curve.start().filter(|&start| fits && small(start)) else {
         return false;
     };
-    if let Some(writer) = EightDigits::new(decimals)
-        && push_short(out, curve, writer).is_some()
-    {
-        return true;
-    }
     let unit = largest / 1e15;
     let push = |out: &mut Vec<u8>, p: Point, first: bool| {
         for (x, separated) in [(p.x, !first), (p.y, true)] {
@@ -115,36 +118,35 @@ pub(crate) fn push_rounding(
 /// As [`push_rounding`] for curves of cubics all of whose numbers have at most eight digits; nothing is appended to `out` otherwise.
 fn push_short(out: &mut Vec<u8>, curve: &Curve, writer: EightDigits) -> Option<()> {
     let before = out.len();
-    let written = write_short(out, curve, writer);
-    out.truncate(written.unwrap_or(before));
+    out.resize(before + LONGEST_SEGMENT * (curve.segments.len() + 1), 0);
+    let written = write_short(&mut out[before..], curve, writer);
+    out.truncate(before + written.unwrap_or(0));
     written.map(drop)
 }
 
-/// Writes behind what is in `out`, and tells where the text ends; what `out` holds beyond that is of no meaning.
-fn write_short(out: &mut Vec<u8>, curve: &Curve, writer: EightDigits) -> Option<usize> {
-    let mut at = out.len();
-    out.resize(at + LONGEST_SEGMENT * (curve.segments.len() + 1), 0);
-    let (out, start) = (out.as_mut_slice(), curve.start()?);
-    out[at] = b'M';
-    at += 1;
-    at = writer.write(out, at, start.x, false)?;
-    at = writer.write(out, at, start.y, true)?;
+/// Writes to the beginning of `text`, which has room for it, and tells where it ends.
+fn write_short(text: &mut [u8], curve: &Curve, writer: EightDigits) -> Option<usize> {
+    let start = curve.start()?;
+    let mut at = 0;
+    let mut command = |letter: u8, numbers: &[f64]| {
+        text[at] = letter;
+        at += 1;
+        for (i, &x) in numbers.iter().enumerate() {
+            at = writer.write(text, at, x, i > 0)?;
+        }
+        Some(at)
+    };
+    let mut end = command(b'M', &[start.x, start.y])?;
     for segment in &curve.segments {
         let PathSeg::Cubic(c) = segment else {
             return None;
         };
-        out[at] = b'C';
-        at += 1;
-        at = writer.write(out, at, c.p1.x, false)?;
-        for x in [c.p1.y, c.p2.x, c.p2.y, c.p3.x, c.p3.y] {
-            at = writer.write(out, at, x, true)?;
-        }
+        end = command(b'C', &[c.p1.x, c.p1.y, c.p2.x, c.p2.y, c.p3.x, c.p3.y])?;
     }
     if curve.closed {
-        out[at] = b'Z';
-        at += 1;
+        end = command(b'Z', &[])?;
     }
-    Some(at)
+    Some(end)
 }
 
 /// Room for the text of a segment: six numbers of at most 15 digits with their signs, points and spaces.
