@@ -109,6 +109,7 @@ fn corpora(criterion: &mut Criterion) {
         compare(criterion, name, &files);
         all.extend(files);
     }
+    compare(criterion, "both", &all);
     let icons = all.iter().cycle().take(ICONS_IN_ONE_FILE);
     compare(criterion, "one-file", &[concatenated(icons)]);
 }
