@@ -6,6 +6,7 @@ use core::str::FromStr;
 
 use kurbo::Vec2;
 
+use crate::digits::ROUNDING;
 use crate::error::{Error, Result, finite};
 
 /// An angle, held in degrees so that quarters, eighths and twelfths of a turn are exact.
@@ -59,8 +60,6 @@ impl Angle {
     #[must_use]
     #[inline]
     pub fn direction(self) -> Vec2 {
-        // Added to 3 2^51 a small number is rounded to a whole one, which the lowest bits of the sum then hold.
-        const ROUNDING: f64 = 6_755_399_441_055_744.0;
         // Both the remainder and the subtraction of a whole number of quarters are exact in f64.
         let within = if self.degrees.abs() <= 360.0 {
             self.degrees

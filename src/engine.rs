@@ -30,6 +30,7 @@ use core::iter::FusedIterator;
 use kurbo::{CubicBez, Point, Vec2};
 
 use crate::angle::Angle;
+use crate::digits::ROUNDING;
 use crate::error::{Error, Result};
 use crate::joints::MOST_SEGMENTS;
 use crate::method::{Method, Rule, Span};
@@ -247,7 +248,6 @@ fn larger(a: f64, b: f64) -> f64 {
 /// The nearest whole number to one below 2^51.
 #[inline]
 fn nearest(x: f64) -> f64 {
-    const ROUNDING: f64 = 6_755_399_441_055_744.0;
     (x + ROUNDING) - ROUNDING
 }
 

@@ -22,6 +22,7 @@ pub mod approximate;
 pub mod batch;
 pub mod compare;
 pub mod curve;
+mod digits;
 pub mod document;
 pub mod engine;
 pub mod error;

@@ -1,6 +1,6 @@
 //! Decimal numbers, held exactly and written shortly.
 
-use super::number::{EXACT_POWERS, ZEROS};
+use crate::digits::{EXACT_POWERS, ZEROS, digits};
 
 /// A decimal number held exactly: `units` times ten to the minus `decimals`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,7 +93,7 @@ impl Decimal {
         }
         // All digits in a word, the first one lowest, and how many of them are zeros at either end that are left out. No branch
         // depends on the digits, which nobody can foresee.
-        let digits = digits_of(units);
+        let digits = digits(units);
         let whole = 8 - self.decimals;
         let leading = (digits.trailing_zeros() / 8).min(whole - u32::from(units == 0));
         let trailing = (digits.leading_zeros() / 8).min(self.decimals);
@@ -150,18 +150,6 @@ impl Decimal {
         out.extend_from_slice(&text[at..]);
         decimals > 0
     }
-}
-
-/// The eight digits of a number below 10^8, one a byte, the first one lowest: halves, quarters, then single digits, side by side.
-#[inline]
-const fn digits_of(n: u64) -> u64 {
-    let high = n / 10_000;
-    let fours = high | (n - 10_000 * high) << 32;
-    // 5243/2^19 is a hundredth and 103/2^10 a tenth, exact enough for what they meet here.
-    let high = ((fours * 5_243) >> 19) & 0x0000_007f_0000_007f;
-    let pairs = high | (fours - 100 * high) << 16;
-    let high = ((pairs * 103) >> 10) & 0x000f_000f_000f_000f;
-    high | (pairs - 10 * high) << 8
 }
 
 /// What a text ends with, which decides whether a number behind it needs a separator.

@@ -1,13 +1,6 @@
 //! Numbers as a file spells them: SVG 2's grammar and the exact byte span.
 
-/// `0` in every byte.
-pub(super) const ZEROS: u64 = 0x3030_3030_3030_3030;
-
-/// The powers of ten that `f64` holds exactly.
-pub(super) const EXACT_POWERS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
-];
+use crate::digits::{EXACT_POWERS, ZEROS};
 
 /// The index behind the number at `bytes[at..]`; `None` where none begins.
 ///

@@ -15,6 +15,7 @@ use serde_json::value::RawValue;
 use super::endpoint::SvgArc;
 use super::{Arc, Circle, Ellipse, Shape};
 use crate::angle::Angle;
+use crate::digits::EXACT_POWERS;
 use crate::error::{Error, Result};
 use crate::joints::{Cut, Tolerance};
 use crate::method::Method;
@@ -191,10 +192,6 @@ fn arc(center: [f64; 2], radii: [f64; 2], rotation: f64, start: f64, sweep: f64)
 /// float (Clinger 1990); what is longer or has an exponent is left to the standard library.
 #[inline]
 fn number(word: &str) -> Option<f64> {
-    const POWERS: [f64; 23] = [
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-        1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
-    ];
     let bytes = word.as_bytes();
     let negative = bytes.first() == Some(&b'-');
     let (mut whole, mut digits, mut point) = (0_u64, 0, None);
@@ -213,7 +210,7 @@ fn number(word: &str) -> Option<f64> {
         return word.parse().ok();
     }
     let decimals = point.map_or(0, |point| digits - point);
-    let value = whole as f64 / POWERS[decimals];
+    let value = whole as f64 / EXACT_POWERS[decimals];
     Some(if negative { -value } else { value })
 }
 

@@ -10,6 +10,8 @@
 
 use std::io::Write as _;
 
+use crate::digits::{ROUNDING, ZEROS, digits};
+
 /// How many decimals a number is printed with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
@@ -223,8 +225,6 @@ const EXACT_STEPS: u64 = 1 << 53;
 const SHORT_WHOLE: u64 = 1_000_000;
 /// Eight decimal digits to a block.
 const BLOCK: u64 = 100_000_000;
-/// `b"00000000"` as a number.
-const ZEROS: u64 = 0x3030_3030_3030_3030;
 
 #[inline]
 fn power(exponent: u8) -> Option<u64> {
@@ -262,20 +262,6 @@ fn split(x: f64, power: u64) -> Option<(u64, u64)> {
     let steps = steps + u64::from(left > HALF - odd);
     let carry = u64::from(steps == power);
     Some((whole + carry, if carry == 1 { 0 } else { steps }))
-}
-
-/// The eight digits of `n` < 10^8 as the bytes of the result, the first digit lowest.
-///
-/// Halves, then quarters, then single digits, all lanes at once; the multipliers are reciprocals of
-/// 10^4, 10^2 and 10, exact for the lanes that they meet.
-#[inline]
-const fn digits(n: u64) -> u64 {
-    let high = (n * 109_951_163) >> 40;
-    let fours = high | ((n - 10_000 * high) << 32);
-    let high = ((fours * 10_486) >> 20) & 0x0000_007f_0000_007f;
-    let pairs = high | ((fours - 100 * high) << 16);
-    let high = ((pairs * 103) >> 10) & 0x000f_000f_000f_000f;
-    high | ((pairs - 10 * high) << 8)
 }
 
 /// The digits of `n` < 10^8 without leading zeros as ASCII, the first one lowest, and how many they are.
@@ -387,7 +373,6 @@ impl EightDigits {
         x: f64,
         separated: bool,
     ) -> Option<usize> {
-        const ROUNDING: f64 = (3_u64 << 51) as f64;
         const CLOSE_TO_TIE: f64 = 0.5 - 1e-6;
         let product = x.abs() * self.scale;
         let shifted = product + ROUNDING;
