@@ -64,15 +64,21 @@ pub(super) fn handle(span: &Span) -> f64 {
 }
 
 pub(super) fn error(span: &Span) -> RadialError {
-    let (_, square) = handle_with_square(span);
-    RadialError::balanced(root_minus_1(square))
+    let (w0, gamma) = zero(span);
+    RadialError::balanced(root_minus_1(square(w0, gamma)))
 }
 
-/// The handle and the peak of r² - 1, which saves the roots of an error that is only compared.
+/// The handle and the peak of r² - 1, which saves the root of an error that is only compared.
 #[inline]
 pub(super) fn handle_with_square(span: &Span) -> (f64, f64) {
     let (w0, gamma) = zero(span);
-    (family(span, w0), gamma * (32.0 * (w0 * w0 * w0)))
+    (family(span, w0), square(w0, gamma))
+}
+
+/// The peak of r² - 1, G w0³/432.
+#[inline]
+fn square(w0: f64, gamma: f64) -> f64 {
+    gamma * (32.0 * (w0 * w0 * w0))
 }
 
 #[cfg(test)]
