@@ -1,7 +1,7 @@
 //! Time per number of the formatter, against std and zmij: `cargo bench --bench number`.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use curveto::write::number::{push_fixed, push_shortest, round};
+use curveto::number::{push_fixed, push_shortest, round};
 use std::hint::black_box;
 use std::io::Write as _;
 

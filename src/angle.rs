@@ -6,8 +6,8 @@ use core::str::FromStr;
 
 use kurbo::Vec2;
 
-use crate::digits::ROUNDING;
 use crate::error::{Error, Result, finite};
+use crate::number::digits::ROUNDING;
 
 /// An angle, held in degrees so that quarters, eighths and twelfths of a turn are exact.
 ///

@@ -4,16 +4,18 @@ mod fewest;
 
 use core::f64::consts::FRAC_1_SQRT_2;
 
-use kurbo::{Affine, PathSeg, Point, Vec2};
+use kurbo::{Affine, PathSeg, Point};
 
-use crate::curve::Curve;
+use crate::curve::{Curve, turn};
 use crate::error::Result;
 use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, quarters};
-use crate::measure::{RadialError, radial};
+use crate::measure::radial;
 use crate::method::{Method, Rule};
+use crate::number::Precision;
+use crate::place::place;
+use crate::radial_error::RadialError;
 use crate::shape::{Outline, Shape};
-use crate::write::number::Precision;
 
 /// The part of the peak error, or of the tolerance, that rounding for output may add.
 const ROUNDING_SHARE: f64 = 0.1;
@@ -248,7 +250,7 @@ impl<'a> Request<'a> {
     /// The curve through these joints.
     fn cut(&self, joints: Joints, tolerance: Option<f64>) -> Result<Sketch> {
         let pieces = self.options.rule.pieces(&joints.spans, joints.closed)?;
-        let curve = Curve::place(&self.outline, &joints, &pieces);
+        let curve = place(&self.outline, &joints, &pieces);
         let peak = self.peak_by_formula(&joints);
         let precision = self.options.precision.unwrap_or_else(|| {
             let peak =
@@ -314,26 +316,6 @@ impl<'a> Request<'a> {
         }
         radial::error(&sketch.rounded().segments, truth).peak() <= tolerance
     }
-}
-
-/// The angle between the tangents of two segments where they join, in degrees.
-pub(crate) fn turn(before: &PathSeg, after: &PathSeg) -> f64 {
-    let (incoming, outgoing) = (before.reverse(), *after);
-    let (incoming, outgoing) = (-first_direction(&incoming), first_direction(&outgoing));
-    incoming
-        .cross(outgoing)
-        .atan2(incoming.dot(outgoing))
-        .to_degrees()
-}
-
-/// The direction in which a segment leaves its first point.
-pub(crate) fn first_direction(segment: &PathSeg) -> Vec2 {
-    let points = crate::curve::control_points(segment);
-    points
-        .iter()
-        .map(|&p| p - points[0])
-        .find(|v| *v != Vec2::ZERO)
-        .unwrap_or_default()
 }
 
 /// The fewest decimals for which rounding moves no point farther than a tenth of `error`.

@@ -6,6 +6,7 @@
 //! a few chunks only.
 
 mod lines;
+pub mod spec;
 
 use std::io::{self, Read, Write};
 use std::sync::Arc;
@@ -15,8 +16,8 @@ use std::thread;
 use crate::error::Error;
 use crate::joints::Cut;
 use crate::method::Rule;
+use crate::number::Precision;
 use crate::write::Format;
-use crate::write::number::Precision;
 
 pub use lines::Worker;
 

@@ -13,8 +13,8 @@ use crate::joints::Cut;
 use crate::measure::extent;
 use crate::measure::radial::{self, Profile};
 use crate::method::Rule;
+use crate::number::Precision;
 use crate::shape::{Circle, Shape, Truth};
-use crate::write::number::Precision;
 
 /// What methods are compared by. All are relative to the true circle of radius 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, JsonSchema)]

@@ -20,12 +20,14 @@ mod number;
 mod output;
 mod own;
 mod path_data;
+mod paths;
 mod pen;
 mod place;
 mod property;
 mod reason;
 mod rewrite;
 mod scan;
+mod scratch;
 mod segments;
 mod selector;
 mod splice;
@@ -40,6 +42,7 @@ use crate::joints::Cut;
 use crate::method::{Ends, Rule, Span};
 
 pub use note::Note;
+pub use paths::{SvgPath, svg_paths};
 pub use property::Kind;
 pub use reason::Reason;
 
@@ -227,7 +230,7 @@ impl Error {
 /// A document that is not well-formed XML, or that declares an encoding other than UTF-8.
 pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Error> {
     let fail = |fault| Error::new(text, fault);
-    let pass = memo::with_scratch(options, |scratch| {
+    let pass = scratch::with_scratch(options, |scratch| {
         match rewrite::run(text, options, None, scratch)? {
             Pass::NeedsFacts => rewrite::run(text, options, Some(&Facts::read(text)?), scratch),
             done @ Pass::Done(..) => Ok(done),

@@ -30,10 +30,10 @@ use core::iter::FusedIterator;
 use kurbo::{CubicBez, Point, Vec2};
 
 use crate::angle::Angle;
-use crate::digits::ROUNDING;
 use crate::error::{Error, Result};
 use crate::joints::MOST_SEGMENTS;
 use crate::method::{Method, Rule, Span};
+use crate::number::digits::ROUNDING;
 use crate::shape::endpoint::{Chord, SvgArc};
 use crate::shape::{Arc, Truth};
 

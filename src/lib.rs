@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use curveto::{Circle, Method, Options, Rule, Shape, approximate};
-//! use curveto::write::path;
+//! use curveto::path;
 //!
 //! let circle = Shape::Circle(Circle::new((0.0, 0.0), 50.0)?);
 //! let drawing = approximate(&circle, &Options { rule: Rule::Method(Method::Minimax), ..Options::default() })?;
@@ -21,20 +21,23 @@ pub mod angle;
 pub mod approximate;
 pub mod batch;
 pub mod compare;
+pub mod continuity;
 pub mod curve;
-mod digits;
 pub mod document;
 pub mod engine;
 pub mod error;
 pub mod joints;
 pub mod measure;
 pub mod method;
+pub mod number;
+mod numeric;
+pub mod path;
+mod place;
 pub mod power;
-pub mod read;
+pub mod radial_error;
 pub mod shape;
 pub mod sphere;
 pub mod spline;
-mod tridiagonal;
 pub mod write;
 
 pub use angle::Angle;
@@ -42,8 +45,8 @@ pub use approximate::{Drawing, Options, approximate};
 pub use curve::Curve;
 pub use error::{Error, Result};
 pub use joints::{Cut, Tolerance};
-pub use measure::RadialError;
 pub use method::{Method, Rule};
+pub use radial_error::RadialError;
 pub use shape::{Arc, Circle, Ellipse, Shape};
 
 #[cfg(doctest)]

@@ -2,10 +2,8 @@
 //! judges any method, rounded output, and curves that others made.
 
 pub(crate) mod bench;
-pub(crate) mod bernstein;
 pub mod continuity;
 pub mod curvature;
-pub(crate) mod exact;
 pub mod extent;
 pub mod fit;
 pub mod profile;
@@ -15,65 +13,74 @@ pub mod report;
 
 pub use profile::Quantity;
 pub use reference::Reference;
-pub use report::{Report, report};
+pub use report::Report;
 
-use serde::Serialize;
+use kurbo::Affine;
 
-/// The largest distances of a curve from the true shape, both at least 0.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct RadialError {
-    /// The largest distance outside.
-    pub outward: f64,
-    /// The largest distance inside.
-    pub inward: f64,
+use crate::curve::{Curve, control_points};
+use crate::error::{Error, Result, finite};
+use bench::Bench;
+
+/// Measures a curve. `coordinate_tolerance` is how far rounding may have moved each coordinate; without it, four units in the
+/// last place of the largest one in double precision.
+///
+/// # Errors
+///
+/// Where the curve has no segment, a coordinate is not finite or beyond 1e150, or the true shape is so small that the rounding of
+/// the coordinates swallows it.
+///
+/// ```
+/// use curveto::measure::{Reference, report};
+/// use curveto::{Circle, Method, Options, Rule, Shape, approximate};
+/// let circle = Shape::Circle(Circle::new((0.0, 0.0), 1.0)?);
+/// let options = Options { rule: Rule::Method(Method::Apprich), ..Options::default() };
+/// let drawing = approximate(&circle, &options)?;
+/// let outline = drawing.outline.expect("a circle has an outline");
+/// let report = report(&drawing.curve, &Reference::from(&outline), None)?;
+/// assert_eq!(report.error.outward, drawing.error.outward);
+/// # Ok::<(), curveto::Error>(())
+/// ```
+pub fn report(
+    curve: &Curve,
+    reference: &Reference,
+    coordinate_tolerance: Option<f64>,
+) -> Result<Report> {
+    if curve.segments.is_empty() {
+        return Err(Error::Shape(
+            "there is nothing to measure: the path is empty".to_owned(),
+        ));
+    }
+    let largest = largest_coordinate(curve, reference)?;
+    let smaller_radius = reference.truth.radii.x.min(reference.truth.radii.y);
+    if smaller_radius <= 8.0 * f64::EPSILON * largest {
+        return Err(Error::Shape(format!(
+            "a true shape of radius {smaller_radius:e} is lost in the rounding of coordinates of {largest:e}"
+        )));
+    }
+    let unit = unit_for(largest);
+    let scaled = curve.transformed(Affine::scale(1.0 / unit));
+    let delta = coordinate_tolerance.unwrap_or(4.0 * f64::EPSILON * largest);
+    let bench = Bench::new(&scaled, reference.scaled(1.0 / unit));
+    let mut report = bench.report(delta / unit);
+    report.rescale(unit);
+    Ok(report)
 }
 
-impl RadialError {
-    /// The larger of the two.
-    #[must_use]
-    pub fn peak(&self) -> f64 {
-        self.outward.max(self.inward)
-    }
+/// The unit of the bench: a power of two near the largest number brings every power of a length into the range of f64, without a
+/// rounding error.
+pub(crate) fn unit_for(largest: f64) -> f64 {
+    2.0_f64.powi(largest.log2().ceil().clamp(-500.0, 500.0) as i32)
+}
 
-    /// The same distance on both sides.
-    #[must_use]
-    pub(crate) const fn balanced(distance: f64) -> Self {
-        Self {
-            outward: distance,
-            inward: distance,
+/// The largest number among all coordinates.
+pub(crate) fn largest_coordinate(curve: &Curve, reference: &Reference) -> Result<f64> {
+    let truth = &reference.truth;
+    let mut largest = truth.larger_radius().max(f64::MIN_POSITIVE);
+    let points = curve.segments.iter().flat_map(control_points);
+    for p in points.chain([truth.center]) {
+        for x in [p.x, p.y] {
+            largest = largest.max(finite("coordinate", x)?.abs());
         }
     }
-
-    /// The larger of both on either side.
-    #[must_use]
-    pub(crate) fn with(self, other: Self) -> Self {
-        Self {
-            outward: self.outward.max(other.outward),
-            inward: self.inward.max(other.inward),
-        }
-    }
-
-    /// The distances where everything is so many times as large.
-    #[must_use]
-    pub(crate) fn times(self, factor: f64) -> Self {
-        Self {
-            outward: self.outward * factor,
-            inward: self.inward * factor,
-        }
-    }
-
-    /// The range of signed distances, positive outside.
-    pub(crate) fn of_range(signed: impl IntoIterator<Item = f64>) -> Self {
-        let mut range = Self::default();
-        range.take_in_all(signed);
-        range
-    }
-
-    /// Widens the range by signed distances, positive outside.
-    pub(crate) fn take_in_all(&mut self, signed: impl IntoIterator<Item = f64>) {
-        for distance in signed {
-            self.outward = self.outward.max(distance);
-            self.inward = self.inward.max(-distance);
-        }
-    }
+    Ok(largest)
 }

@@ -11,13 +11,13 @@ mod equioscillating;
 mod integral;
 mod lancaster;
 mod minimax;
-pub(crate) mod numeric;
+pub mod nodal;
 mod quadratic;
 mod rule;
 mod span;
 mod tangent;
 
-pub use catalogue::{Card, Continuity, Degree, Ends};
+pub use catalogue::{Card, Degree, Ends};
 pub use rule::Rule;
 pub use span::Span;
 
@@ -27,7 +27,7 @@ use core::str::FromStr;
 use kurbo::Vec2;
 
 use crate::error::{Error, Result};
-use crate::measure::RadialError;
+use crate::radial_error::RadialError;
 
 /// A method of the catalogue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

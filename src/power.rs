@@ -26,7 +26,7 @@
 use kurbo::{PathSeg, Point, Vec2};
 
 use crate::curve::control_points as points_of;
-use crate::measure::exact::Double;
+use crate::numeric::double::Double;
 
 /// A segment of a plane curve in equation space.
 #[derive(Debug, Clone, Copy, PartialEq)]

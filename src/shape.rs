@@ -1,7 +1,6 @@
 //! What is asked for: a circle, an ellipse or an arc, each a piece of the unit circle under an affine map.
 
 pub mod endpoint;
-pub mod spec;
 
 use kurbo::{Affine, Point, Vec2};
 

@@ -16,10 +16,10 @@ use crate::approximate::{self, Drawing, approximate, automatic_precision};
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS};
-use crate::measure::RadialError;
 use crate::method::Rule;
+use crate::number::Precision;
+use crate::radial_error::RadialError;
 use crate::shape::{Arc, Circle, Shape};
-use crate::write::number::Precision;
 use limb::Side;
 use space::{Ring, Space};
 

@@ -5,15 +5,15 @@
 //! parameter, iterated from the chords ([`Parametrization::ArcLength`]), and makes the nodal derivatives unit vectors
 //! ([`Options::unit_tangents`]), which gives up C² for G¹. The segment k is a cubic Bézier curve with handles `t_k` D/3.
 
-pub mod nodal;
 pub mod points;
 
 use kurbo::{Affine, CubicBez, ParamCurveArclen, PathSeg, Point, Vec2};
 
 use crate::curve::Curve;
 use crate::error::{Error, Result, finite};
-use crate::write::number::Precision;
-pub use nodal::Ends;
+use crate::method::nodal;
+pub use crate::method::nodal::Ends;
+use crate::number::Precision;
 
 /// The arc lengths have settled when none changes by more than this part of itself.
 const SETTLED: f64 = 1e-12;

@@ -8,8 +8,9 @@ use std::sync::mpsc::channel;
 use std::time::Duration;
 
 use curveto::batch::{OnError, Options, run};
-use curveto::write::number::{Precision, text};
-use curveto::write::{Format, json, path};
+use curveto::number::{Precision, text};
+use curveto::path;
+use curveto::write::{Format, json};
 use curveto::{Cut, Method, Rule, Tolerance, approximate};
 use proptest::prelude::*;
 
@@ -116,7 +117,7 @@ proptest! {
     ) {
         let precision = decimals.map(Precision::Fixed);
         let options = Options { cut: cut.clone(), precision, on_error: OnError::Blank, ..Options::default() };
-        let shape = curveto::shape::spec::Spec::parse(&line).unwrap().shape;
+        let shape = curveto::batch::spec::Spec::parse(&line).unwrap().shape;
         let drawing = approximate(&shape, &curveto::Options { cut, precision, ..curveto::Options::default() });
         let expected = drawing.map_or_else(|_| String::new(), |drawing| path::data([&drawing.curve], false));
         prop_assert_eq!(answers(&(line + "\n"), &options).concat(), expected);
@@ -222,7 +223,7 @@ fn ids_pass_through() {
     assert!(answer.starts_with(r#"{"id":"a1","version":1,"#), "{answer}");
     let document: serde_json::Value = serde_json::from_str(&answer).unwrap();
     assert_eq!(document["segments"].as_array().unwrap().len(), 4);
-    let shape = curveto::shape::spec::Spec::parse("circle 0 0 50")
+    let shape = curveto::batch::spec::Spec::parse("circle 0 0 50")
         .unwrap()
         .shape;
     let full = curveto::Options {

@@ -6,7 +6,7 @@ mod oracle;
 
 use curveto::approximate::{Options, approximate};
 use curveto::curve::control_points;
-use curveto::write::number::Precision;
+use curveto::number::Precision;
 use curveto::{Angle, Arc, Circle, Cut, Method, Shape};
 use kurbo::Vec2;
 use oracle::real::{abs, cross, norm};

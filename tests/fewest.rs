@@ -6,7 +6,8 @@
 mod oracle;
 
 use curveto::method::Span;
-use curveto::write::{number::Precision, path};
+use curveto::number::Precision;
+use curveto::path;
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Shape, Tolerance, approximate,
 };

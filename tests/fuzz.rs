@@ -168,20 +168,20 @@ proptest! {
 
 /// Whatever reads words of the command line or lines of a file.
 fn read_all(text: &str) {
-    if let Ok(spec) = curveto::shape::spec::Spec::parse(text) {
+    if let Ok(spec) = curveto::batch::spec::Spec::parse(text) {
         let options = curveto::Options {
             cut: spec.cut.unwrap_or_default(),
             ..curveto::Options::default()
         };
         if let Ok(drawing) = curveto::approximate(&spec.shape, &options) {
-            let data = curveto::write::path::data([&drawing.curve], false);
+            let data = curveto::path::data([&drawing.curve], false);
             assert!(!data.contains("NaN") && !data.contains("inf"), "{data}");
         }
     }
     let _ = curveto::shape::endpoint::parse_svg_arc(text);
     let _ = curveto::spline::points::Points::parse(text);
-    let _ = curveto::read::path_data(text);
-    let _ = curveto::read::svg_paths(text);
+    let _ = curveto::path::curves(text);
+    let _ = curveto::document::svg_paths(text);
     let _ = text.parse::<curveto::Angle>();
     let _ = text.parse::<Tolerance>();
     let _ = text.parse::<Method>();

@@ -5,7 +5,8 @@
 mod oracle;
 
 use curveto::Method;
-use curveto::method::{Continuity, Ends, Span};
+use curveto::continuity::Continuity;
+use curveto::method::{Ends, Span};
 use oracle::real::{abs, cross, dot};
 use oracle::{Point, Real, curvature_derivatives, int, parse, radians, real};
 

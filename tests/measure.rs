@@ -4,11 +4,11 @@
 
 mod oracle;
 
+use curveto::continuity::Continuity;
 use curveto::curve::{Curve, control_points};
 use curveto::measure::{Quantity, Reference, Report, curvature, fit, profile, report};
-use curveto::method::Continuity;
+use curveto::number::Precision;
 use curveto::shape::Truth;
-use curveto::write::number::Precision;
 use curveto::write::plot::{Chart, PictureFormat};
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, approximate,

@@ -11,9 +11,9 @@ use curveto::Method;
 use curveto::curve::Curve;
 use curveto::measure::{Reference, Report, report};
 use curveto::method::Span;
-use curveto::read;
+use curveto::path;
+
 use curveto::shape::Truth;
-use curveto::write::path;
 use kurbo::{BezPath, Point, Shape};
 
 fn folder() -> PathBuf {
@@ -36,7 +36,7 @@ fn kept(name: &str, drawn: &str) -> Report {
 }
 
 fn measured(data: &str) -> Report {
-    let curves = read::path_data(data.trim()).unwrap();
+    let curves = path::curves(data.trim()).unwrap();
     assert_eq!(curves.len(), 1);
     report(
         &curves[0],
@@ -126,7 +126,7 @@ fn cairo_draws_by_midpoint_within_its_tolerance_of_a_tenth_of_a_pixel() {
     for (radius, count) in [(100.0, 4), (10_000.0, 8)] {
         let file = folder().join(format!("cairo-{radius}.path"));
         let stored = fs::read_to_string(file).unwrap();
-        let curves = read::path_data(stored.trim()).unwrap();
+        let curves = path::curves(stored.trim()).unwrap();
         let reference = Reference::from(Truth::circle(Point::ORIGIN, radius));
         let found = report(&curves[0], &reference, None).unwrap();
         assert_eq!(found.segments, count);

@@ -4,9 +4,9 @@
 
 mod oracle;
 
+use curveto::number::Precision;
+use curveto::path;
 use curveto::shape::endpoint::SvgArc;
-use curveto::write::number::Precision;
-use curveto::write::path;
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Error, Method, Options, Rule, Shape, Tolerance,
     approximate,

@@ -4,8 +4,8 @@
 
 mod program;
 
+use curveto::number::Precision;
 use curveto::sphere::{Line, Options, Part, Picture, Sphere, View};
-use curveto::write::number::Precision;
 use curveto::{Angle, Method, Rule};
 use kurbo::{ParamCurve, PathSeg, Point};
 

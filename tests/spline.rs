@@ -7,9 +7,9 @@ use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
 use curveto::measure::radial;
+use curveto::number::Precision;
 use curveto::shape::Truth;
 use curveto::spline::{Ends, Options, Parametrization, Quadrature, Spline};
-use curveto::write::number::Precision;
 use kurbo::{Affine, CubicBez, ParamCurveArclen, Point, Vec2};
 use serde_json::Value;
 

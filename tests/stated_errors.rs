@@ -6,7 +6,7 @@ mod oracle;
 
 use curveto::approximate::{Drawing, Options, approximate};
 use curveto::curve::control_points;
-use curveto::write::number::Precision;
+use curveto::number::Precision;
 use curveto::{Angle, Arc, Circle, Cut, Error, Method, Shape};
 use kurbo::{Point, Vec2};
 use oracle::{radial_extremes, real, to_f64};

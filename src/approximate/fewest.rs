@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
 use crate::method::{Method, Rule, Span};
-use crate::write::number::Precision;
+use crate::number::Precision;
 
 /// How many counts beyond the estimate are tried.
 const MOST_TRIES: usize = 64;

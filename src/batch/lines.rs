@@ -5,12 +5,13 @@ use kurbo::Affine;
 use super::{Answers, OnError, Options};
 use crate::angle::Angle;
 use crate::approximate::{self, approximate, sketch};
+use crate::batch::spec::Spec;
 use crate::error::{Error, Result};
 use crate::method::Rule;
+use crate::number::Precision;
+use crate::path;
 use crate::shape::Shape;
-use crate::shape::spec::Spec;
-use crate::write::number::Precision;
-use crate::write::{Format, json, path, postscript};
+use crate::write::{Format, json, postscript};
 
 /// Answers lines, one at a time.
 #[derive(Debug)]

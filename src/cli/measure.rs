@@ -10,11 +10,11 @@ use anyhow::Context;
 use curveto::approximate::Options;
 use curveto::curve::Curve;
 use curveto::measure::{Quantity, Reference, fit, report};
-use curveto::read;
+use curveto::number::Precision;
 use curveto::write::json;
 use curveto::write::measurement::{Measurement, csv};
-use curveto::write::number::Precision;
 use curveto::write::plot::{self, Chart};
+use curveto::{document, path};
 
 use super::Outcome;
 use super::args::MeasureArgs;
@@ -78,7 +78,7 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
 /// Measures what someone else made.
 fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Failure> {
     if let Some(data) = &args.path {
-        let curves = read::path_data(data)?;
+        let curves = path::curves(data)?;
         return subjects("path", &curves, args, report);
     }
     let Some(file) = &args.file else {
@@ -89,7 +89,7 @@ fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Fail
     };
     let (text, name) = read_text(file)?;
     let paths =
-        read::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
+        document::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
     let mut found = Vec::new();
     for path in &paths {
         let id = path

@@ -9,11 +9,10 @@ use core::ops::Range;
 use kurbo::{Point, Vec2};
 
 use super::bezier;
-use super::curve_text::{Body, absolute, relative};
+use super::curve_text::{absolute, relative};
 use super::decimal::{After, Decimal};
-use super::memo::Memo;
 use super::path_data::{Segment, Segments};
-use super::segments::Beziers;
+use super::scratch::Scratch;
 use super::{Options, Reason};
 use crate::Angle;
 use crate::shape::endpoint::SvgArc;
@@ -41,14 +40,6 @@ pub(super) trait Sink {
     fn edit(&mut self, range: Range<usize>) -> &mut Vec<u8>;
     /// The arc at `at` is left.
     fn note(&mut self, at: usize, reason: Reason);
-}
-
-/// Buffers that outlive one path.
-#[derive(Debug, Default)]
-pub(super) struct Scratch {
-    pub(super) body: Body,
-    pub(super) beziers: Beziers,
-    pub(super) memo: Memo,
 }
 
 /// Rewrites the arcs of the path data in `text[span]`, behind which the text ends or goes on with a quote.

@@ -15,9 +15,9 @@ use crate::approximate::{self, approximate};
 use crate::curve::control_points;
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Degree, Ends, Method, Rule};
+use crate::number::Precision;
 use crate::shape::endpoint::{Chord, SvgArc};
 use crate::shape::{Ellipse, Outline, Shape};
-use crate::write::number::Precision;
 
 /// From so many decimals on the last digits of every sum show, and they are to be those of the engine.
 const LAST_DIGITS: u32 = 12;

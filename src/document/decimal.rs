@@ -1,6 +1,6 @@
 //! Decimal numbers, held exactly and written shortly.
 
-use crate::digits::{EXACT_POWERS, ZEROS, digits};
+use crate::number::digits::{EXACT_POWERS, ZEROS, digits};
 
 /// A decimal number held exactly: `units` times ten to the minus `decimals`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

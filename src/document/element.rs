@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use kurbo::{Point, Vec2};
 
-use super::arcs::Scratch;
 use super::bezier;
 use super::decimal::Decimal;
 use super::length::{self, Length, Reading};
 use super::pen::Pen;
 use super::property::Kind;
+use super::scratch::Scratch;
 use super::{Options, Reason};
 use crate::Angle;
 use crate::shape::endpoint::SvgArc;

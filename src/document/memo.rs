@@ -3,10 +3,7 @@
 //! Each thread keeps a bounded table for arcs, by their text, and one for spans, by their angle. Both hold what a computation
 //! gives again, so that nothing depends on what was converted before; they are emptied when the options change.
 
-use core::cell::Cell;
-
 use super::Options;
-use super::arcs::Scratch;
 use super::curve_text::Curve;
 use super::decimal::After;
 use crate::joints::Cut;
@@ -44,21 +41,8 @@ pub(super) struct Memo {
     spans: Vec<Option<(f64, Piece, f64)>>,
 }
 
-thread_local! {
-    static SCRATCH: Cell<Option<Box<Scratch>>> = const { Cell::new(None) };
-}
-
-/// Runs `work` with this thread's buffers.
-pub(super) fn with_scratch<T>(options: &Options, work: impl FnOnce(&mut Scratch) -> T) -> T {
-    let mut scratch = SCRATCH.take().unwrap_or_default();
-    scratch.memo.serve(options);
-    let result = work(&mut scratch);
-    SCRATCH.set(Some(scratch));
-    result
-}
-
 impl Memo {
-    fn serve(&mut self, options: &Options) {
+    pub(super) fn serve(&mut self, options: &Options) {
         let same = self
             .made_for
             .as_ref()

@@ -1,6 +1,6 @@
 //! Numbers as a file spells them: SVG 2's grammar and the exact byte span.
 
-use crate::digits::{EXACT_POWERS, ZEROS};
+use crate::number::digits::{EXACT_POWERS, ZEROS};
 
 /// The index behind the number at `bytes[at..]`; `None` where none begins.
 ///

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::arcs::{self, Scratch};
+use super::arcs;
 use super::attributes::Attribute;
 use super::element::{self, Shape};
 use super::facts::{self, Facts};
@@ -14,6 +14,7 @@ use super::place::Places;
 use super::property::{Kind, Markers};
 use super::reason::Reason;
 use super::scan::{Element, Node, Scanner};
+use super::scratch::Scratch;
 use super::splice::Splice;
 use super::value;
 use super::{Counts, Note, Options};

@@ -291,7 +291,7 @@ mod tests {
         for (flatness, count) in [(0.5, 8), (0.1, 10), (0.03, 14), (0.1, 9)] {
             let options = Options {
                 cut: Cut::Adaptive(count),
-                precision: Some(crate::write::number::Precision::Full),
+                precision: Some(crate::number::Precision::Full),
                 ..Options::default()
             };
             let drawing = approximate(&ellipse(flatness), &options).unwrap();

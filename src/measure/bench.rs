@@ -1,6 +1,6 @@
 //! The bench: where a curve lies beside its reference, in units near 1, and every figure is taken.
 
-use kurbo::{ParamCurve, PathSeg, Point};
+use kurbo::{PathSeg, Point};
 
 use super::continuity::{Joint, joint};
 use super::radial::{Profile, visit_extremes};
@@ -10,12 +10,8 @@ use super::report::{
     ReferenceReport, Report,
 };
 use super::{curvature, extent};
-use crate::curve::Curve;
-use crate::method::Continuity;
-
-/// A closing line shorter than this part of the curve's extent is the gap of a joint, not a segment; an open curve whose ends
-/// are as near returns to its start.
-pub(crate) const CLOSING_GAP: f64 = 1e-4;
+use crate::continuity::Continuity;
+use crate::curve::{CLOSING_GAP, Curve, gap, size};
 
 /// A curve on the bench: in units near 1, beside its reference.
 pub(crate) struct Bench<'a> {
@@ -313,19 +309,4 @@ fn enclosed(segments: &[PathSeg], center: Point) -> f64 {
         .iter()
         .map(|segment| extent::sector_area(segment, center))
         .sum()
-}
-
-/// How far the end of a curve lies from its start.
-pub(crate) fn gap(curve: &Curve) -> f64 {
-    match (curve.segments.first(), curve.segments.last()) {
-        (Some(first), Some(last)) => first.start().distance(last.end()),
-        _ => 0.0,
-    }
-}
-
-/// The diagonal of the curve's bounding box.
-pub(crate) fn size(curve: &Curve) -> f64 {
-    curve
-        .bounding_box()
-        .map_or(0.0, |b| b.width().hypot(b.height()))
 }

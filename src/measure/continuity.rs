@@ -9,9 +9,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::curvature::{self, Curvature};
-use crate::approximate::{first_direction, turn};
-use crate::curve::control_points;
-use crate::method::Continuity;
+use crate::continuity::Continuity;
+use crate::curve::{control_points, first_direction, turn};
 
 /// One joint.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

@@ -15,8 +15,8 @@ use kurbo::{PathSeg, Point, Vec2};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::bernstein::{Parameters, Polynomial};
 use crate::curve::control_points;
+use crate::numeric::bernstein::{Parameters, Polynomial};
 
 /// The curvature at a point and its derivatives by arc length, per unit of length, of its square and of its cube.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]

@@ -2,7 +2,7 @@
 
 use kurbo::{ParamCurve, ParamCurveArea, ParamCurveDeriv, PathSeg, Point, Vec2};
 
-use crate::method::numeric::adaptive_integral;
+use crate::numeric::adaptive_integral;
 
 /// The arc length of a segment, to a few units in the last place.
 #[must_use]

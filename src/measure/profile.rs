@@ -9,7 +9,7 @@ use super::bench::Bench;
 use super::curvature;
 use super::radial::Profile;
 use super::reference::Reference;
-use super::report::{largest_coordinate, unit_for};
+use super::{largest_coordinate, unit_for};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 

@@ -9,10 +9,10 @@ use core::iter;
 
 use kurbo::{ParamCurve, ParamCurveDeriv, PathSeg, Point, Vec2};
 
-use super::RadialError;
-use super::bernstein::{Parameters, Polynomial, binomial};
-use super::exact::Double;
-use crate::method::numeric::{adaptive_integral, root};
+use crate::numeric::bernstein::{Parameters, Polynomial, binomial};
+use crate::numeric::double::Double;
+use crate::numeric::{adaptive_integral, root};
+use crate::radial_error::RadialError;
 use crate::shape::Truth;
 
 /// How many brackets the search on an ellipse begins with between two crossings; they narrow towards the crossings, as the

@@ -2,8 +2,8 @@
 
 use kurbo::{Affine, PathSeg, Point, Vec2};
 
-use super::bernstein::Polynomial;
 use crate::curve::control_points;
+use crate::numeric::bernstein::Polynomial;
 use crate::shape::{Outline, Truth};
 
 /// A circle or an ellipse, and the part of it that the curve stands for.

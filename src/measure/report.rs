@@ -1,15 +1,10 @@
 //! The report: everything that is measured of one curve.
 
-use kurbo::Affine;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::bench::Bench;
 use super::continuity::Joint;
 use super::fit::Fit;
-use super::reference::Reference;
-use crate::curve::{Curve, control_points};
-use crate::error::{Error, Result, finite};
 
 /// Everything that is measured of one curve. Lengths are in user units, angles in degrees, parametric on an ellipse.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -156,73 +151,9 @@ pub struct LagReport {
     pub at: Place,
 }
 
-/// Measures a curve. `coordinate_tolerance` is how far rounding may have moved each coordinate; without it, four units in the
-/// last place of the largest one in double precision.
-///
-/// # Errors
-///
-/// Where the curve has no segment, a coordinate is not finite or beyond 1e150, or the true shape is so small that the rounding of
-/// the coordinates swallows it.
-///
-/// ```
-/// use curveto::measure::{Reference, report};
-/// use curveto::{Circle, Method, Options, Rule, Shape, approximate};
-/// let circle = Shape::Circle(Circle::new((0.0, 0.0), 1.0)?);
-/// let options = Options { rule: Rule::Method(Method::Apprich), ..Options::default() };
-/// let drawing = approximate(&circle, &options)?;
-/// let outline = drawing.outline.expect("a circle has an outline");
-/// let report = report(&drawing.curve, &Reference::from(&outline), None)?;
-/// assert_eq!(report.error.outward, drawing.error.outward);
-/// # Ok::<(), curveto::Error>(())
-/// ```
-pub fn report(
-    curve: &Curve,
-    reference: &Reference,
-    coordinate_tolerance: Option<f64>,
-) -> Result<Report> {
-    if curve.segments.is_empty() {
-        return Err(Error::Shape(
-            "there is nothing to measure: the path is empty".to_owned(),
-        ));
-    }
-    let largest = largest_coordinate(curve, reference)?;
-    let smaller_radius = reference.truth.radii.x.min(reference.truth.radii.y);
-    if smaller_radius <= 8.0 * f64::EPSILON * largest {
-        return Err(Error::Shape(format!(
-            "a true shape of radius {smaller_radius:e} is lost in the rounding of coordinates of {largest:e}"
-        )));
-    }
-    let unit = unit_for(largest);
-    let scaled = curve.transformed(Affine::scale(1.0 / unit));
-    let delta = coordinate_tolerance.unwrap_or(4.0 * f64::EPSILON * largest);
-    let bench = Bench::new(&scaled, reference.scaled(1.0 / unit));
-    let mut report = bench.report(delta / unit);
-    report.rescale(unit);
-    Ok(report)
-}
-
-/// The unit of the bench: a power of two near the largest number brings every power of a length into the range of f64, without a
-/// rounding error.
-pub(crate) fn unit_for(largest: f64) -> f64 {
-    2.0_f64.powi(largest.log2().ceil().clamp(-500.0, 500.0) as i32)
-}
-
-/// The largest number among all coordinates.
-pub(crate) fn largest_coordinate(curve: &Curve, reference: &Reference) -> Result<f64> {
-    let truth = &reference.truth;
-    let mut largest = truth.larger_radius().max(f64::MIN_POSITIVE);
-    let points = curve.segments.iter().flat_map(control_points);
-    for p in points.chain([truth.center]) {
-        for x in [p.x, p.y] {
-            largest = largest.max(finite("coordinate", x)?.abs());
-        }
-    }
-    Ok(largest)
-}
-
 impl Report {
     /// From the bench's units back to the user's.
-    fn rescale(&mut self, unit: f64) {
+    pub(super) fn rescale(&mut self, unit: f64) {
         let length = |x: &mut f64| *x *= unit;
         let r = &mut self.reference;
         r.center.iter_mut().chain(&mut r.radii).for_each(length);

@@ -15,7 +15,7 @@
 //! E = sin⁶ h (4 + 8c + q(5+c)/2) / (N² cos² h (4+q))
 //! ```
 
-use crate::measure::RadialError;
+use crate::radial_error::RadialError;
 
 use super::tangent::root_minus_1;
 use super::{Piece, Span};

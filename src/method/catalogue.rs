@@ -1,11 +1,10 @@
 //! The catalogue: what is known of each method, in one table.
 
-use core::fmt;
-
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Method;
+use crate::continuity::Continuity;
 
 /// The degree of a method's curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -25,37 +24,6 @@ pub enum Ends {
     OnCircle,
     /// A little off the circle: for closed shapes with equal segments only.
     OffCircle,
-}
-
-/// How two pieces join.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
-pub enum Continuity {
-    /// They do not meet, or there is no such pair.
-    #[serde(rename = "none")]
-    Apart,
-    /// They meet at an angle.
-    G0,
-    /// They share a tangent.
-    G1,
-    /// They share the curvature too.
-    G2,
-    /// They share the curvature's first derivative by arc length too.
-    G3,
-    /// They share the curvature's first two derivatives by arc length too.
-    G4,
-}
-
-impl fmt::Display for Continuity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Apart => "none",
-            Self::G0 => "G0",
-            Self::G1 => "G1",
-            Self::G2 => "G2",
-            Self::G3 => "G3",
-            Self::G4 => "G4",
-        })
-    }
 }
 
 /// What is known of a method.

@@ -7,12 +7,12 @@
 
 use kurbo::{Point, Vec2};
 
+use super::nodal::{self, Ends};
 use crate::angle::Angle;
-use crate::measure::RadialError;
-use crate::spline::nodal::{self, Ends};
+use crate::radial_error::RadialError;
 
-use super::numeric::{integral, sine_minus_angle_cosine};
 use super::{Degree, Piece, Span, tangent};
+use crate::numeric::{integral, sine_minus_angle_cosine};
 
 /// The most rounds of Formulation II; it halves its error at least in each.
 const MOST_ROUNDS: usize = 200;

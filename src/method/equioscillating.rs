@@ -14,10 +14,10 @@
 
 use kurbo::Vec2;
 
-use crate::measure::RadialError;
+use crate::radial_error::RadialError;
 
-use super::numeric::root_near;
 use super::{Degree, Piece, Span};
+use crate::numeric::root_near;
 
 /// Newton's method for β doubles its digits from a start that is within a third of it.
 const NEWTON_STEPS: usize = 12;

@@ -13,11 +13,11 @@
 //! - `length`: ∫ (ds - dθ) = 0, the arc length is the circle's
 //! - `mean`: ∫ |r-1| dt is least; `mean-angle`: ∫ |r-1| dθ is least; `rms`: ∫ (r-1)² dt is least
 
-use crate::measure::RadialError;
+use crate::radial_error::RadialError;
 
 use super::Span;
-use super::numeric::{angle_minus_sine, integral, root_near};
 use super::tangent::{family, family_error, family_y};
+use crate::numeric::{angle_minus_sine, integral, root_near};
 
 /// A member of the family at one parameter, with what the integrands ask for; derivatives are by τ or, with `_k`, by the handle.
 struct At {

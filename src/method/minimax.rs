@@ -16,7 +16,7 @@
 //! Two terms of d by powers of γ err by at most 4e-8, and one step of Newton's method from there by at most 1e-15, which the handle
 //! heeds by an eighth. Nothing here takes a branch, so that a processor works at several arcs at once.
 
-use crate::measure::RadialError;
+use crate::radial_error::RadialError;
 
 use super::Span;
 use super::tangent::{GOLDAPP_ZERO, family, root_minus_1, root_square};
@@ -83,9 +83,9 @@ fn square(w0: f64, gamma: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::numeric::root_near;
     use super::super::tangent::family_y;
     use super::*;
+    use crate::numeric::root_near;
 
     #[test]
     fn one_step_ends_at_the_root_at_every_angle() {

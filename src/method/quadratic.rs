@@ -10,11 +10,11 @@
 
 use kurbo::Vec2;
 
-use crate::measure::RadialError;
+use crate::radial_error::RadialError;
 
-use super::numeric::{angle_minus_sine, area_excess, root_near};
 use super::tangent::root_minus_1;
 use super::{Degree, Piece, Span};
+use crate::numeric::{angle_minus_sine, area_excess, root_near};
 
 fn with_apex(span: &Span, end_radius: f64, m: f64) -> Piece {
     Piece {

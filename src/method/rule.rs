@@ -1,7 +1,7 @@
 //! What gives the control points of a whole chain of pieces, and what it refuses.
 
 use crate::error::{Error, Result};
-use crate::measure::RadialError;
+use crate::radial_error::RadialError;
 
 use super::{Degrees, Ends, Method, Piece, Span, chen, tangent};
 

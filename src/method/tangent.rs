@@ -26,7 +26,7 @@
 //! w0 = 0 is `curvature` (de Boor, Höllig, Sabin 1987; Apprich et al. tell it as curvature = 1 at the ends);
 //! w0 = (3/2)(cbrt(√2+1) - cbrt(√2-1)), the root of 4w0³ + 27w0 = 27, balances r² - 1: `goldapp` (Goldapp 1991).
 
-use crate::measure::RadialError;
+use crate::radial_error::RadialError;
 
 use super::{Piece, Span};
 

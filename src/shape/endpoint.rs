@@ -6,7 +6,7 @@ use svgtypes::{PathParser, PathSegment};
 use super::{Arc, Line, Shape, Truth, finite_point, positive_radii};
 use crate::angle::Angle;
 use crate::error::{Error, Result, finite};
-use crate::write::number::{decimals_of, round};
+use crate::number::{decimals_of, round};
 
 /// An arc as SVG path data gives it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@
 use kurbo::{CubicBez, Line, PathSeg, Point, QuadBez};
 
 use crate::curve::{Curve, control_points};
-use crate::measure::bernstein::Polynomial;
+use crate::numeric::bernstein::Polynomial;
 use crate::power;
 
 /// A depth of less than this, in radii, is none: what is left of a curve that lies in the limb, or a joint that does.

@@ -3,10 +3,11 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::number::{Precision, text};
 use crate::approximate::{Options, approximate};
+use crate::continuity::Continuity;
 use crate::curve::control_points;
-use crate::method::{Continuity, Degree, Ends, Method, Span};
+use crate::method::{Degree, Ends, Method, Span};
+use crate::number::{Precision, text};
 use crate::{Circle, Cut, RadialError, Result, Shape};
 
 /// The whole catalogue.

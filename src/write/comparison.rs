@@ -2,8 +2,8 @@
 
 use core::fmt::Write;
 
-use super::number::{compact, text};
 use crate::compare::{Comparison, NOISE, Row};
+use crate::number::{compact, text};
 
 /// How wide a table may be.
 const COLUMNS: usize = 80;

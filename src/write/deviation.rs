@@ -7,7 +7,7 @@ use kurbo::{CubicBez, PathSeg, Point};
 
 use crate::curve::Curve;
 use crate::measure::radial::{distance, nearest, visit_extremes};
-use crate::method::numeric::root;
+use crate::numeric::root;
 use crate::power::Equation;
 use crate::shape::Truth;
 
@@ -124,7 +124,7 @@ mod tests {
     use kurbo::{ParamCurve, Shape as _};
 
     use super::*;
-    use crate::write::number::Precision;
+    use crate::number::Precision;
     use crate::{Circle, Drawing, Method, Options, Rule, Shape, approximate};
 
     fn circle(method: Method) -> Drawing {

@@ -7,11 +7,12 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
-use super::number::{decimals_of, push_shortest, round};
-use super::path;
 use crate::approximate::Drawing;
+use crate::continuity::Continuity;
 use crate::curve::control_points;
-use crate::method::{Continuity, Rule};
+use crate::method::Rule;
+use crate::number::{decimals_of, push_shortest, round};
+use crate::path;
 use crate::power;
 use crate::shape::Shape;
 

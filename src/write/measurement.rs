@@ -4,11 +4,11 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::json::{ShapeDocument, shape_document};
-use super::number::text;
 use crate::approximate::Drawing;
 use crate::error::Result;
 use crate::measure::{Reference, Report, report};
 use crate::method::Rule;
+use crate::number::text;
 
 /// A report with what it is about.
 #[derive(Debug, Serialize, JsonSchema)]

@@ -5,12 +5,13 @@ mod painter;
 use kurbo::{Circle, Rect};
 
 use super::Figure;
-use super::number::Precision;
 use super::style::{Paint, Style, default_stroke_width};
 use crate::curve::Curve;
 use crate::error::{Result, finite};
 use crate::joints::Joints;
 use crate::method::Rule;
+use crate::number::Precision;
+use crate::place::place;
 use crate::shape::Outline;
 use painter::Painter;
 
@@ -124,7 +125,7 @@ fn finely(outline: &Outline) -> Result<Curve> {
     let count = (outline.unit.sweep.degrees().abs() / TRUE_SPAN).ceil() as usize;
     let joints = Joints::equal(&outline.unit, count.max(1))?;
     let pieces = Rule::default().pieces(&joints.spans, joints.closed)?;
-    Ok(Curve::place(outline, &joints, &pieces))
+    Ok(place(outline, &joints, &pieces))
 }
 
 impl Scene {

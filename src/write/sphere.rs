@@ -5,8 +5,9 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::json::{ErrorDocument, SegmentDocument, segment_document};
-use super::number::{significant, text};
-use super::{Figure, Layer, path};
+use super::{Figure, Layer};
+use crate::number::{significant, text};
+use crate::path;
 use crate::sphere::{Line, Part, Picture};
 
 /// What becomes of the hidden halves.

@@ -4,8 +4,8 @@ use core::str::FromStr;
 
 use svgtypes::Color;
 
-use super::number::round_one_two_five;
 use crate::error::{Error, Result};
+use crate::number::round_one_two_five;
 
 /// The part of the larger side that the default stroke is wide.
 const STROKE_PART: f64 = 0.01;

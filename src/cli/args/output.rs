@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use curveto::number::Precision;
 use curveto::write::Format;
-use curveto::write::number::Precision;
 use curveto::write::style::Style;
 use kurbo::Affine;
 

@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use curveto::write::number::Precision;
+use curveto::number::Precision;
 use curveto::{Angle, Method, Tolerance};
 use kurbo::{Affine, Point, Vec2};
 

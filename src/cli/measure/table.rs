@@ -10,8 +10,8 @@ use curveto::measure::fit::FitTo;
 use curveto::measure::report::{
     ContinuityReport, CurvatureReport, ErrorReport, Extent, Extreme, Place, ReferenceReport,
 };
+use curveto::number::{compact, significant};
 use curveto::write::measurement::Measurement;
-use curveto::write::number::{compact, significant};
 
 /// How many joints are listed; beyond, most are alike, and JSON lists them all.
 const MOST_JOINTS: usize = 16;

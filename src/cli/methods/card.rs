@@ -1,9 +1,10 @@
 //! The card of one method.
 
 use comfy_table::{CellAlignment, Table};
-use curveto::method::{Continuity, Ends, Span};
+use curveto::continuity::Continuity;
+use curveto::method::{Ends, Span};
+use curveto::number::{significant, text};
 use curveto::write::catalogue::{MethodDocument, corner};
-use curveto::write::number::{significant, text};
 use curveto::{Method, Result};
 
 use super::notes::notes;

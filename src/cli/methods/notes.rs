@@ -1,7 +1,7 @@
 //! What a card says beyond its table: where a source printed something else, and why. Every figure is computed.
 
 use curveto::method::{Rule, Span};
-use curveto::write::number::{significant, text};
+use curveto::number::{significant, text};
 use curveto::{Method, Result};
 
 /// The paragraphs for a method.

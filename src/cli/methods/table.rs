@@ -1,9 +1,10 @@
 //! The catalogue for people.
 
 use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
-use curveto::method::{Continuity, Ends};
+use curveto::continuity::Continuity;
+use curveto::method::Ends;
+use curveto::number::significant;
 use curveto::write::catalogue::MethodDocument;
-use curveto::write::number::significant;
 
 /// Wider lines are no joy to read, and a pipe has no width of its own.
 pub(super) const WIDEST: u16 = 100;

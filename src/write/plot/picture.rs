@@ -9,8 +9,8 @@ use tiny_skia::{
 
 use super::text::Font;
 use crate::error::{Error, Result};
-use crate::write::number::{Precision, text};
-use crate::write::path;
+use crate::number::{Precision, text};
+use crate::path;
 use crate::{Circle, Options, Shape, approximate};
 
 /// A colour, red, green and blue.

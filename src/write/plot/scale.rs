@@ -1,6 +1,6 @@
 //! Axes: from values to positions, and where the round numbers are.
 
-use crate::write::number::{Precision, decimals_of, text};
+use crate::number::{Precision, decimals_of, text};
 
 /// Beyond this no axis goes, so that its steps stay finite; what is smaller than the other is 0.
 const LARGEST: f64 = 1e300;

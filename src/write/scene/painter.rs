@@ -5,9 +5,9 @@ use kurbo::{Circle, Line, ParamCurveArea as _, PathSeg, Point, Rect};
 use super::{Group, Mark, Pen};
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result};
+use crate::number::{Precision, decimals_of, round, round_one_two_five};
 use crate::shape::{Outline, Truth};
 use crate::write::deviation::Lobes;
-use crate::write::number::{Precision, decimals_of, round, round_one_two_five};
 use crate::write::style::{Paint, Style};
 use crate::write::{Figure, Layer};
 

@@ -8,9 +8,11 @@
 //! of that product decide the rounding exactly, ties included. Numbers of few digits take a product of floats wherever that is
 //! far enough from a tie to be on the right side of it for certain.
 
+pub(crate) mod digits;
+
 use std::io::Write as _;
 
-use crate::digits::{ROUNDING, ZEROS, digits};
+use digits::{ROUNDING, ZEROS, digits};
 
 /// How many decimals a number is printed with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

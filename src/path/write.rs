@@ -2,8 +2,8 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 
-use super::number::{EightDigits, Precision, decimals_of, push_fixed, push_shortest, round};
 use crate::curve::Curve;
+use crate::number::{EightDigits, Precision, decimals_of, push_fixed, push_shortest, round};
 
 /// The path data of one or more curves.
 #[must_use]

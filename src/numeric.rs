@@ -1,5 +1,9 @@
 //! The searches and sums that formulas without a closed form need: bracketed roots, Gauss-Legendre quadrature.
 
+pub(crate) mod bernstein;
+pub(crate) mod double;
+pub(crate) mod tridiagonal;
+
 use kurbo::common::GAUSS_LEGENDRE_COEFFS_24;
 
 /// The most steps of a root search; bisection alone would be done in 60.

@@ -12,13 +12,13 @@ use kurbo::{Point, Vec2};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use super::endpoint::SvgArc;
-use super::{Arc, Circle, Ellipse, Shape};
 use crate::angle::Angle;
-use crate::digits::EXACT_POWERS;
 use crate::error::{Error, Result};
 use crate::joints::{Cut, Tolerance};
 use crate::method::Method;
+use crate::number::digits::EXACT_POWERS;
+use crate::shape::endpoint::SvgArc;
+use crate::shape::{Arc, Circle, Ellipse, Shape};
 
 /// What a line asks for: a shape, and with JSON what else it says about it.
 #[derive(Debug, Clone)]
@@ -41,7 +41,7 @@ impl<'a> Spec<'a> {
     /// [`Error::Syntax`] with the column where the line does not parse, and what the shape itself refuses.
     ///
     /// ```
-    /// use curveto::shape::spec::Spec;
+    /// use curveto::batch::spec::Spec;
     /// let text = Spec::parse("circle 0 0 50")?;
     /// let json = Spec::parse(r#"{"circle": {"center": [0,0], "radius": 50}}"#)?;
     /// assert_eq!(text.shape, json.shape);

@@ -11,7 +11,7 @@
 
 use kurbo::{Point, Vec2};
 
-use crate::tridiagonal::{self, Row};
+use crate::numeric::tridiagonal::{self, Row};
 
 /// What holds at the ends of the curve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

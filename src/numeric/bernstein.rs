@@ -1,6 +1,6 @@
 //! Polynomials on [0, 1] in Bernstein form, up to degree 6: what the extremes of distance, curvature and angle are the roots of.
 
-use crate::method::numeric::root;
+use super::root;
 
 /// The largest degree: the square of a cubic.
 const MOST: usize = 6;

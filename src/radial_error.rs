@@ -1,0 +1,62 @@
+//! How far a curve strays from the true shape, outside and inside.
+
+use serde::Serialize;
+
+/// The largest distances of a curve from the true shape, both at least 0.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct RadialError {
+    /// The largest distance outside.
+    pub outward: f64,
+    /// The largest distance inside.
+    pub inward: f64,
+}
+
+impl RadialError {
+    /// The larger of the two.
+    #[must_use]
+    pub fn peak(&self) -> f64 {
+        self.outward.max(self.inward)
+    }
+
+    /// The same distance on both sides.
+    #[must_use]
+    pub(crate) const fn balanced(distance: f64) -> Self {
+        Self {
+            outward: distance,
+            inward: distance,
+        }
+    }
+
+    /// The larger of both on either side.
+    #[must_use]
+    pub(crate) fn with(self, other: Self) -> Self {
+        Self {
+            outward: self.outward.max(other.outward),
+            inward: self.inward.max(other.inward),
+        }
+    }
+
+    /// The distances where everything is so many times as large.
+    #[must_use]
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self {
+            outward: self.outward * factor,
+            inward: self.inward * factor,
+        }
+    }
+
+    /// The range of signed distances, positive outside.
+    pub(crate) fn of_range(signed: impl IntoIterator<Item = f64>) -> Self {
+        let mut range = Self::default();
+        range.take_in_all(signed);
+        range
+    }
+
+    /// Widens the range by signed distances, positive outside.
+    pub(crate) fn take_in_all(&mut self, signed: impl IntoIterator<Item = f64>) {
+        for distance in signed {
+            self.outward = self.outward.max(distance);
+            self.inward = self.inward.max(-distance);
+        }
+    }
+}
