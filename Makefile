@@ -25,7 +25,7 @@ lint: ## Check formatting and lints
 	$(CARGO) clippy --all-targets --all-features --locked -- -D warnings
 
 golden: ## Write the golden files in fixtures/ anew
-	CURVETO_GOLDEN=1 $(CARGO) test --locked --test golden --test schema --test peers --test measure_cli --test commands --test document
+	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden schema peers measure_cli documented_commands convert::
 
 pictures: build ## Draw the pictures of the documentation anew, with the program itself
 	$(MAKE) --no-print-directory -f Makefile.picture images

@@ -1,0 +1,197 @@
+//! On circles the count is the least for the method, by trial of all counts; the engine's too, and never more than kurbo's.
+//! On ellipses `minimax-g0` keeps the tolerance by joints that equalise its error, and saves segments.
+
+use crate::judges::oracle;
+
+use curveto::method::Span;
+use curveto::number::Precision;
+use curveto::path;
+use curveto::{
+    Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Shape, Tolerance, approximate,
+};
+use kurbo::{Affine, BezPath};
+use oracle::{Real, ellipse_distance_extremes, int, real, to_f64};
+use proptest::prelude::*;
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn no_count_below_meets_the_tolerance(
+        method in prop::sample::select(vec![Method::Minimax, Method::Midpoint, Method::Curvature, Method::MinimaxG0, Method::MinimaxFree, Method::QuadraticMinimax]),
+        radius in 1e-2..1e3_f64,
+        exponent in -9.0..-1.5_f64,
+    ) {
+        let shape = Shape::Circle(Circle::new((0.0, 0.0), radius).unwrap());
+        let tolerance = 10_f64.powf(exponent) * radius;
+        let draw = |cut| {
+            let precision = Some(Precision::Full);
+            approximate(&shape, &Options { rule: method.into(), cut, precision, transform: Affine::IDENTITY })
+        };
+        let within = |count: &usize| draw(Cut::Count(*count)).is_ok_and(|drawing| drawing.error.peak() <= tolerance);
+        let least = (1..=64).find(within);
+        let found = draw(Cut::Tolerance(Tolerance::Absolute(tolerance))).unwrap().curve.segments.len();
+        match least {
+            Some(least) => prop_assert_eq!(found, least),
+            None => prop_assert!(found > 64),
+        }
+    }
+
+    #[test]
+    fn the_engine_takes_the_least_count_and_never_more_than_kurbo(
+        radii in (0.1..100.0_f64, 0.1..100.0_f64),
+        start in -360.0..360.0_f64,
+        sweep in -360.0..360.0_f64,
+        exponent in -9.0..-1.0_f64,
+    ) {
+        let tolerance = 10_f64.powf(exponent);
+        let degrees = Angle::from_degrees;
+        let arc = Arc::new((3.0, 4.0), radii, degrees(20.0), degrees(start), degrees(sweep)).unwrap();
+        let scale = radii.0.max(radii.1);
+        let cubics: Vec<_> = arc.cubics(tolerance * scale).collect();
+        let fits = |count: usize| {
+            Method::Minimax
+                .radial_error(&Span::from_degrees(sweep / count as f64))
+                .is_ok_and(|error| error.peak() <= tolerance)
+        };
+        prop_assert_eq!(Some(cubics.len()), (1..1000).find(|&count| fits(count)));
+        let theirs = kurbo::Arc::new((3.0, 4.0), radii, start.to_radians(), sweep.to_radians(), 0.35);
+        prop_assert!(cubics.len() <= theirs.append_iter(tolerance * scale).count());
+        for pair in cubics.windows(2) {
+            prop_assert_eq!(pair[0].p3, pair[1].p0);
+        }
+        let drawn = approximate(&Shape::Arc(arc), &Options { cut: Cut::Count(cubics.len()), precision: Some(Precision::Full), ..Options::default() }).unwrap();
+        for (ours, theirs) in cubics.iter().zip(&drawn.curve.segments) {
+            let theirs = theirs.to_cubic();
+            for (p, q) in [(ours.p0, theirs.p0), (ours.p1, theirs.p1), (ours.p2, theirs.p2), (ours.p3, theirs.p3)] {
+                prop_assert!((p - q).hypot() <= 2e-14 * (scale + 5.0), "{p} against {q}");
+            }
+        }
+    }
+}
+
+fn ellipse(flatness: f64, rotation: f64) -> Shape {
+    let radii = (100.0, 100.0 * flatness);
+    Shape::Ellipse(Ellipse::new((0.0, 0.0), radii, Angle::from_degrees(rotation)).unwrap())
+}
+
+fn draw(shape: &Shape, method: Method, cut: Cut) -> Drawing {
+    let options = Options {
+        rule: method.into(),
+        cut,
+        ..Options::default()
+    };
+    approximate(shape, &options).unwrap()
+}
+
+fn within(shape: &Shape, method: Method, tolerance: f64) -> Drawing {
+    draw(
+        shape,
+        method,
+        Cut::Tolerance(Tolerance::Absolute(tolerance)),
+    )
+}
+
+/// The largest true distance from the ellipse of the curve as written, by the oracle.
+fn judged(drawing: &Drawing, flatness: f64, rotation: f64) -> f64 {
+    let written = BezPath::from_svg(&path::data([&drawing.curve], false)).unwrap();
+    let radii = [real(100.0), real(100.0 * flatness)];
+    let mut peak: f64 = 0.0;
+    // The closing operator is a line of no length.
+    for segment in written.segments().take(drawing.curve.segments.len()) {
+        let points: Vec<[Real; 2]> = curveto::curve::control_points(&segment)
+            .iter()
+            .map(|p| [real(p.x), real(p.y)])
+            .collect();
+        let center = [int(0), int(0)];
+        let (outward, inward) =
+            ellipse_distance_extremes(&points, center, radii.clone(), &real(rotation));
+        peak = peak.max(to_f64(&outward)).max(to_f64(&inward));
+    }
+    peak
+}
+
+fn assert_symmetric(drawing: &Drawing) {
+    let angles = &drawing.angles;
+    let count = drawing.curve.segments.len();
+    for i in 0..=count {
+        assert_eq!(angles[i] + angles[count - i], 360.0, "{angles:?}");
+        if count.is_multiple_of(2) && i <= count / 2 {
+            assert_eq!(angles[i] + angles[count / 2 - i], 180.0, "{angles:?}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    #[test]
+    fn minimax_g0_on_an_ellipse_keeps_the_tolerance_after_rounding(
+        flatness in 0.02..0.95_f64,
+        rotation in prop_oneof![Just(0.0), -90.0..90.0_f64],
+        exponent in -5.0..0.0_f64,
+    ) {
+        let tolerance = 10_f64.powf(exponent);
+        let shape = ellipse(flatness, rotation);
+        let drawing = within(&shape, Method::MinimaxG0, tolerance);
+        let peak = judged(&drawing, flatness, rotation);
+        prop_assert!(peak <= tolerance * (1.0 + 1e-12), "{peak:e} beyond {tolerance:e}");
+        prop_assert!((peak - drawing.error.peak()).abs() <= 1e-11, "{peak:e} is stated as {:e}", drawing.error.peak());
+        assert_symmetric(&drawing);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn minimax_g0_takes_no_more_segments_than_minimax(flatness in 0.1..1.0_f64, exponent in -7.0..0.0_f64) {
+        let tolerance = 10_f64.powf(exponent);
+        let shape = ellipse(flatness, 0.0);
+        let count = |method| within(&shape, method, tolerance).curve.segments.len();
+        prop_assert!(count(Method::MinimaxG0) <= count(Method::Minimax));
+    }
+
+    #[test]
+    fn adaptive_joints_are_never_worse_than_equal_angles_and_mirror(flatness in 0.02..0.95_f64, count in 3_usize..24) {
+        let shape = ellipse(flatness, 0.0);
+        for method in [Method::MinimaxG0, Method::Minimax] {
+            let adaptive = draw(&shape, method, Cut::Adaptive(count));
+            prop_assert_eq!(adaptive.curve.segments.len(), count);
+            prop_assert!(adaptive.error.peak() <= draw(&shape, method, Cut::Count(count)).error.peak());
+            assert_symmetric(&adaptive);
+        }
+    }
+}
+
+#[test]
+fn minimax_g0_saves_an_eighth_of_the_segments_of_ellipses() {
+    for flatness in [0.5, 0.2, 0.1] {
+        let shape = ellipse(flatness, 0.0);
+        let count = |method| within(&shape, method, 1e-9).curve.segments.len() as f64;
+        let part = count(Method::MinimaxG0) / count(Method::Minimax);
+        assert!((0.82..=0.88).contains(&part), "{flatness}: {part}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn no_lower_even_count_meets_the_tolerance_of_an_ellipse(
+        method in prop::sample::select(vec![Method::Minimax, Method::MinimaxG0, Method::Area]),
+        flatness in (2e-3_f64.ln()..-0.1).prop_map(f64::exp),
+        exponent in -4.0..0.0_f64,
+    ) {
+        let tolerance = 10_f64.powf(exponent);
+        let shape = ellipse(flatness, 0.0);
+        let draw = |cut| {
+            let precision = Some(Precision::Full);
+            approximate(&shape, &Options { rule: method.into(), cut, precision, transform: Affine::IDENTITY }).unwrap()
+        };
+        let found = draw(Cut::Tolerance(Tolerance::Absolute(tolerance))).curve.segments.len();
+        for fewer in (2..found).filter(|count| count % 2 == 0) {
+            prop_assert!(draw(Cut::Adaptive(fewer)).error.peak() > tolerance, "{fewer} would do, {found} are taken");
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! Random input, good and damaged, to everything that reads: never a panic, and what is converted keeps every promise.
+//! `make test` runs a few cases, `make fuzz` as many times more as `CURVETO_FUZZ` says.
+
+use crate::judges::independent;
+use crate::judges::random;
+
+use curveto::document::{self, Kind, Note, Only, Options};
+use curveto::{Cut, Method, Rule, Tolerance};
+use proptest::prelude::*;
+use proptest::sample::Index;
+
+fn factor() -> Option<u32> {
+    std::env::var("CURVETO_FUZZ").ok()?.parse().ok()
+}
+
+/// A run of so many cases, or a long one.
+fn cases(short: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases: short.saturating_mul(factor().unwrap_or(1)),
+        failure_persistence: None,
+        max_global_rejects: u32::MAX,
+        ..ProptestConfig::default()
+    }
+}
+
+/// Ways to convert, and the largest error of a curve as a part of its radius, where the judge can tell.
+fn ways() -> impl Strategy<Value = (Options, Option<f64>)> {
+    // A closed shape may be cut anywhere, which the judge does not know.
+    let closely = Options {
+        cut: Cut::Tolerance(Tolerance::Relative(1e-5)),
+        only: Only::of(&[Kind::Path]),
+        ..Options::default()
+    };
+    let counted = |count| Options {
+        cut: Cut::Count(count),
+        ..Options::default()
+    };
+    let rule = |method| Options {
+        rule: Rule::Method(method),
+        ..Options::default()
+    };
+    prop_oneof![
+        // The widest arc of one cubic; scaled-up radii and huge arcs cost digits.
+        6 => Just((Options::default(), Some(3.2e-4))),
+        1 => Just((closely, Some(1.01e-5))),
+        1 => (1_usize..6).prop_map(move |count| (counted(count), None)),
+        1 => (0_u8..4).prop_map(|precision| (Options { precision: Some(precision), ..Options::default() }, None)),
+        1 => prop::sample::select(&[Method::QuadraticMinimax, Method::Midpoint, Method::Mean][..])
+            .prop_map(move |method| (rule(method), None)),
+    ]
+}
+
+/// Converts bytes as the program would and checks all that was promised.
+fn judge(bytes: &[u8], options: &Options, tolerance: Option<f64>) -> Result<(), String> {
+    let Ok(before) = document::decode(bytes) else {
+        return Ok(());
+    };
+    let Ok(out) = document::convert(before, options) else {
+        return Ok(());
+    };
+    let again = document::convert(&out.text, options)
+        .map_err(|error| format!("the result is refused: {error}"))?;
+    if again.text != out.text || again.replaced.total() != 0 {
+        return Err("a second conversion changes it again".to_owned());
+    }
+    if out.replaced.total() == 0 && out.text != before {
+        return Err("nothing was replaced, but bytes changed".to_owned());
+    }
+    // What the judge cannot read itself it cannot judge; in path data it takes `3.` for a number, which is an error.
+    let lax = |pair: &[u8]| pair[0] == b'.' && !pair[1].is_ascii_digit();
+    if independent::remaining(before).is_err() || before.as_bytes().windows(2).any(lax) {
+        return Ok(());
+    }
+    independent::remaining(&out.text)?;
+    if options.only == Only::ALL {
+        noted(before, &out.text, &out.notes)?;
+    }
+    tolerance.map_or(Ok(()), |tolerance| {
+        independent::check(before, &out.text, tolerance)
+    })
+}
+
+/// Checks that there is a note for whatever was left.
+fn noted(before: &str, after: &str, notes: &[Note]) -> Result<(), String> {
+    let place = |at: usize| {
+        let text = &before[..at];
+        let line = text.rfind('\n').map_or(0, |end| end + 1);
+        let column = text[line..].chars().filter(|c| *c != '\u{feff}').count() + 1;
+        (text.matches('\n').count() + 1, column)
+    };
+    for tag in independent::left(before, after)? {
+        let (start, end) = (place(tag.start), place(tag.end));
+        if !notes
+            .iter()
+            .any(|note| (start..end).contains(&(note.line, note.column)))
+        {
+            return Err(format!("{} is left without a note", &before[tag]));
+        }
+    }
+    Ok(())
+}
+
+fn told(input: &[u8], outcome: Result<(), String>) -> Result<(), TestCaseError> {
+    outcome.map_err(|why| TestCaseError::fail(format!("{why}\n{}", String::from_utf8_lossy(input))))
+}
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    #[test]
+    fn any_path_is_drawn_alike(d in random::path_data(), (options, tolerance) in ways()) {
+        let text = format!("<svg xmlns='http://www.w3.org/2000/svg'><path d='{d}'/></svg>");
+        told(text.as_bytes(), judge(text.as_bytes(), &options, tolerance))?;
+    }
+
+    #[test]
+    fn any_document_is_drawn_alike(text in random::document(), (options, tolerance) in ways()) {
+        told(text.as_bytes(), judge(text.as_bytes(), &options, tolerance))?;
+    }
+
+    #[test]
+    fn any_text_ends_without_a_panic(text in ".{0,200}") {
+        let inside = format!("<svg><path d='{text}'/><circle r='{text}'/><style>{text}</style></svg>");
+        for text in [text, inside] {
+            told(text.as_bytes(), judge(text.as_bytes(), &Options::default(), None))?;
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn damaged_path_data_are_drawn_alike(
+        (d, other) in (random::path_data(), random::path_data()),
+        damages in random::damages(),
+        (options, tolerance) in ways(),
+    ) {
+        let d = random::damaged(d.as_bytes(), other.as_bytes(), &damages);
+        let text = [&b"<svg xmlns='http://www.w3.org/2000/svg'><path d='"[..], &d, b"'/></svg>"].concat();
+        told(&text, judge(&text, &options, tolerance))?;
+    }
+
+    #[test]
+    fn a_damaged_document_is_drawn_alike(
+        (text, other) in (random::document(), random::document()),
+        damages in random::damages(),
+        (options, tolerance) in ways(),
+    ) {
+        let text = random::damaged(text.as_bytes(), other.as_bytes(), &damages);
+        told(&text, judge(&text, &options, tolerance))?;
+    }
+
+    #[test]
+    fn a_damaged_file_is_drawn_alike(
+        [file, other] in any::<[Index; 2]>(),
+        damages in random::damages(),
+        (options, tolerance) in ways(),
+    ) {
+        let seeds = random::seeds(factor().is_some());
+        let (file, other) = (&seeds[file.index(seeds.len())], &seeds[other.index(seeds.len())]);
+        let text = random::damaged(file.as_bytes(), other.as_bytes(), &damages);
+        told(&text, judge(&text, &options, tolerance))?;
+    }
+}
+
+/// Whatever reads words of the command line or lines of a file.
+fn read_all(text: &str) {
+    if let Ok(spec) = curveto::batch::spec::Spec::parse(text) {
+        let options = curveto::Options {
+            cut: spec.cut.unwrap_or_default(),
+            ..curveto::Options::default()
+        };
+        if let Ok(drawing) = curveto::approximate(&spec.shape, &options) {
+            let data = curveto::path::data([&drawing.curve], false);
+            assert!(!data.contains("NaN") && !data.contains("inf"), "{data}");
+        }
+    }
+    let _ = curveto::shape::endpoint::parse_svg_arc(text);
+    let _ = curveto::spline::points::Points::parse(text);
+    let _ = curveto::path::curves(text);
+    let _ = curveto::document::svg_paths(text);
+    let _ = text.parse::<curveto::Angle>();
+    let _ = text.parse::<Tolerance>();
+    let _ = text.parse::<Method>();
+    let _ = text.parse::<curveto::write::style::Paint>();
+}
+
+/// Lines of each form, to be damaged.
+const LINES: [&str; 12] = [
+    "circle 0 0 50",
+    "ellipse 1 -2 30 20 15",
+    "arc .5 0 5 10 -200",
+    "arc 0 0 30 20 15 1e1 90",
+    "svgarc 0 0 25 25 -30 0 1 50 -25",
+    r#"{"id": "a1", "circle": {"center": [0,0], "radius": 50}, "method": "minimax", "segments": 4}"#,
+    r#"{"ellipse": {"center": [0,0], "radii": [30,20], "rotation": 15}, "tolerance": 0.001}"#,
+    r#"{"svg_arc": {"from": [0,0], "radii": [25,25], "rotation": -30, "large_arc": false, "sweep": true, "to": [50,-25]}}"#,
+    "M10 80a25,25-30 0150-25",
+    "M0 0C1 2 3 4 5 6S7 8 9 10Q1 2 3 4T5 6z",
+    "0,0 1,1 2.5,-3\n4 5\n",
+    "<svg viewBox='0 0 9 9'><g transform='rotate(5)translate(1,2)'><path d='M0 0L1 1'/></g></svg>",
+];
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    #[test]
+    fn a_damaged_line_is_read_or_refused(
+        [line, other] in any::<[Index; 2]>(),
+        damages in random::damages(),
+    ) {
+        let (line, other) = (LINES[line.index(LINES.len())], LINES[other.index(LINES.len())]);
+        let text = random::damaged(line.as_bytes(), other.as_bytes(), &damages);
+        read_all(&String::from_utf8_lossy(&text));
+    }
+}

@@ -1,0 +1,201 @@
+//! Golden files: what the program prints for each shape, method and format, kept in fixtures/golden.
+//!
+//! `make golden` writes them anew; read the difference before committing it.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use curveto::Method;
+
+const FORMATS: [&str; 5] = ["path", "svg", "ps", "eps", "json"];
+
+/// Shapes and their options beside the circle, which is drawn by every method.
+const SHAPES: [(&str, &[&str]); 18] = [
+    (
+        "circle-diameter-7-segments",
+        &[
+            "circle",
+            "--diameter",
+            "80",
+            "-n",
+            "7",
+            "--center",
+            "-12.5,3",
+        ],
+    ),
+    ("circle-tolerance", &["circle", "1000", "-t", "0.0001%"]),
+    (
+        "circle-uneven-chen-1",
+        &[
+            "circle",
+            "10",
+            "-m",
+            "chen-1",
+            "--joints",
+            "0,30,90,120,180,210,270,300",
+        ],
+    ),
+    (
+        "circle-reverse-start",
+        &["circle", "25", "--start", "45", "--reverse"],
+    ),
+    ("circle-handle", &["circle", "1", "--handle", "0.55228475"]),
+    (
+        "ellipse-rotated",
+        &[
+            "ellipse",
+            "30",
+            "20",
+            "--rotation",
+            "15",
+            "--center",
+            "100,50",
+        ],
+    ),
+    (
+        "ellipse-lancaster",
+        &[
+            "ellipse",
+            "--diameters",
+            "300,200",
+            "-m",
+            "lancaster-drawellipse",
+            "--open",
+        ],
+    ),
+    (
+        "ellipse-transformed",
+        &[
+            "ellipse",
+            "3",
+            "2",
+            "--transform",
+            "translate(10 5) rotate(30) scale(2 -1)",
+        ],
+    ),
+    (
+        "arc-quarter-and-a-bit",
+        &["arc", "10", "--start", "0", "--end", "90.05"],
+    ),
+    (
+        "arc-elliptic",
+        &[
+            "arc",
+            "40",
+            "10",
+            "--start",
+            "-0.25turn",
+            "--sweep",
+            "250",
+            "--rotation",
+            "0.5rad",
+        ],
+    ),
+    (
+        "arc-svg",
+        &["arc", "--svg", "M10 80a25,25-30 0150-25", "-n", "3"],
+    ),
+    ("arc-through", &["arc", "--through", "0,0", "1,1", "2,0"]),
+    (
+        "arc-bulge",
+        &["arc", "--from", "0,0", "--to", "10,0", "--bulge", "-0.4"],
+    ),
+    (
+        "arc-line",
+        &["arc", "--from", "0,0", "--to", "10,5", "--bulge", "0"],
+    ),
+    ("spline-free", &["spline", "--points", "0,0 1,2 3,1 4,4"]),
+    (
+        "spline-cyclic-arc-length",
+        &[
+            "spline",
+            "--points",
+            "0,0 10,0 12,5 3,8",
+            "--ends",
+            "cyclic",
+            "--parametrization",
+            "arc-length",
+            "--unit-tangents",
+        ],
+    ),
+    ("sphere", &["sphere", "100"]),
+    (
+        "sphere-odd-meridians-no-hidden",
+        &[
+            "sphere",
+            "50",
+            "--meridians",
+            "3",
+            "--parallels",
+            "2",
+            "--view",
+            "-20,-60",
+            "--hidden",
+            "none",
+            "-n",
+            "6",
+            "-m",
+            "chen-3",
+        ],
+    ),
+];
+
+fn compare(name: &str, arguments: &[&str], format: &str) -> Option<String> {
+    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+        .args(arguments)
+        .args(["-f", format])
+        .output()
+        .unwrap();
+    assert!(
+        output.status.success(),
+        "{arguments:?} -f {format}: {}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let path: PathBuf = [
+        env!("CARGO_MANIFEST_DIR"),
+        "fixtures",
+        "golden",
+        &format!("{name}.{format}"),
+    ]
+    .iter()
+    .collect();
+    if std::env::var_os("CURVETO_GOLDEN").is_some() {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, &output.stdout).unwrap();
+        return None;
+    }
+    let golden = fs::read(&path).unwrap_or_default();
+    (golden != output.stdout).then(|| {
+        format!(
+            "{}\n{}",
+            path.display(),
+            String::from_utf8_lossy(&output.stdout)
+        )
+    })
+}
+
+#[test]
+fn every_shape_method_and_format_prints_its_golden_file() {
+    let names = Method::ALL.map(|method| format!("circle-{method}"));
+    let methods = Method::ALL.map(|method| ["circle", "50", "-m", method.id()]);
+    let circles = names
+        .iter()
+        .zip(&methods)
+        .map(|(name, arguments)| (name.as_str(), &arguments[..]));
+    let cases: Vec<(&str, &[&str])> = circles.chain(SHAPES).collect();
+    let wrong: Vec<String> = cases
+        .iter()
+        .flat_map(|(name, arguments)| {
+            FORMATS
+                .iter()
+                .filter_map(|format| compare(name, arguments, format))
+        })
+        .collect();
+    assert!(
+        wrong.is_empty(),
+        "{} golden files differ; 'make golden' writes them anew\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
+}

@@ -1,0 +1,7 @@
+//! What judges the library and the program without sharing their code.
+
+pub(crate) mod ghostscript;
+pub(crate) mod independent;
+pub(crate) mod oracle;
+pub(crate) mod program;
+pub(crate) mod random;

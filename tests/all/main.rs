@@ -1,0 +1,36 @@
+//! All tests of the library and of the program, in one crate with a module a topic, so that the judges are compiled and linked once.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod batch;
+mod chen_uneven;
+mod cli;
+mod convert;
+mod convert_cli;
+mod corpora;
+mod dependencies;
+mod documented_commands;
+mod every_method;
+mod fewest_segments;
+mod fuzz;
+mod golden;
+mod house;
+mod judges;
+mod laws;
+mod measure;
+mod measure_cli;
+#[cfg(target_os = "linux")]
+mod memory;
+mod method_values;
+mod methods_to_256_bits;
+mod oracle_checks;
+mod oracle_reference;
+mod peers;
+mod pictures;
+mod pipeline;
+mod promises;
+mod renderers;
+mod schema;
+mod sphere;
+mod spline;
+mod stated_errors;

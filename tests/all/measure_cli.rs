@@ -1,0 +1,567 @@
+//! `measure` and `compare` on the command line.
+
+use crate::judges::program;
+
+use std::fs;
+use std::path::Path;
+
+use program::{json, printed, refused, run};
+use serde_json::Value;
+
+fn number(value: &Value) -> f64 {
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+fn close(value: &Value, expected: f64, allowed: f64) {
+    assert!(
+        (number(value) - expected).abs() <= allowed,
+        "{value} is not {expected}"
+    );
+}
+
+#[test]
+fn lancasters_best_number_measured() {
+    let error = &json(&["measure", "circle", "1", "-m", "lancaster-best", "-n", "4"])["error"];
+    close(&error["peak"], 2.655_627_01e-4, 5e-13);
+    close(&error["mean"], 1.262_780e-4, 5e-10);
+}
+
+#[test]
+fn a_printed_circle_measures_as_the_one_that_was_asked_for() {
+    let path = printed(&["circle", "50", "-p", "12"]);
+    let (read, drawn) = (
+        json(&["measure", "--path", path.trim()]),
+        json(&["measure", "circle", "50"]),
+    );
+    for key in ["outward", "inward", "peak", "mean", "mean_angle", "rms"] {
+        close(&read["error"][key], number(&drawn["error"][key]), 1e-11);
+    }
+    close(
+        &read["length"]["curve"],
+        number(&drawn["length"]["curve"]),
+        1e-11,
+    );
+    close(&read["area"]["true"], number(&drawn["area"]["true"]), 1e-9);
+    assert_eq!(read["continuity"]["order"], "G2");
+    assert_eq!(read["reference"]["fit"]["to"], "joints");
+}
+
+#[test]
+fn an_arc_is_measured_against_the_circle_that_is_named() {
+    let path = printed(&["arc", "5", "--start", "0", "--end", "90", "-m", "chen-3"]);
+    let found = json(&[
+        "measure",
+        "--path",
+        path.trim(),
+        "--against",
+        "circle:0,0,5",
+    ]);
+    // Five times Chen's 0.0152130, and the rounding of the two decimals printed.
+    close(&found["error"]["peak"], 5.0 * 0.015_213_035_2, 2e-3);
+    close(&found["reference"]["sweep"], 90.0, 1e-9);
+    close(&found["length"]["true"], 2.5 * core::f64::consts::PI, 1e-9);
+}
+
+#[test]
+fn an_ellipse_is_measured_against_the_one_that_is_named() {
+    let path = printed(&[
+        "ellipse",
+        "3",
+        "2",
+        "--rotation",
+        "30",
+        "--center",
+        "7,1",
+        "-p",
+        "13",
+    ]);
+    let against = [
+        "measure",
+        "--path",
+        path.trim(),
+        "--against",
+        "ellipse:7,1,3,2,30deg",
+    ];
+    let drawn = json(&[
+        "measure",
+        "ellipse",
+        "3",
+        "2",
+        "--rotation",
+        "30",
+        "--center",
+        "7,1",
+    ]);
+    close(
+        &json(&against)["error"]["peak"],
+        number(&drawn["error"]["peak"]),
+        1e-11,
+    );
+    assert!(
+        refused(&["measure", "--path", "M0 0L1 1", "--against", "circle:0,0"]).contains("CX,CY,R")
+    );
+    assert!(
+        refused(&[
+            "measure",
+            "--path",
+            "M0 0L1 1",
+            "--against",
+            "circle:0,0,-1"
+        ])
+        .contains("positive")
+    );
+}
+
+#[test]
+fn every_path_of_a_file_is_measured_where_its_transforms_place_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("drawing.svg");
+    let path = printed(&["circle", "1", "-p", "12"]);
+    fs::write(
+        &file,
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\">\n<g transform=\"translate(5 6) scale(10)\">\n<path id=\"ring\" d=\"{}\"/>\n</g>\n<path d=\"M0 0A1 1 0 0 1 2 0\"/></svg>",
+            path.trim()
+        ),
+    )
+    .unwrap();
+    for flag in ["--file", "--svg"] {
+        let output = run(&["measure", flag, file.to_str().unwrap(), "-f", "json"]);
+        assert!(output.status.success());
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(
+            said.contains("drawing.svg:5: not measured") && said.contains("arc (A)"),
+            "{said}"
+        );
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let found = found.as_array().unwrap();
+        assert_eq!(found.len(), 1);
+        assert!(
+            found[0]["subject"]["source"]
+                .as_str()
+                .unwrap()
+                .ends_with("drawing.svg:3#ring")
+        );
+        close(&found[0]["reference"]["radii"][0], 10.0, 1e-10);
+        close(&found[0]["reference"]["center"][1], 6.0, 1e-10);
+        close(&found[0]["error"]["relative_peak"], 1.960_764_7e-4, 1e-11);
+    }
+    let missing = run(&["measure", "--file", "no-such.svg"]);
+    assert_eq!(missing.status.code(), Some(1));
+    fs::write(&file, "<svg><circle r=\"4\"/></svg>").unwrap();
+    assert!(refused(&["measure", "--file", file.to_str().unwrap()]).contains("no path"));
+    fs::write(&file, "<svg><path").unwrap();
+    assert!(refused(&["measure", "--file", file.to_str().unwrap()]).contains("XML"));
+}
+
+#[test]
+fn what_cannot_be_measured_is_refused_and_said_why() {
+    let cases: [(&[&str], &str); 12] = [
+        (&["measure"], "nothing to measure"),
+        (&["measure", "--path", ""], "empty"),
+        (&["measure", "--path", "M5 5"], "empty, or a single point"),
+        (&["measure", "--path", "M5 5Z"], "single point"),
+        (&["measure", "--path", "NaN"], "cannot read the path data"),
+        (&["measure", "--path", "M1e300 0L1 1L2 0Z"], "1e150"),
+        (&["measure", "--path", "M0 0A5 5 0 0 1 5 5"], "arc (A)"),
+        (&["measure", "--path", "M0 0L5 5L9 9"], "line"),
+        (&["measure", "--path", "M0 0C0 0 0 0 0 0"], "one point"),
+        (
+            &["measure", "circle", "1", "--coordinate-tolerance", "NaN"],
+            "tolerance",
+        ),
+        (&["measure", "circle", "1e300"], "1e150"),
+        (
+            &["measure", "circle", "1", "--plot", "plot.gif"],
+            ".svg or a .png",
+        ),
+    ];
+    for (arguments, why) in cases {
+        let said = refused(arguments);
+        assert!(
+            said.starts_with("error: ") && said.contains(why),
+            "{arguments:?}: {said}"
+        );
+    }
+}
+
+#[test]
+fn what_is_no_circle_is_measured_and_the_fit_says_so() {
+    let square = json(&[
+        "measure",
+        "--path",
+        "M0 0L10 0L10 10L0 10Z",
+        "--fit",
+        "curve",
+    ]);
+    assert!(number(&square["reference"]["fit"]["relative_rms"]) > 0.05);
+    assert_eq!(square["continuity"]["order"], "G0");
+    close(&square["length"]["curve"], 40.0, 1e-12);
+    close(&square["area"]["curve"], 100.0, 1e-12);
+    for wild in [
+        "M0 0C100 0-100 0 1 1S9 9 2 1",
+        "M0 0Q1 1 0 0Q1-1 0 0",
+        "M0 0C1e140 0 0 1e140 3 3Z",
+    ] {
+        let text = printed(&["measure", "--path", wild, "-f", "json"]);
+        let found: Value = serde_json::from_str(&text).unwrap();
+        assert!(found["error"]["peak"].is_number(), "{wild}");
+        for format in ["table", "csv"] {
+            let text = printed(&["measure", "--path", wild, "-f", format]);
+            assert!(
+                !text.contains("NaN") && !text.contains("inf"),
+                "{wild}: {text}"
+            );
+        }
+    }
+}
+
+#[test]
+fn tables_are_80_columns_wide() {
+    let cases: [&[&str]; 7] = [
+        &["measure", "circle", "1"],
+        &[
+            "measure",
+            "ellipse",
+            "300",
+            "0.02",
+            "--rotation",
+            "33.3333",
+            "--center",
+            "123456.789,-98765.4321",
+            "-n",
+            "7",
+        ],
+        &[
+            "measure",
+            "circle",
+            "1e-7",
+            "-m",
+            "chen-1",
+            "--joints",
+            "0,50,120.123456,200,300",
+        ],
+        &[
+            "measure",
+            "--path",
+            "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1.001 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z",
+        ],
+        &["measure", "arc", "5", "--start", "0", "--end", "45"],
+        &["compare"],
+        &["compare", "-n", "4"],
+    ];
+    for arguments in cases {
+        for line in printed(arguments).lines() {
+            assert!(line.chars().count() <= 80, "{arguments:?}: {line}");
+        }
+    }
+}
+
+#[test]
+fn several_methods_give_several_reports_and_one_plot() {
+    let folder = tempfile::tempdir().unwrap();
+    let plot = folder.path().join("plot.svg");
+    let arguments = [
+        "measure",
+        "circle",
+        "1",
+        "-m",
+        "midpoint,minimax,chen-3",
+        "--plot",
+        plot.to_str().unwrap(),
+    ];
+    assert_eq!(json(&arguments).as_array().unwrap().len(), 3);
+    let svg = fs::read_to_string(&plot).unwrap();
+    for word in [
+        ">midpoint<",
+        ">minimax<",
+        ">chen-3<",
+        "user units",
+        ">0°<",
+        ">360°<",
+    ] {
+        assert!(svg.contains(word), "{word}");
+    }
+    let csv = printed(&[
+        "measure",
+        "circle",
+        "1",
+        "-m",
+        "midpoint,minimax",
+        "-f",
+        "csv",
+    ]);
+    let columns: Vec<usize> = csv.lines().map(|line| line.matches(',').count()).collect();
+    assert_eq!(columns.len(), 3);
+    // The title of a subject holds a comma, in quotes.
+    assert_eq!((columns[1], columns[2]), (columns[0] + 1, columns[0] + 1));
+    assert!(refused(&["circle", "1", "-m", "midpoint,minimax"]).contains("one method"));
+}
+
+/// The y coordinates of each line of a plot that has more than 20 points, part by part.
+fn drawn_parts(svg: &Path) -> Vec<Vec<f64>> {
+    let text = fs::read_to_string(svg).unwrap();
+    let lines = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("<path d=\"M"));
+    lines
+        .map(|line| {
+            let data = line.split('"').next().unwrap();
+            data.split('L')
+                .map(|p| p.split(' ').nth(1).unwrap().parse().unwrap())
+                .collect()
+        })
+        .filter(|part: &Vec<f64>| part.len() > 20)
+        .collect()
+}
+
+#[test]
+fn the_plot_of_apprichs_second_derivative_runs_through_the_joints() {
+    let folder = tempfile::tempdir().unwrap();
+    let plot = folder.path().join("k2.svg");
+    let draw = |method| {
+        printed(&[
+            "measure",
+            "circle",
+            "1",
+            "-m",
+            method,
+            "-n",
+            "4",
+            "--plot",
+            plot.to_str().unwrap(),
+            "--quantity",
+            "curvature-d2",
+        ]);
+        let parts = drawn_parts(&plot);
+        assert_eq!(parts.len(), 4);
+        parts
+            .windows(2)
+            .map(|pair| (pair[0].last().unwrap() - pair[1][0]).abs())
+            .fold(0.0, f64::max)
+    };
+    assert!(draw("apprich") <= 0.011);
+    // The same picture of a derivative that jumps.
+    printed(&[
+        "measure",
+        "circle",
+        "1",
+        "-m",
+        "minimax",
+        "-n",
+        "4",
+        "--plot",
+        plot.to_str().unwrap(),
+        "--quantity",
+        "curvature-d1",
+    ]);
+    let parts = drawn_parts(&plot);
+    assert!((parts[0].last().unwrap() - parts[1][0]).abs() > 50.0);
+}
+
+#[test]
+fn every_plot_renders_and_says_what_it_shows() {
+    let folder = tempfile::tempdir().unwrap();
+    for quantity in [
+        "error",
+        "curvature",
+        "curvature-d1",
+        "curvature-d2",
+        "angle-lag",
+    ] {
+        for extension in ["svg", "png"] {
+            let plot = folder.path().join(format!("{quantity}.{extension}"));
+            let arguments = [
+                "measure",
+                "ellipse",
+                "3",
+                "2",
+                "-m",
+                "apprich,minimax",
+                "--quantity",
+                quantity,
+            ];
+            printed(
+                &[
+                    &arguments[..],
+                    &["--plot", plot.to_str().unwrap(), "--size", "640x400"],
+                ]
+                .concat(),
+            );
+            let bytes = fs::read(&plot).unwrap();
+            if extension == "png" {
+                let pixmap = tiny_skia::Pixmap::decode_png(&bytes).unwrap();
+                assert_eq!((pixmap.width(), pixmap.height()), (640, 400));
+                continue;
+            }
+            let tree =
+                resvg::usvg::Tree::from_data(&bytes, &resvg::usvg::Options::default()).unwrap();
+            assert_eq!((tree.size().width(), tree.size().height()), (640.0, 400.0));
+        }
+    }
+}
+
+/// How many pixels of a rectangle are darker than mid-grey.
+fn dark_pixels(pixmap: &tiny_skia::Pixmap, [x0, y0, x1, y1]: [u32; 4]) -> usize {
+    let dark = |x, y| {
+        pixmap
+            .pixel(x, y)
+            .is_some_and(|p| p.red() < 128 && p.green() < 128)
+    };
+    (y0..y1)
+        .flat_map(|y| (x0..x1).map(move |x| (x, y)))
+        .filter(|&(x, y)| dark(x, y))
+        .count()
+}
+
+#[test]
+fn the_words_of_a_png_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let draw = |radius: &str| {
+        let plot = folder.path().join("plot.png");
+        printed(&[
+            "measure",
+            "circle",
+            radius,
+            "--plot",
+            plot.to_str().unwrap(),
+            "--size",
+            "800x500",
+        ]);
+        tiny_skia::Pixmap::decode_png(&fs::read(&plot).unwrap()).unwrap()
+    };
+    // The title stands in the first 32 rows, the ticks of x below the frame; a longer title is more ink.
+    let (short, long) = (draw("1"), draw("1234567"));
+    let title = |pixmap| dark_pixels(pixmap, [0, 0, 800, 32]);
+    assert!(title(&short) > 300, "{}", title(&short));
+    assert!(title(&long) > title(&short));
+    assert!(dark_pixels(&short, [60, 455, 800, 470]) > 100);
+}
+
+#[test]
+fn compare_prints_chens_first_table() {
+    let text = printed(&["compare", "-m", "chen-1,chen-2,chen-3", "-n", "4"]);
+    for figure in ["0.0277282", "0.0176957", "0.0152130"] {
+        assert!(text.contains(figure), "{text}");
+    }
+}
+
+#[test]
+fn compare_states_orders_and_what_is_impossible() {
+    let found = json(&["compare", "-n", "4,8,16,32"]);
+    for row in found["methods"].as_array().unwrap() {
+        let order = match row["method"].as_str().unwrap() {
+            "lancaster-best" | "lancaster-drawellipse" => continue,
+            "apprich-plus" => 2.0,
+            id if id.starts_with("chen") || id.starts_with("quadratic") => 4.0,
+            _ => 6.0,
+        };
+        assert!((number(&row["order"]) - order).abs() < 0.1, "{row}");
+    }
+    let impossible = json(&["compare", "-m", "chen-1,lancaster-drawellipse", "-n", "2"]);
+    for row in impossible["methods"].as_array().unwrap() {
+        assert!(row["values"][0].is_null() && row["order"].is_null());
+    }
+    assert!(refused(&["compare", "-m", "nonesuch"]).contains("unknown method"));
+    assert!(refused(&["compare", "-n", "0"]).contains("segments"));
+    assert!(refused(&["compare", "--by", "beauty"]).contains("peak, mean, rms, area, length"));
+}
+
+#[test]
+fn compare_by_area_and_length_finds_the_methods_named_for_them() {
+    for (by, id) in [
+        ("area", "area"),
+        ("length", "length"),
+        ("mean", "mean"),
+        ("rms", "rms"),
+        ("peak", "minimax"),
+    ] {
+        let tangent = "midpoint,minimax,goldapp,curvature,area,length,mean,mean-angle,rms";
+        let found = json(&["compare", "-m", tangent, "-n", "4", "--by", by]);
+        let rows = found["methods"].as_array().unwrap();
+        let best = rows
+            .iter()
+            .min_by(|a, b| number(&a["values"][0]).total_cmp(&number(&b["values"][0])));
+        assert_eq!(best.unwrap()["method"], id, "{by}");
+    }
+}
+
+#[test]
+fn compare_draws_every_method_in_every_picture_format() {
+    let folder = tempfile::tempdir().unwrap();
+    for extension in ["svg", "html", "png"] {
+        let file = folder.path().join(format!("compare.{extension}"));
+        printed(&[
+            "compare",
+            "-m",
+            "all",
+            "-n",
+            "2,3,4,5,6,8",
+            "-o",
+            file.to_str().unwrap(),
+        ]);
+        let bytes = fs::read(&file).unwrap();
+        if extension == "png" {
+            assert!(tiny_skia::Pixmap::decode_png(&bytes).is_ok());
+            continue;
+        }
+        let text = String::from_utf8(bytes).unwrap();
+        for method in curveto::Method::ALL {
+            assert!(text.contains(&format!(">{}<", method.id())), "{method}");
+        }
+        assert!(!text.contains("NaN") && !text.contains("http://") || text.contains("www.w3.org"));
+    }
+}
+
+/// The pictures of docs/measure.md; with `CURVETO_GOLDEN=1` they are drawn anew.
+#[test]
+fn the_pictures_of_the_documentation_are_what_the_program_draws() {
+    let images = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/images");
+    let folder = tempfile::tempdir().unwrap();
+    let pictures: [(&str, &[&str]); 2] = [
+        (
+            "apprich-k2.svg",
+            &[
+                "measure",
+                "circle",
+                "1",
+                "-m",
+                "apprich",
+                "-n",
+                "4",
+                "--quantity",
+                "curvature-d2",
+                "--plot",
+            ],
+        ),
+        (
+            "compare.svg",
+            &[
+                "compare",
+                "-m",
+                "all",
+                "-n",
+                "2,3,4,5,6,8",
+                "-f",
+                "svg",
+                "-o",
+            ],
+        ),
+    ];
+    for (name, arguments) in pictures {
+        let drawn = folder.path().join(name);
+        printed(&[arguments, &[drawn.to_str().unwrap()]].concat());
+        let kept = images.join(name);
+        if std::env::var_os("CURVETO_GOLDEN").is_some() {
+            fs::create_dir_all(&images).unwrap();
+            fs::copy(&drawn, &kept).unwrap();
+        }
+        assert_eq!(
+            fs::read(&kept).unwrap(),
+            fs::read(&drawn).unwrap(),
+            "{name}"
+        );
+    }
+}

@@ -1,0 +1,262 @@
+//! The sphere of Chen's Figure 1: its lines, their halves before and behind the limb, and their error.
+
+use crate::judges::program;
+
+use curveto::number::Precision;
+use curveto::sphere::{Line, Options, Part, Picture, Sphere, View};
+use curveto::{Angle, Method, Rule};
+use kurbo::{ParamCurve, PathSeg, Point};
+
+fn seen(meridians: usize, parallels: usize, view: [f64; 2], method: Method) -> Picture {
+    let [longitude, latitude] = view.map(Angle::from_degrees);
+    let view = View {
+        longitude,
+        latitude,
+        y_up: false,
+    };
+    let options = Options {
+        rule: Rule::Method(method),
+        precision: Some(Precision::Full),
+        ..Options::default()
+    };
+    Sphere::new((0.0, 0.0), 100.0, meridians, parallels)
+        .unwrap()
+        .seen(view, &options)
+        .unwrap()
+}
+
+/// The distance of an end of a part from the outline.
+fn off_the_outline(p: Point) -> f64 {
+    (p.to_vec2().hypot() - 100.0).abs()
+}
+
+fn ends(part: &Part) -> [Point; 2] {
+    let segments = &part.curve.segments;
+    [segments[0].start(), segments[segments.len() - 1].end()]
+}
+
+/// The point of a line on the true sphere, and whether it is on the near side, where the image (x, y) of the line is.
+fn depth_of_parallel(p: Point, latitude: Angle, view_latitude: Angle) -> f64 {
+    // z = sin(latitude) is what the height on the screen, -y, and the depth make of the two axes of the view.
+    let (z, view) = (latitude.direction().y * 100.0, view_latitude.direction());
+    (z + p.y * view.x) / view.y
+}
+
+#[test]
+fn every_part_ends_at_the_limb() {
+    for view in [[30.0, 20.0], [0.0, 0.0], [-100.0, -75.0], [13.0, 51.5]] {
+        let picture = seen(12, 7, view, Method::Minimax);
+        assert!(!picture.back.is_empty());
+        for part in picture.front.iter().chain(&picture.back) {
+            if !part.curve.closed {
+                for end in ends(part) {
+                    // The curve itself strays by up to this from the sphere.
+                    assert!(
+                        off_the_outline(end) <= picture.error.peak() + 1e-9,
+                        "{view:?} {part:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn parts_of_parallels_lie_on_their_side() {
+    let view = [30.0, 20.0];
+    let picture = seen(0, 9, view, Method::Minimax);
+    let sides = [(&picture.front, 1.0), (&picture.back, -1.0)];
+    for (parts, sign) in sides {
+        assert!(parts.len() >= 7);
+        for part in parts {
+            let Line::Parallel(latitude) = part.line else {
+                panic!("{part:?}")
+            };
+            for segment in &part.curve.segments {
+                for i in 1..10 {
+                    let p = segment.eval(f64::from(i) / 10.0);
+                    let depth = depth_of_parallel(p, latitude, Angle::from_degrees(view[1]));
+                    assert!(sign * depth > -1e-9, "{depth} {part:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn front_and_back_together_are_whole_circles() {
+    let picture = seen(12, 7, [30.0, 20.0], Method::Minimax);
+    // Every end at which a front part stops is one at which a back part begins, digit for digit.
+    let mut front: Vec<Point> = picture
+        .front
+        .iter()
+        .filter(|p| !p.curve.closed)
+        .flat_map(ends)
+        .collect();
+    let mut back: Vec<Point> = picture
+        .back
+        .iter()
+        .filter(|p| !p.curve.closed)
+        .flat_map(ends)
+        .collect();
+    let order = |a: &Point, b: &Point| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
+    front.sort_by(order);
+    back.sort_by(order);
+    assert_eq!(front, back);
+    assert_eq!(front.len(), 2 * (7 + 6));
+}
+
+#[test]
+fn parallels_near_a_pole_are_seen_whole() {
+    let picture = seen(0, 7, [0.0, 60.0], Method::Minimax);
+    let whole: Vec<f64> = picture
+        .front
+        .iter()
+        .filter(|part| part.curve.closed)
+        .map(|part| match part.line {
+            Line::Parallel(latitude) => latitude.degrees(),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    // From latitude 60 everything north of 30 degrees is before the limb.
+    assert_eq!(whole, [67.5, 45.0]);
+}
+
+#[test]
+fn lines_in_the_limb_belong_to_the_front() {
+    // Seen from the pole the equator is the outline; seen from the equator the meridians a quarter turn away are.
+    let from_the_pole = seen(0, 1, [77.0, 90.0], Method::Minimax);
+    assert_eq!(
+        (from_the_pole.front.len(), from_the_pole.back.len()),
+        (1, 0)
+    );
+    assert!(from_the_pole.front[0].curve.closed);
+    let from_the_side = seen(4, 0, [0.0, 0.0], Method::Minimax);
+    assert_eq!(
+        (from_the_side.front.len(), from_the_side.back.len()),
+        (2, 1)
+    );
+}
+
+#[test]
+fn the_picture_is_symmetric_about_the_meridian_of_the_view() {
+    let picture = seen(0, 7, [31.7, 20.0], Method::Minimax);
+    for part in &picture.front {
+        let points: Vec<Point> = part
+            .curve
+            .segments
+            .iter()
+            .flat_map(curveto::curve::control_points)
+            .collect();
+        for (p, q) in points.iter().zip(points.iter().rev()) {
+            assert!(
+                (p.x + q.x).abs() < 1e-12 && (p.y - q.y).abs() < 1e-12,
+                "{p} {q}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_error_is_that_of_a_great_circle() {
+    for method in [
+        Method::Minimax,
+        Method::Chen3,
+        Method::QuadraticMidpoint,
+        Method::MinimaxFree,
+    ] {
+        let quarter = method
+            .radial_error(&curveto::method::Span::from_degrees(90.0))
+            .unwrap();
+        let error = seen(12, 7, [30.0, 20.0], method).error;
+        assert!(
+            (error.outward - 100.0 * quarter.outward).abs() < 1e-11,
+            "{method}"
+        );
+        assert!(
+            (error.inward - 100.0 * quarter.inward).abs() < 1e-11,
+            "{method}"
+        );
+    }
+}
+
+#[test]
+fn images_of_great_circles_are_as_far_off_as_stated() {
+    // A meridian seen from the side of the equator is a circle again: its image shows its error in full.
+    let picture = seen(2, 0, [90.0, 0.0], Method::Minimax);
+    let truth = curveto::shape::Truth::circle(Point::ORIGIN, 100.0);
+    let segments: Vec<&PathSeg> = picture
+        .front
+        .iter()
+        .flat_map(|p| &p.curve.segments)
+        .collect();
+    let error = curveto::measure::radial::error(segments, &truth);
+    assert!((error.peak() - picture.error.peak()).abs() < 1e-9);
+}
+
+fn printed(arguments: &[&str]) -> String {
+    program::printed(&[&["sphere"], arguments].concat())
+}
+
+#[test]
+fn every_format_has_the_hidden_halves_only_where_they_are_asked_for() {
+    let paths = |hidden: &str| printed(&["100", "--hidden", hidden]).matches('M').count();
+    assert_eq!([paths("show"), paths("dash"), paths("none")], [27, 27, 14]);
+    let eps = printed(&["100", "-f", "eps"]);
+    assert!(eps.contains("setdash"));
+    assert!(!printed(&["100", "-f", "eps", "--hidden", "show"]).contains("setdash"));
+    let json: serde_json::Value = serde_json::from_str(&printed(&["100", "-f", "json"])).unwrap();
+    assert_eq!(json["front"].as_array().unwrap().len(), 13);
+    assert_eq!(json["back"].as_array().unwrap().len(), 13);
+    assert_eq!(json["front"][0]["line"], "parallel");
+    assert!((json["error"]["relative_peak"].as_f64().unwrap() - 1.960_764_7e-4).abs() < 1e-10);
+}
+
+#[test]
+fn north_is_up_on_canvas_and_page() {
+    // Seen from latitude 60 the parallel of latitude 45 is whole, and begins below the middle on its own meridian.
+    let options = [
+        "10",
+        "--meridians",
+        "0",
+        "--parallels",
+        "3",
+        "--view",
+        "0,60",
+        "--hidden",
+        "none",
+    ];
+    let height = 10.0
+        * (45.0_f64.to_radians().sin() * 60.0_f64.to_radians().cos()
+            - 45.0_f64.to_radians().cos() * 60.0_f64.to_radians().sin());
+    for (format, sign) in [("path", -1.0), ("ps", 1.0)] {
+        let text = printed(&[&options[..], &["-f", format]].concat());
+        let wanted = format!("{:.4}", sign * height);
+        assert!(
+            text.contains(wanted.trim_end_matches('0')),
+            "{format}, {wanted}: {text}"
+        );
+    }
+}
+
+#[test]
+fn impossible_spheres_are_refused() {
+    for (arguments, told) in [
+        (&["0"][..], "radius must be a positive"),
+        (&["10", "--view", "0,91"], "between -90 and 90 degrees"),
+        (&["10", "--view", "0"], "not two angles"),
+        (
+            &["10", "--meridians", "3", "-m", "minimax-free"],
+            "its segments end off the circle",
+        ),
+        (&["10", "-n", "0"], "the number of segments must be from 1"),
+        (&["10", "--parallels", "1000000"], "up to 10000"),
+        (
+            &["10", "-m", "apprich", "-n", "2"],
+            "apprich cannot do this",
+        ),
+    ] {
+        let message = program::refused(&[&["sphere"], arguments].concat());
+        assert!(message.contains(told), "{arguments:?}: {message}");
+    }
+}

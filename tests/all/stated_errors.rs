@@ -1,0 +1,130 @@
+//! The error that a drawing states, of its points as they are written, against the oracle's extremes of the same points.
+
+use crate::judges::oracle;
+
+use curveto::approximate::{Drawing, Options, approximate};
+use curveto::curve::control_points;
+use curveto::number::Precision;
+use curveto::{Angle, Arc, Circle, Cut, Error, Method, Shape};
+use kurbo::{Point, Vec2};
+use oracle::{radial_extremes, real, to_f64};
+use rayon::prelude::*;
+
+/// (centre, radius) from the tiny to the far away.
+const PLACES: [((f64, f64), f64); 6] = [
+    ((0.0, 0.0), 1.0),
+    ((0.0, 0.0), 50.0),
+    ((12.3, -45.6), 7.89),
+    ((1e6, -3e5), 2.5),
+    ((-0.001, 0.002), 1e-4),
+    ((1.0 / 3.0, 2.0 / 7.0), 123_456.789),
+];
+
+const PRECISIONS: [Option<Precision>; 4] = [
+    None,
+    Some(Precision::Full),
+    Some(Precision::Fixed(3)),
+    Some(Precision::Fixed(9)),
+];
+
+fn cuts() -> Vec<Cut> {
+    let mut cuts: Vec<Cut> = [2, 3, 4, 5, 6, 8, 11].map(Cut::Count).into();
+    let uneven = [0.0, 50.0, 120.0, 180.0, 300.0].map(Angle::from_degrees);
+    cuts.push(Cut::At(uneven.into()));
+    cuts
+}
+
+/// Compares what is stated with the oracle: each side to 1e-9 of it, or to the last digit of the other side where that errs
+/// far more.
+fn compare(drawing: &Drawing, centre: (f64, f64), radius: f64) -> Option<String> {
+    let (mut outward, mut inward) = (0.0_f64, 0.0_f64);
+    for segment in &drawing.curve.segments {
+        let points: Vec<oracle::Point> = control_points(segment)
+            .iter()
+            .map(|p| [real(p.x), real(p.y)])
+            .collect();
+        let found = radial_extremes(&points, [real(centre.0), real(centre.1)], &real(radius));
+        outward = outward.max(to_f64(&found.0));
+        inward = inward.max(to_f64(&found.1));
+    }
+    let near = |ours: f64, theirs: f64| {
+        let off = (ours - theirs).abs();
+        off <= 1e-9 * theirs || off <= 1e-15 * outward.max(inward)
+    };
+    let stated = drawing.error;
+    (!near(stated.outward, outward) || !near(stated.inward, inward)).then(|| {
+        format!(
+            "{} with {} segments of radius {radius} at {:?}: {:e} {:e} stated, {outward:e} {inward:e} true",
+            drawing.rule.id(),
+            drawing.curve.segments.len(),
+            drawing.precision,
+            stated.outward,
+            stated.inward,
+        )
+    })
+}
+
+/// Draws every case; gives how many could be drawn and what was wrong.
+fn check(cases: &[(Method, Cut, usize)], shape: impl Fn(usize) -> Shape + Sync) -> usize {
+    let results: Vec<Option<String>> = cases
+        .par_iter()
+        .enumerate()
+        .filter_map(|(i, (method, cut, place))| {
+            let options = Options {
+                rule: (*method).into(),
+                cut: cut.clone(),
+                precision: PRECISIONS[i % PRECISIONS.len()],
+                ..Options::default()
+            };
+            match approximate(&shape(*place), &options) {
+                Ok(drawing) => Some(compare(&drawing, PLACES[*place].0, PLACES[*place].1)),
+                Err(Error::Impossible { .. }) => None,
+                Err(other) => Some(Some(other.to_string())),
+            }
+        })
+        .collect();
+    let wrong: Vec<&String> = results.iter().flatten().collect();
+    assert!(wrong.is_empty(), "{}: {wrong:#?}", wrong.len());
+    results.len()
+}
+
+fn cases() -> Vec<(Method, Cut, usize)> {
+    let mut cases = Vec::new();
+    for method in Method::ALL {
+        for (i, cut) in cuts().into_iter().enumerate() {
+            for place in 0..PLACES.len() {
+                // Every third place: each precision meets each of them elsewhere in the table.
+                if (i + place) % 3 == 0 {
+                    cases.push((method, cut.clone(), place));
+                }
+            }
+        }
+    }
+    cases
+}
+
+#[test]
+fn circles_state_the_error_of_the_points_as_printed() {
+    let drawn = check(&cases(), |place| {
+        let (centre, radius) = PLACES[place];
+        Shape::Circle(Circle::new(centre, radius).unwrap())
+    });
+    assert!(drawn > 250, "only {drawn} drawn");
+}
+
+#[test]
+fn arcs_state_the_error_of_the_points_as_printed() {
+    let arcs: Vec<_> = cases()
+        .into_iter()
+        .filter(|(_, cut, _)| matches!(cut, Cut::Count(_)))
+        .collect();
+    let drawn = check(&arcs, |place| {
+        let (centre, radius) = PLACES[place];
+        let start = Angle::from_degrees(13.7);
+        let sweep = Angle::from_degrees([-211.3, 1e-6, 0.01, 3.0, 45.0, -90.0][place]);
+        let radii = Vec2::new(radius, radius);
+        let centre = Point::from(centre);
+        Shape::Arc(Arc::new(centre, radii, Angle::ZERO, start, sweep).unwrap())
+    });
+    assert!(drawn > 200, "only {drawn} drawn");
+}
