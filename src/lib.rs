@@ -32,6 +32,7 @@ pub mod method;
 pub mod number;
 mod numeric;
 pub mod path;
+pub mod picture;
 mod place;
 pub mod power;
 pub mod radial_error;

@@ -1,34 +1,24 @@
 //! The writers: the only place that knows a format.
 //!
-//! A writer sees a [`Figure`], whose points are already rounded, and knows no method.
+//! A writer sees a [`Figure`] or a [`Scene`](crate::picture::scene::Scene), whose points are already rounded, and knows no method.
 
 pub mod catalogue;
 pub mod comparison;
-mod deviation;
 pub mod json;
 pub mod measurement;
-pub mod plot;
 pub mod png;
 pub mod postscript;
-pub mod scene;
 pub mod sphere;
 pub mod spline;
-pub mod style;
 pub mod svg;
 
 use core::fmt;
 use core::str::FromStr;
 
-use kurbo::Rect;
-
-use crate::approximate::Drawing;
-use crate::curve::Curve;
 use crate::error::{Error, Result};
-use crate::number;
 use crate::path;
-use crate::shape::{Outline, Shape};
-use scene::Scene;
-use style::Style;
+use crate::picture::figure::Figure;
+use crate::picture::style::Style;
 
 /// An output format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -114,59 +104,6 @@ impl FromStr for Format {
     }
 }
 
-/// What a writer sees.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Figure {
-    /// A few words.
-    pub title: String,
-    /// A sentence: the shape, the method, the stated error.
-    pub description: String,
-    /// The curves, those beneath first.
-    pub layers: Vec<Layer>,
-    /// The true shapes that the curves approximate.
-    pub truths: Vec<Outline>,
-}
-
-/// Curves that are drawn alike.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Layer {
-    /// The class of its group in SVG; without one its paths stand alone.
-    pub class: Option<&'static str>,
-    /// Whether it is drawn dashed.
-    pub dashed: bool,
-    /// Whether it is lines on a shape, to be stroked more finely and never filled.
-    pub fine: bool,
-    /// The curves, as they are written.
-    pub curves: Vec<Curve>,
-}
-
-impl Figure {
-    /// All curves in the order in which they are drawn.
-    pub fn curves(&self) -> impl Iterator<Item = &Curve> {
-        self.layers.iter().flat_map(|layer| &layer.curves)
-    }
-
-    /// The smallest rectangle around the curves themselves, not their control points.
-    #[must_use]
-    pub fn bounding_box(&self) -> Option<Rect> {
-        self.curves()
-            .filter_map(Curve::bounding_box)
-            .reduce(|a, b| a.union(b))
-    }
-
-    /// The description, and how what is shown is to be read.
-    fn told(&self, style: &Style) -> String {
-        match style.show.error {
-            Some(factor) if !self.truths.is_empty() => format!(
-                "{}; deviation drawn {} times as large",
-                self.description,
-                number::text(factor)
-            ),
-            _ => self.description.clone(),
-        }
-    }
-}
-
 /// The figure in a format; the style tells how pictures look.
 ///
 /// # Errors
@@ -175,7 +112,8 @@ impl Figure {
 /// [`json`] forms it from a [`Drawing`].
 ///
 /// ```
-/// use curveto::write::{Figure, Format, style::Style, write};
+/// use curveto::picture::{figure::Figure, style::Style};
+/// use curveto::write::{Format, write};
 /// use curveto::{Circle, Options, Shape, approximate};
 /// let circle = Shape::Circle(Circle::new((0.0, 0.0), 50.0)?);
 /// let figure = Figure::from(&approximate(&circle, &Options::default())?);
@@ -184,7 +122,7 @@ impl Figure {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn write(figure: &Figure, format: Format, style: &Style) -> Result<Vec<u8>> {
-    let scene = || Scene::new(figure, style);
+    let scene = || figure.scene(style);
     let text = match format {
         Format::Path => path::data(figure.curves(), style.relative) + "\n",
         Format::Ps => postscript::operators(figure.curves()),
@@ -201,62 +139,4 @@ pub fn write(figure: &Figure, format: Format, style: &Style) -> Result<Vec<u8>> 
         }
     };
     Ok(text.into_bytes())
-}
-
-impl From<&Drawing> for Figure {
-    fn from(drawing: &Drawing) -> Self {
-        let title = describe(&drawing.shape);
-        let description = if drawing.outline.is_some() {
-            format!(
-                "{title}; {count} segment{s} by {method}; within {peak} of the true shape ({relative} of the larger radius)",
-                count = drawing.curve.segments.len(),
-                s = if drawing.curve.segments.len() == 1 {
-                    ""
-                } else {
-                    "s"
-                },
-                method = drawing.rule.id(),
-                peak = number::significant(drawing.error.peak(), 3),
-                relative = number::significant(drawing.relative_peak(), 3),
-            )
-        } else {
-            format!("{title}; exact")
-        };
-        Self {
-            title,
-            description,
-            layers: vec![Layer {
-                curves: vec![drawing.curve.clone()],
-                ..Layer::default()
-            }],
-            truths: drawing.outline.into_iter().collect(),
-        }
-    }
-}
-
-/// A shape in a few words.
-#[must_use]
-pub fn describe(shape: &Shape) -> String {
-    let n = |x| number::significant(x, 9);
-    match shape {
-        Shape::Circle(c) => format!("Circle of radius {}", n(c.radius)),
-        Shape::Ellipse(e) => format!("Ellipse with radii {} and {}", n(e.radii.x), n(e.radii.y)),
-        Shape::Arc(a) if a.radii.x == a.radii.y => {
-            format!(
-                "Arc of radius {} over {} degrees",
-                n(a.radii.x),
-                n(a.sweep.degrees())
-            )
-        }
-        Shape::Arc(a) => {
-            format!(
-                "Arc with radii {} and {} over {} degrees",
-                n(a.radii.x),
-                n(a.radii.y),
-                n(a.sweep.degrees())
-            )
-        }
-        Shape::Line(_) => "Line".to_owned(),
-        Shape::Empty => "Empty path".to_owned(),
-    }
 }

@@ -8,8 +8,8 @@ use curveto::continuity::Continuity;
 use curveto::curve::{Curve, control_points};
 use curveto::measure::{Quantity, Reference, Report, curvature, fit, profile, report};
 use curveto::number::Precision;
+use curveto::picture::plot::{Chart, PictureFormat};
 use curveto::shape::Truth;
-use curveto::write::plot::{Chart, PictureFormat};
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, approximate,
 };

@@ -4,9 +4,9 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use curveto::compare::Comparison;
+use curveto::picture::plot::{Chart, PictureFormat};
 use curveto::write::comparison::{csv, html, table};
 use curveto::write::json;
-use curveto::write::plot::{Chart, PictureFormat};
 
 use super::Outcome;
 use super::args::CompareArgs;

@@ -3,7 +3,8 @@
 use std::process::ExitCode;
 
 use curveto::approximate::{Drawing, Options, approximate};
-use curveto::write::{Figure, json};
+use curveto::picture::figure::Figure;
+use curveto::write::json;
 use curveto::{Angle, Cut};
 
 use super::Outcome;

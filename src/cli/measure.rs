@@ -11,9 +11,9 @@ use curveto::approximate::Options;
 use curveto::curve::Curve;
 use curveto::measure::{Quantity, Reference, fit, report};
 use curveto::number::Precision;
+use curveto::picture::plot::{self, Chart};
 use curveto::write::json;
 use curveto::write::measurement::{Measurement, csv};
-use curveto::write::plot::{self, Chart};
 use curveto::{document, path};
 
 use super::Outcome;

@@ -5,7 +5,8 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use curveto::write::{Figure, Format};
+use curveto::picture::figure::Figure;
+use curveto::write::Format;
 
 use super::args::OutputArgs;
 use super::failure::Failure;

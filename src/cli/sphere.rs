@@ -3,8 +3,8 @@
 use std::process::ExitCode;
 
 use curveto::Rule;
+use curveto::picture::figure::Figure;
 use curveto::sphere::{Options, Sphere, View};
-use curveto::write::Figure;
 use curveto::write::json;
 use curveto::write::sphere::SphereDocument;
 

@@ -6,9 +6,9 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use curveto::Error;
+use curveto::picture::figure::Figure;
 use curveto::spline::Spline;
 use curveto::spline::points::{Points, ReadError};
-use curveto::write::Figure;
 use curveto::write::json;
 use curveto::write::spline::SplineDocument;
 

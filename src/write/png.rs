@@ -6,10 +6,10 @@ use tiny_skia::{
     FillRule, LineJoin, Paint as Ink, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
 };
 
-use super::scene::{Pen, Scene};
-use super::style::Paint;
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result};
+use crate::picture::scene::{Pen, Scene};
+use crate::picture::style::Paint;
 
 /// The pixels on the larger side where no size is asked for.
 const LARGER_SIDE: f64 = 512.0;

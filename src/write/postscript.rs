@@ -3,12 +3,12 @@
 use kurbo::{PathSeg, Point, Rect};
 use svgtypes::Color;
 
-use super::scene::{Group, Pen, Scene};
-use super::style::Paint;
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::method::{Method, Rule, Span};
 use crate::number::{Precision, push_shortest, significant, text};
+use crate::picture::scene::{Group, Pen, Scene};
+use crate::picture::style::Paint;
 
 /// The operators of one or more curves, one a line; quadratics are raised to cubics exactly.
 #[must_use]

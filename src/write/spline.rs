@@ -5,50 +5,9 @@ use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use super::json::{PowerDocument, segment_document};
-use super::{Figure, Layer, path};
-use crate::curve::Curve;
+use crate::path;
+use crate::picture::figure::Figure;
 use crate::spline::{Ends, Parametrization, Quadrature, Spline};
-
-impl Figure {
-    /// A spline's curve, as [`Spline::curve`] gives it.
-    #[must_use]
-    pub fn of_spline(spline: &Spline, curve: Curve) -> Self {
-        let title = format!("Curve through {} points", spline.points.len());
-        Self {
-            description: format!(
-                "Composite parametric cubic through {} points; {}",
-                spline.points.len(),
-                describe(spline)
-            ),
-            title,
-            layers: vec![Layer {
-                curves: vec![curve],
-                ..Layer::default()
-            }],
-            truths: Vec::new(),
-        }
-    }
-}
-
-/// How the curve runs through its points.
-fn describe(spline: &Spline) -> String {
-    let settled = match spline.rounds {
-        0 => String::new(),
-        rounds => format!(", settled in {rounds} rounds"),
-    };
-    let ends = match spline.options.ends {
-        Ends::Cyclic => "cyclic",
-        Ends::Free => "free",
-        Ends::Fixed(_) => "fixed",
-    };
-    let tangents = if spline.options.unit_tangents {
-        ", unit tangents"
-    } else {
-        ""
-    };
-    let parametrization = spline.options.parametrization.name();
-    format!("{parametrization} parametrization{settled}, {ends} ends{tangents}")
-}
 
 /// The JSON of a spline.
 #[derive(Debug, Serialize, JsonSchema)]

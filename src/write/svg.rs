@@ -5,11 +5,11 @@ use svg::node::element::{Circle, Description, Element, Path, Rectangle, Title};
 use svg::node::{Node, Text};
 use svgtypes::Color;
 
-use super::scene::{Group, Mark, Pen, Scene};
-use super::style::Paint;
 use crate::angle::Angle;
 use crate::number::{Precision, text};
 use crate::path;
+use crate::picture::scene::{Group, Mark, Pen, Scene};
+use crate::picture::style::Paint;
 use crate::shape::Outline;
 
 /// The largest angle of an arc command, in degrees. An arc of half a turn is found from its ends alone, so that their rounding

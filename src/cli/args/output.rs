@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use curveto::number::Precision;
+use curveto::picture::style::Style;
 use curveto::write::Format;
-use curveto::write::style::Style;
 use kurbo::Affine;
 
 use super::picture::PictureArgs;

@@ -1,7 +1,7 @@
 //! The words for pictures.
 
 use clap::Args;
-use curveto::write::style::{Paint, Show, Shown, Style};
+use curveto::picture::style::{Paint, Show, Shown, Style};
 
 use super::values;
 

@@ -2,14 +2,14 @@
 
 use kurbo::{Circle, Line, ParamCurveArea as _, PathSeg, Point, Rect};
 
-use super::{Group, Mark, Pen};
+use super::deviation::Lobes;
+use super::figure::{Figure, Layer};
+use super::scene::{Group, Mark, Pen, Scene};
+use super::style::{Paint, Style};
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, finite};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
 use crate::shape::{Outline, Truth};
-use crate::write::deviation::Lobes;
-use crate::write::style::{Paint, Style};
-use crate::write::{Figure, Layer};
 
 /// The true shape, a broad band beneath the curve.
 const TRUTH: Paint = Paint::rgb(0xc4, 0xc9, 0xd0);
@@ -32,6 +32,33 @@ const SHOW_MARGIN: f64 = 2.0;
 
 /// What rounding may add to a count of steps.
 const NOISE: f64 = 1e-6;
+
+impl Figure {
+    /// The figure in this style.
+    ///
+    /// # Errors
+    ///
+    /// Where a length of the style is not finite or beyond all bounds, and where the true shape or the deviation from it is to be
+    /// shown and the figure has none.
+    pub fn scene(&self, style: &Style) -> Result<Scene> {
+        for (what, length) in [
+            ("stroke width", style.stroke_width),
+            ("margin", style.margin),
+            ("factor of the error", style.show.error),
+        ] {
+            length.map_or(Ok(0.0), |length| finite(what, length))?;
+        }
+        let painter = Painter::new(self, style);
+        let groups = painter.groups()?;
+        Ok(Scene {
+            view: painter.view(&groups)?,
+            size: style.size,
+            background: style.background,
+            decimals: painter.decimals(),
+            groups,
+        })
+    }
+}
 
 /// Paints a figure.
 pub(super) struct Painter<'a> {

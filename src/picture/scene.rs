@@ -1,19 +1,15 @@
 //! A picture as a short list of strokes, fills and dots: what SVG, PNG and EPS have in common.
 
-mod painter;
-
 use kurbo::{Circle, Rect};
 
-use super::Figure;
-use super::style::{Paint, Style, default_stroke_width};
+use super::style::Paint;
 use crate::curve::Curve;
-use crate::error::{Result, finite};
+use crate::error::Result;
 use crate::joints::Joints;
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::place::place;
 use crate::shape::Outline;
-use painter::Painter;
 
 /// The largest angle, in degrees, that one cubic of a true shape spans: it strays by less than 1e-9 of the radius.
 const TRUE_SPAN: f64 = 11.25;
@@ -69,7 +65,7 @@ pub enum Mark {
 }
 
 impl Pen {
-    const fn filled(fill: Paint) -> Self {
+    pub(super) const fn filled(fill: Paint) -> Self {
         Self {
             stroke: Paint::None,
             width: 0.0,
@@ -78,7 +74,7 @@ impl Pen {
         }
     }
 
-    const fn stroked(stroke: Paint, width: f64) -> Self {
+    pub(super) const fn stroked(stroke: Paint, width: f64) -> Self {
         Self {
             stroke,
             width,
@@ -112,7 +108,7 @@ impl Mark {
         }
     }
 
-    fn bounding_box(&self) -> Result<Option<Rect>> {
+    pub(super) fn bounding_box(&self) -> Result<Option<Rect>> {
         Ok(match self {
             Self::Dot(dot) => Some(kurbo::Shape::bounding_box(dot)),
             _ => self.to_curve()?.bounding_box(),
@@ -129,31 +125,6 @@ fn finely(outline: &Outline) -> Result<Curve> {
 }
 
 impl Scene {
-    /// The figure in this style.
-    ///
-    /// # Errors
-    ///
-    /// Where a length of the style is not finite or beyond all bounds, and where the true shape or the deviation from it is to be
-    /// shown and the figure has none.
-    pub fn new(figure: &Figure, style: &Style) -> Result<Self> {
-        for (what, length) in [
-            ("stroke width", style.stroke_width),
-            ("margin", style.margin),
-            ("factor of the error", style.show.error),
-        ] {
-            length.map_or(Ok(0.0), |length| finite(what, length))?;
-        }
-        let painter = Painter::new(figure, style);
-        let groups = painter.groups()?;
-        Ok(Self {
-            view: painter.view(&groups)?,
-            size: style.size,
-            background: style.background,
-            decimals: painter.decimals(),
-            groups,
-        })
-    }
-
     /// The mark as Béziers; the points of what is shown beside the curve with as many decimals as a picture can show.
     ///
     /// # Errors
@@ -176,14 +147,5 @@ impl Scene {
         };
         let scale = (width / self.view.width()).min(height / self.view.height());
         Rect::from_center_size(self.view.center(), (width / scale, height / scale))
-    }
-}
-
-impl Figure {
-    /// The width of the stroke where none is asked for; see [`default_stroke_width`].
-    #[must_use]
-    pub fn default_stroke_width(&self) -> f64 {
-        let bounds = self.bounding_box().unwrap_or(Rect::ZERO);
-        default_stroke_width(bounds.width().max(bounds.height()))
     }
 }
