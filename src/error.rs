@@ -128,6 +128,9 @@ pub enum Error {
     /// The picture that was asked for cannot be made.
     #[error("{0}")]
     Picture(String),
+    /// What was to be written cannot be JSON.
+    #[error("this cannot be written as JSON: {0}")]
+    Json(String),
 }
 
 impl Error {

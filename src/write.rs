@@ -1,9 +1,10 @@
 //! The writers: the only place that knows a format.
 //!
-//! A writer sees a [`Figure`] or a [`Scene`](crate::picture::scene::Scene), whose points are already rounded, and knows no method.
+//! A writer sees a [`Figure`] or a [`Scene`], whose points are already rounded, and knows no method.
 
 pub mod catalogue;
 pub mod comparison;
+mod format;
 pub mod json;
 pub mod measurement;
 pub mod png;
@@ -12,131 +13,120 @@ pub mod sphere;
 pub mod spline;
 pub mod svg;
 
-use core::fmt;
-use core::str::FromStr;
+pub use format::{Format, Image};
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::path;
 use crate::picture::figure::Figure;
+use crate::picture::plot::Chart;
+use crate::picture::scene::Scene;
+use crate::picture::size::Size;
 use crate::picture::style::Style;
 
-/// An output format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Format {
-    /// SVG path data, one line.
-    #[default]
-    Path,
-    /// An SVG document.
-    Svg,
-    /// PostScript path operators, one a line.
-    Ps,
-    /// An Encapsulated PostScript file.
-    Eps,
-    /// JSON.
-    Json,
-    /// A raster preview.
-    Png,
+/// How much larger than its layout a PNG of a plot is where no size was asked for, so that it can be printed.
+const SHARPNESS: f64 = 2.0;
+
+/// What every format can hold: something drawn, of which JSON states what was asked for too.
+pub trait Writable {
+    /// The curves, as they are written.
+    fn figure(&self) -> Figure;
+
+    /// The JSON, without a line feed at its end.
+    ///
+    /// # Errors
+    ///
+    /// Where the values cannot be JSON ([`Error::Json`](crate::Error::Json)).
+    fn json(&self) -> Result<String>;
 }
 
-impl Format {
-    /// All formats.
-    pub const ALL: [Self; 6] = [
-        Self::Path,
-        Self::Svg,
-        Self::Ps,
-        Self::Eps,
-        Self::Json,
-        Self::Png,
-    ];
-
-    /// The name, which is also the file extension.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Path => "path",
-            Self::Svg => "svg",
-            Self::Ps => "ps",
-            Self::Eps => "eps",
-            Self::Json => "json",
-            Self::Png => "png",
-        }
-    }
-
-    /// Whether it is a picture, which has colours and widths, rather than data.
-    #[must_use]
-    pub const fn is_picture(self) -> bool {
-        matches!(self, Self::Svg | Self::Eps | Self::Png)
-    }
-
-    /// Whether +y is up: on a PostScript page it is, on an SVG canvas it is down.
-    #[must_use]
-    pub const fn has_y_up(self) -> bool {
-        matches!(self, Self::Ps | Self::Eps)
-    }
-
-    /// Whether closed shapes start at 180 degrees and run in the negative direction, as Lancaster's `drawellipse` does.
-    #[must_use]
-    pub const fn runs_as_drawellipse(self) -> bool {
-        matches!(self, Self::Ps | Self::Eps)
-    }
+/// How it is written.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Options {
+    /// How pictures look.
+    pub style: Style,
+    /// Whether path data is relative.
+    pub relative: bool,
 }
 
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for Format {
-    type Err = Error;
-
-    fn from_str(name: &str) -> Result<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|format| format.name() == name)
-            .ok_or_else(|| Error::Syntax {
-                what: "the format",
-                text: name.to_owned(),
-                column: 1,
-                why: format!("the formats are {}", Self::ALL.map(Self::name).join(", ")),
-            })
-    }
-}
-
-/// The figure in a format; the style tells how pictures look.
+/// What was drawn, in a format.
 ///
 /// # Errors
 ///
-/// Where the picture cannot be made ([`Error::Picture`]), and for JSON, which tells what was asked and not only what was drawn:
-/// [`json`] forms it from a [`Drawing`].
+/// Where the picture cannot be made ([`Error::Picture`](crate::Error::Picture)).
 ///
 /// ```
-/// use curveto::picture::{figure::Figure, style::Style};
-/// use curveto::write::{Format, write};
+/// use curveto::write::{self, Format, Image, write};
 /// use curveto::{Circle, Options, Shape, approximate};
 /// let circle = Shape::Circle(Circle::new((0.0, 0.0), 50.0)?);
-/// let figure = Figure::from(&approximate(&circle, &Options::default())?);
-/// let svg = String::from_utf8_lossy(&write(&figure, Format::Svg, &Style::default())?).into_owned();
-/// assert!(svg.contains(r##"<path d="M50 0C"##));
+/// let drawing = approximate(&circle, &Options::default())?;
+/// let bytes = write(&drawing, Format::Image(Image::Svg), &write::Options::default())?;
+/// assert!(String::from_utf8_lossy(&bytes).contains(r##"<path d="M50 0C"##));
 /// # Ok::<(), curveto::Error>(())
 /// ```
-pub fn write(figure: &Figure, format: Format, style: &Style) -> Result<Vec<u8>> {
-    let scene = || figure.scene(style);
+pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<Vec<u8>> {
     let text = match format {
-        Format::Path => path::data(figure.curves(), style.relative) + "\n",
-        Format::Ps => postscript::operators(figure.curves()),
-        Format::Svg => svg::document(
-            &scene()?,
-            &figure.title,
-            &figure.told(style),
-            style.relative,
-        ),
-        Format::Eps => postscript::encapsulated(&scene()?, &figure.title, &figure.told(style))?,
-        Format::Png => return png::encode(&scene()?),
-        Format::Json => {
-            return Err(Error::Picture("a figure alone has no JSON form".to_owned()));
+        Format::Path => path::data(work.figure().curves(), options.relative) + "\n",
+        Format::Json => work.json()? + "\n",
+        Format::Ps => postscript::operators(work.figure().curves()),
+        Format::Image(image) => {
+            let scene = work.figure().scene(&options.style)?;
+            return picture(&scene, image, options.relative);
         }
     };
     Ok(text.into_bytes())
+}
+
+/// A plot in the format of a picture, of this size or of one at which it reads well.
+///
+/// # Errors
+///
+/// Where the picture is too large to be made ([`Error::Picture`](crate::Error::Picture)).
+pub fn plot(chart: &Chart, image: Image, size: Option<Size>) -> Result<Vec<u8>> {
+    let default = chart.default_size();
+    let layout = match (image, size) {
+        (Image::Eps, Some(size)) => size.points(),
+        (Image::Svg, Some(size)) => size.pixels(),
+        (Image::Svg | Image::Eps, None) => default,
+        (Image::Png, size) => {
+            let [width, height] = size.map_or(default.map(|side| side * SHARPNESS), Size::pixels);
+            // The words of a large one grow with it.
+            let scale = (width / default[0]).min(height / default[1]).max(1.0);
+            let mut scene = chart.scene([width / scale, height / scale]);
+            scene.size = Some(Size::plain([width, height]));
+            return picture(&scene, image, false);
+        }
+    };
+    let mut scene = chart.scene(layout);
+    scene.size = size.or(scene.size);
+    picture(&scene, image, false)
+}
+
+fn picture(scene: &Scene, image: Image, relative: bool) -> Result<Vec<u8>> {
+    Ok(match image {
+        Image::Svg => svg::document(scene, relative).into_bytes(),
+        Image::Eps => postscript::encapsulated(scene)?.into_bytes(),
+        Image::Png => png::encode(scene)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::{Comparison, Criterion};
+
+    #[test]
+    fn plots_are_well_formed_at_any_size() {
+        let rules = crate::Method::ALL.map(crate::Rule::Method);
+        let comparison = Comparison::new(&rules, &[2, 3, 4, 8], Criterion::Peak).unwrap();
+        let chart = Chart::comparison(&comparison);
+        for size in [None, Some([20.0, 20.0]), Some([3000.0, 700.0])] {
+            let size = size.map(Size::plain);
+            let svg = String::from_utf8(plot(&chart, Image::Svg, size).unwrap()).unwrap();
+            assert!(!svg.contains("NaN") && !svg.contains("inf"));
+            assert_eq!(svg.matches("<text").count(), svg.matches("</text>").count());
+            let png = plot(&chart, Image::Png, size).unwrap();
+            assert!(png.starts_with(b"\x89PNG"));
+        }
+        assert!(plot(&chart, Image::Png, Some(Size::plain([1e6, 1e6]))).is_err());
+    }
 }

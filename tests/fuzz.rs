@@ -185,7 +185,7 @@ fn read_all(text: &str) {
     let _ = text.parse::<curveto::Angle>();
     let _ = text.parse::<Tolerance>();
     let _ = text.parse::<Method>();
-    let _ = text.parse::<curveto::picture::style::Paint>();
+    let _ = text.parse::<curveto::picture::paint::Paint>();
 }
 
 /// Lines of each form, to be damaged.

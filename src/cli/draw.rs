@@ -3,15 +3,13 @@
 use std::process::ExitCode;
 
 use curveto::approximate::{Drawing, Options, approximate};
-use curveto::picture::figure::Figure;
-use curveto::write::json;
 use curveto::{Angle, Cut};
 
 use super::Outcome;
 use super::args::shape::{Direction, ShapeWords};
 use super::args::{ApproximationArgs, ArcShape, CircleShape, Draw, EllipseShape, OutputArgs};
 use super::failure::Failure;
-use super::output::write_figure;
+use super::output::write_drawn;
 
 pub(super) fn circle(args: &Draw<CircleShape>) -> Outcome {
     draw(&args.shape, &args.approximation, &args.output)
@@ -46,8 +44,7 @@ fn draw(
         transform: output.transform(),
     };
     let drawing = drawing(shape, default, &options)?;
-    let json = || Ok(json::to_string(&json::DrawingDocument::from(&drawing))?);
-    write_figure(&Figure::from(&drawing), json, format, output)?;
+    write_drawn(&drawing, format, output)?;
     Ok(ExitCode::SUCCESS)
 }
 

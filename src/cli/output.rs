@@ -5,8 +5,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use curveto::picture::figure::Figure;
-use curveto::write::Format;
+use curveto::write::{Format, Image, Writable, write};
 
 use super::args::OutputArgs;
 use super::failure::Failure;
@@ -20,23 +19,18 @@ pub(crate) enum Target {
     File(PathBuf),
 }
 
-/// Writes a figure in its format, JSON from `json`.
-pub(crate) fn write_figure(
-    figure: &Figure,
-    json: impl FnOnce() -> Result<String, Failure>,
+/// Writes what was drawn, in its format.
+pub(crate) fn write_drawn(
+    work: &impl Writable,
     format: Format,
     args: &OutputArgs,
 ) -> Result<(), Failure> {
-    let style = args.style(format)?;
+    let options = args.options(format)?;
     let target = args.target();
-    if format == Format::Png {
+    if format == Format::Image(Image::Png) {
         target.refuse_terminal()?;
     }
-    let bytes = match format {
-        Format::Json => (json()? + "\n").into_bytes(),
-        _ => curveto::write::write(figure, format, &style)?,
-    };
-    target.write(&bytes)
+    target.write(&write(work, format, &options)?)
 }
 
 impl Target {

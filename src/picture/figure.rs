@@ -51,7 +51,7 @@ impl Figure {
     }
 
     /// The description, and how what is shown is to be read.
-    pub(crate) fn told(&self, style: &Style) -> String {
+    pub(crate) fn described(&self, style: &Style) -> String {
         match style.show.error {
             Some(factor) if !self.truths.is_empty() => format!(
                 "{}; deviation drawn {} times as large",

@@ -4,8 +4,10 @@ use kurbo::{Circle, Line, ParamCurveArea as _, PathSeg, Point, Rect};
 
 use super::deviation::Lobes;
 use super::figure::{Figure, Layer};
+use super::paint::Paint;
+use super::palette::{GREEN, ORANGE, SKY_BLUE};
 use super::scene::{Group, Mark, Pen, Scene};
-use super::style::{Paint, Style};
+use super::style::Style;
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result, finite};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
@@ -13,14 +15,14 @@ use crate::shape::{Outline, Truth};
 
 /// The true shape, a broad band beneath the curve.
 const TRUTH: Paint = Paint::rgb(0xc4, 0xc9, 0xd0);
-/// Deviation outside and inside: two colours of Okabe and Ito's palette, which everybody can tell apart.
-const OUTWARD: Paint = Paint::rgb(0xe6, 0x9f, 0x00);
-const INWARD: Paint = Paint::rgb(0x56, 0xb4, 0xe9);
-/// Handles, in the bluish green of the same palette.
-const HANDLES: Paint = Paint::rgb(0x00, 0x9e, 0x73);
+/// Deviation outside and inside.
+const OUTWARD: Paint = ORANGE;
+const INWARD: Paint = SKY_BLUE;
+const HANDLES: Paint = GREEN;
 
 // Sizes of fine lines and of what is shown, in widths of the curve's stroke.
 const FINE_WIDTH: f64 = 0.5;
+const DASH: f64 = 3.0;
 const TRUTH_WIDTH: f64 = 3.0;
 const HANDLE_WIDTH: f64 = 0.5;
 const HANDLE_RADIUS: f64 = 1.1;
@@ -51,10 +53,13 @@ impl Figure {
         let painter = Painter::new(self, style);
         let groups = painter.groups()?;
         Ok(Scene {
+            title: self.title.clone(),
+            description: self.described(style),
             view: painter.view(&groups)?,
             size: style.size,
             background: style.background,
             decimals: painter.decimals(),
+            upright: false,
             groups,
         })
     }
@@ -128,12 +133,13 @@ impl<'a> Painter<'a> {
             self.style.fill
         };
         let part = if layer.fine { FINE_WIDTH } else { 1.0 };
+        let dash = layer.dashed.then_some(DASH * part * self.mark);
         Group {
             class: layer.class,
             pen: Pen {
                 stroke: self.style.stroke,
                 width: part * self.width,
-                dash: layer.dashed.then_some(3.0 * part * self.mark),
+                dash: dash.into_iter().collect(),
                 fill,
             },
             marks: layer.curves.iter().cloned().map(Mark::Curve).collect(),

@@ -1,14 +1,14 @@
 //! PostScript: path operators, Encapsulated PostScript, and Lancaster's procedures.
 
 use kurbo::{PathSeg, Point, Rect};
-use svgtypes::Color;
 
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::method::{Method, Rule, Span};
 use crate::number::{Precision, push_shortest, significant, text};
-use crate::picture::scene::{Group, Pen, Scene};
-use crate::picture::style::Paint;
+use crate::picture::paint::{Color, Paint};
+use crate::picture::scene::{Group, Scene};
+use crate::picture::size::Size;
 
 /// The operators of one or more curves, one a line; quadratics are raised to cubics exactly.
 #[must_use]
@@ -53,18 +53,18 @@ fn push_line(out: &mut Vec<u8>, points: &[Point], operator: &str) {
 /// # Errors
 ///
 /// Where a colour is translucent, which PostScript cannot paint.
-pub fn encapsulated(scene: &Scene, title: &str, description: &str) -> Result<String> {
+pub fn encapsulated(scene: &Scene) -> Result<String> {
     let canvas = scene.canvas();
-    let (bounds, scale) = match scene.size {
-        Some([width, height]) => (Rect::new(0.0, 0.0, width, height), width / canvas.width()),
-        None => (canvas, 1.0),
+    let mut text = String::new();
+    let bounds = match scene.size.map(Size::points) {
+        None if !scene.upright => canvas,
+        size => {
+            let [width, height] = size.unwrap_or([canvas.width(), canvas.height()]);
+            let scale = width / canvas.width();
+            text += &frame(scene, scale);
+            Rect::new(0.0, 0.0, width, height)
+        }
     };
-    let mut text = header(bounds, title, description);
-    if scene.size.is_some() {
-        let origin = canvas.origin().to_vec2() * -scale;
-        let [x, y, scale] = [origin.x, origin.y, scale].map(number);
-        text += &[&x, &y, "translate", &scale, "dup scale\n"].join(" ");
-    }
     if let Some(color) = scene.background.and_then(Paint::visible) {
         let area = Curve {
             segments: kurbo::Shape::path_segments(&canvas, 0.0).collect(),
@@ -76,27 +76,42 @@ pub fn encapsulated(scene: &Scene, title: &str, description: &str) -> Result<Str
     for group in &scene.groups {
         text += &paint_group(group, scene)?;
     }
-    Ok(text + "grestore\nshowpage\n%%EOF\n")
+    Ok(header(bounds, scene) + &text + "grestore\nshowpage\n%%EOF\n")
 }
 
-fn header(bounds: Rect, title: &str, description: &str) -> String {
+/// Moves the canvas to the corner of a page and scales it; what has a right way up is turned over, since +y of a page is up.
+fn frame(scene: &Scene, scale: f64) -> String {
+    let canvas = scene.canvas();
+    let far = if scene.upright { canvas.y1 } else { -canvas.y0 };
+    let [x, y, scale] = [-canvas.x0 * scale, far * scale, scale].map(number);
+    let scaling = if scene.upright {
+        "dup neg scale"
+    } else {
+        "dup scale"
+    };
+    [&x, &y, "translate", &scale, scaling].join(" ") + "\n"
+}
+
+fn header(bounds: Rect, scene: &Scene) -> String {
     let Rect { x0, y0, x1, y1 } = bounds;
     let list = |corners: [f64; 4]| corners.map(number).join(" ");
+    let description = match ascii(&scene.description) {
+        none if none.is_empty() => none,
+        some => format!("% {some}\n"),
+    };
     format!(
         "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: {}\n%%HiResBoundingBox: {}\n%%Title: {}\n%%Creator: curveto\n%%Pages: 1\n\
-         %%EndComments\n%%Page: 1 1\n% {}\ngsave\n1 setlinejoin\n",
+         %%EndComments\n%%Page: 1 1\n{description}gsave\n1 setlinejoin\n",
         list([x0.floor(), y0.floor(), x1.ceil(), y1.ceil()]),
         list([x0, y0, x1, y1]),
-        ascii(title),
-        ascii(description),
+        ascii(&scene.title),
     )
 }
 
 fn paint_group(group: &Group, scene: &Scene) -> Result<String> {
-    let Pen { dash, fill, .. } = group.pen;
     let mut text = "gsave\n".to_owned();
     let mut paint = String::new();
-    if let Some(color) = fill.visible() {
+    if let Some(color) = group.pen.fill.visible() {
         paint = set_color(color)? + "fill\n";
     }
     if let Some((color, width)) = group.pen.visible_stroke() {
@@ -106,15 +121,16 @@ fn paint_group(group: &Group, scene: &Scene) -> Result<String> {
         paint += &(set_color(color)? + "stroke\n");
         text += &(number(width) + " setlinewidth\n");
     }
-    if let Some(dash) = dash {
-        text += &["[", &number(dash), "] 0 setdash\n"].concat();
+    if !group.pen.dash.is_empty() {
+        let lengths: Vec<String> = group.pen.dash.iter().copied().map(number).collect();
+        text += &["[", &lengths.join(" "), "] 0 setdash\n"].concat();
     }
     // Painting starts a new path; where nothing is painted, that has to be said.
     if paint.is_empty() {
         paint += "newpath\n";
     }
     for mark in &group.marks {
-        text += &operators([&scene.curve(mark)?]);
+        text += &operators(scene.curves(mark)?.iter());
         text += &paint;
     }
     Ok(text + "grestore\n")

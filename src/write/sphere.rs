@@ -4,10 +4,31 @@ use kurbo::Affine;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::json::{ErrorDocument, SegmentDocument, segment_document};
+use super::Writable;
+use super::json::{self, ErrorDocument, SegmentDocument, segment_document};
+use crate::error::Result;
 use crate::path;
 use crate::picture::figure::{Figure, Hidden};
 use crate::sphere::{Line, Part, Picture};
+
+/// A sphere that was drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SphereDrawing {
+    /// The sphere as it is seen.
+    pub picture: Picture,
+    /// What becomes of its hidden halves.
+    pub hidden: Hidden,
+}
+
+impl Writable for SphereDrawing {
+    fn figure(&self) -> Figure {
+        Figure::of_sphere(&self.picture, self.hidden)
+    }
+
+    fn json(&self) -> Result<String> {
+        json::to_string(&SphereDocument::new(&self.picture, self.hidden))
+    }
+}
 
 /// The JSON of a sphere.
 #[derive(Debug, Serialize, JsonSchema)]

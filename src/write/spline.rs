@@ -4,10 +4,34 @@ use kurbo::{Affine, PathSeg};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
-use super::json::{PowerDocument, segment_document};
+use super::Writable;
+use super::json::{self, PowerDocument, segment_document};
+use crate::curve::Curve;
+use crate::error::Result;
 use crate::path;
 use crate::picture::figure::Figure;
 use crate::spline::{Ends, Parametrization, Quadrature, Spline};
+
+/// A spline that was drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SplineDrawing<'a> {
+    /// The spline.
+    pub spline: &'a Spline,
+    /// Its curve, as [`Spline::curve`] gives it.
+    pub curve: Curve,
+    /// The map that was applied to the curve.
+    pub transform: Affine,
+}
+
+impl Writable for SplineDrawing<'_> {
+    fn figure(&self) -> Figure {
+        Figure::of_spline(self.spline, self.curve.clone())
+    }
+
+    fn json(&self) -> Result<String> {
+        json::to_string(&SplineDocument::new(self))
+    }
+}
 
 /// The JSON of a spline.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -45,7 +69,7 @@ pub struct SplineDocument<'a> {
     /// The segments in their order.
     #[serde(serialize_with = "segments")]
     #[schemars(with = "Vec<SplineSegmentDocument>")]
-    pub segments: (&'a Spline, &'a Figure),
+    pub segments: &'a SplineDrawing<'a>,
     /// SVG path data.
     pub path: String,
 }
@@ -62,9 +86,14 @@ pub struct SplineSegmentDocument {
 }
 
 impl<'a> SplineDocument<'a> {
-    /// The document of a spline and its figure, in which it was mapped by `transform`.
+    /// The document of a spline that was drawn.
     #[must_use]
-    pub fn new(spline: &'a Spline, figure: &'a Figure, transform: Affine) -> Self {
+    pub fn new(drawing: &'a SplineDrawing<'a>) -> Self {
+        let &SplineDrawing {
+            spline,
+            ref curve,
+            transform,
+        } = drawing;
         let options = &spline.options;
         let gauss2 = options.parametrization == Parametrization::ArcLength(Quadrature::Gauss2);
         let (ends, end_derivatives) = match options.ends {
@@ -84,8 +113,8 @@ impl<'a> SplineDocument<'a> {
             end_derivatives,
             transform: (transform != Affine::IDENTITY).then(|| transform.as_coeffs()),
             closed: options.ends == Ends::Cyclic,
-            segments: (spline, figure),
-            path: path::data(figure.curves(), false),
+            segments: drawing,
+            path: path::data([curve], false),
         }
     }
 }
@@ -108,10 +137,11 @@ fn derivatives<S: Serializer>(spline: &&Spline, serializer: S) -> Result<S::Ok, 
     serializer.collect_seq(spline.derivatives.iter().map(|d| [d.x, d.y]))
 }
 
-fn segments<S: Serializer>(
-    (spline, figure): &(&Spline, &Figure),
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes references to fields"
+)]
+fn segments<S: Serializer>(drawing: &&SplineDrawing, serializer: S) -> Result<S::Ok, S::Error> {
     let document = |(segment, &parameter_length): (&PathSeg, &f64)| {
         let segment = segment_document(segment, None);
         SplineSegmentDocument {
@@ -120,6 +150,6 @@ fn segments<S: Serializer>(
             power: segment.power,
         }
     };
-    let segments = figure.curves().flat_map(|curve| &curve.segments);
-    serializer.collect_seq(segments.zip(&spline.lengths).map(document))
+    let segments = drawing.curve.segments.iter();
+    serializer.collect_seq(segments.zip(&drawing.spline.lengths).map(document))
 }
