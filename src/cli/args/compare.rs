@@ -18,7 +18,7 @@ use crate::cli::formats::FileFormat;
 pub(crate) struct CompareArgs {
     /// Methods by id or alias, or all
     #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = methods)]
-    pub(crate) method: MethodList,
+    pub(crate) method: Vec<MethodList>,
     /// Numbers of segments
     #[arg(short = 'n', long, value_name = "N,N", value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
     pub(crate) segments: Vec<usize>,
@@ -109,6 +109,6 @@ impl CompareArgs {
             (Method::Chen2, Quadrature::Gauss2) => Rule::Chen2Gauss2,
             _ => Rule::Method(method),
         };
-        self.method.iter().map(rule).collect()
+        self.method.iter().flatten().map(rule).collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, Subcommand, ValueEnum};
 use curveto::measure::Quantity;
 use curveto::measure::fit::FitTo;
 use curveto::picture::size::Size;
@@ -43,6 +43,7 @@ pub(crate) enum MeasuredShape {
 
 /// A shape, how it is approximated, and what is told of it. Several methods may be named.
 #[derive(Debug, Args)]
+#[command(mut_arg("method", |method| method.action(ArgAction::Append)))]
 pub(crate) struct Measured<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,
