@@ -22,6 +22,7 @@ pub mod approximate;
 pub mod batch;
 pub mod compare;
 pub mod continuity;
+pub mod course;
 pub mod curve;
 pub mod document;
 pub mod engine;

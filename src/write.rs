@@ -2,26 +2,35 @@
 //!
 //! A writer sees a [`Figure`] or a [`Scene`], whose points are already rounded, and knows no method.
 
+pub mod canvas;
 pub mod catalogue;
 pub mod comparison;
+pub mod dxf;
 mod format;
+pub mod gcode;
+pub mod glif;
 pub mod json;
 pub mod measurement;
+pub mod pdf;
 pub mod png;
 pub mod postscript;
 pub mod sphere;
 pub mod spline;
 pub mod svg;
+pub mod tikz;
 
 pub use format::{Format, Image};
 
-use crate::error::Result;
+use crate::course::Course;
+use crate::error::{Error, Result};
+use crate::number::Precision;
 use crate::path;
 use crate::picture::figure::Figure;
 use crate::picture::plot::Chart;
 use crate::picture::scene::Scene;
 use crate::picture::size::Size;
 use crate::picture::style::Style;
+use dxf::Trace;
 
 /// How much larger than its layout a PNG of a plot is where no size was asked for, so that it can be printed.
 const SHARPNESS: f64 = 2.0;
@@ -46,6 +55,13 @@ pub struct Options {
     pub style: Style,
     /// Whether path data is relative.
     pub relative: bool,
+    /// How lines and circular arcs are rounded where a format takes them in place of Béziers; `None` for all digits in DXF and for a
+    /// millionth of the size in G-code.
+    pub precision: Option<Precision>,
+    /// Whether DXF gets circular arcs themselves in place of the Béziers.
+    pub exact: bool,
+    /// How fast G-code moves, in units a minute.
+    pub feed: Option<f64>,
 }
 
 /// What was drawn, in a format.
@@ -64,16 +80,60 @@ pub struct Options {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<Vec<u8>> {
+    let figure = || work.figure();
     let text = match format {
-        Format::Path => path::data(work.figure().curves(), options.relative) + "\n",
         Format::Json => work.json()? + "\n",
-        Format::Ps => postscript::operators(work.figure().curves()),
+        Format::Path => path::data(figure().curves(), options.relative) + "\n",
+        Format::Ps => postscript::operators(figure().curves()),
+        Format::Tikz => tikz::commands(figure().curves())?,
+        Format::Canvas => canvas::calls(figure().curves()),
+        Format::Glif => glif::glyph(&figure()),
+        Format::Dxf => {
+            let figure = figure();
+            dxf::drawing(&figure.title, &traces(&figure, options))
+        }
+        Format::Gcode => {
+            let figure = figure();
+            let courses = courses(&figure)?;
+            gcode::program(&figure.title, &courses, options.precision, options.feed)
+        }
         Format::Image(image) => {
-            let scene = work.figure().scene(&options.style)?;
-            return picture(&scene, image, options.relative);
+            return picture(&figure().scene(&options.style)?, image, options.relative);
         }
     };
     Ok(text.into_bytes())
+}
+
+/// The curves of a figure for DXF.
+fn traces<'a>(figure: &'a Figure, options: &Options) -> Vec<(Option<&'static str>, Trace<'a>)> {
+    let layers = figure.layers.iter();
+    let curves = layers.flat_map(|layer| layer.curves.iter().map(|curve| (layer.class, curve)));
+    let exact = |number: usize| {
+        let outline = options.exact.then(|| figure.truth(number)).flatten()?;
+        let precision = options.precision.unwrap_or(Precision::Full);
+        Some(Course::of_arc(outline)?.rounded(precision))
+    };
+    let trace = |(i, (class, curve))| {
+        let trace = exact(i).map_or(Trace::Curve(curve), Trace::Course);
+        (class, trace)
+    };
+    curves.enumerate().map(trace).collect()
+}
+
+/// The curves of a figure as lines and circular arcs.
+fn courses(figure: &Figure) -> Result<Vec<Course>> {
+    let drawn = figure.curves().filter(|curve| !curve.segments.is_empty());
+    let course = |(i, curve)| {
+        let of_arc = || figure.truth(i).and_then(Course::of_arc);
+        Course::of_lines(curve)
+            .or_else(of_arc)
+            .ok_or(Error::Format {
+                format: Format::Gcode.name(),
+                why: "it has straight lines and circular arcs only".to_owned(),
+                remedy: "draw a circle, or an arc of one; -f dxf takes every curve",
+            })
+    };
+    drawn.enumerate().map(course).collect()
 }
 
 /// A plot in the format of a picture, of this size or of one at which it reads well.
@@ -84,9 +144,9 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
 pub fn plot(chart: &Chart, image: Image, size: Option<Size>) -> Result<Vec<u8>> {
     let default = chart.default_size();
     let layout = match (image, size) {
-        (Image::Eps, Some(size)) => size.points(),
+        (Image::Eps | Image::Pdf, Some(size)) => size.points(),
         (Image::Svg, Some(size)) => size.pixels(),
-        (Image::Svg | Image::Eps, None) => default,
+        (Image::Svg | Image::Eps | Image::Pdf, None) => default,
         (Image::Png, size) => {
             let [width, height] = size.map_or(default.map(|side| side * SHARPNESS), Size::pixels);
             // The words of a large one grow with it.
@@ -106,6 +166,7 @@ fn picture(scene: &Scene, image: Image, relative: bool) -> Result<Vec<u8>> {
         Image::Svg => svg::document(scene, relative).into_bytes(),
         Image::Eps => postscript::encapsulated(scene)?.into_bytes(),
         Image::Png => png::encode(scene)?,
+        Image::Pdf => pdf::document(scene)?,
     })
 }
 

@@ -90,17 +90,17 @@ fn a_plot_in_eps_is_the_one_in_png_words_and_all() {
     ] {
         let png = written(
             folder.path(),
-            &format!("{plot} p.png --size 800x500"),
+            &format!("{plot} p.png --size 480x300"),
             "p.png",
         );
         let png = Picture::new(&Pixmap::decode_png(&png).unwrap());
         let eps = written(
             folder.path(),
-            &format!("{plot} p.eps --size 800x500"),
+            &format!("{plot} p.eps --size 480x300"),
             "p.eps",
         );
         let eps = String::from_utf8(eps).unwrap();
-        assert!(eps.contains("%%BoundingBox: 0 0 800 500\n"), "{plot}");
+        assert!(eps.contains("%%BoundingBox: 0 0 480 300\n"), "{plot}");
         let eps = Picture::new(&ghostscript::picture(&eps, FINER)).reduced(FINER as usize);
         let (_, mean) = eps.difference(&png);
         let (_, mirrored) = eps.difference(&png.upside_down());

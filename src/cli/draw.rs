@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use curveto::approximate::{Drawing, Options, approximate};
-use curveto::{Angle, Cut};
+use curveto::{Angle, Cut, Shape};
 
 use super::Outcome;
 use super::args::shape::{Direction, ShapeWords};
@@ -44,7 +44,10 @@ fn draw(
         transform: output.transform(),
     };
     let drawing = drawing(shape, default, &options)?;
-    write_drawn(&drawing, format, output)?;
+    let mut manner = output.options(format)?;
+    // Where nothing is said of how an arc is approximated, a format that has arcs gets the arc.
+    manner.exact = approximation.is_silent() && matches!(drawing.shape, Shape::Arc(_));
+    write_drawn(&drawing, format, &manner, &output.target())?;
     Ok(ExitCode::SUCCESS)
 }
 

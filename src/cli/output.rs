@@ -5,9 +5,8 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use curveto::write::{Format, Image, Writable, write};
+use curveto::write::{Format, Image, Options, Writable, write};
 
-use super::args::OutputArgs;
 use super::failure::Failure;
 
 /// Where output goes.
@@ -23,14 +22,13 @@ pub(crate) enum Target {
 pub(crate) fn write_drawn(
     work: &impl Writable,
     format: Format,
-    args: &OutputArgs,
+    options: &Options,
+    target: &Target,
 ) -> Result<(), Failure> {
-    let options = args.options(format)?;
-    let target = args.target();
     if format == Format::Image(Image::Png) {
         target.refuse_terminal()?;
     }
-    target.write(&write(work, format, &options)?)
+    target.write(&write(work, format, options)?)
 }
 
 impl Target {

@@ -27,6 +27,11 @@ pub(super) fn run(args: &SphereArgs) -> Outcome {
     let sphere = Sphere::new(args.center, args.radius, args.meridians, args.parallels)?;
     let picture = sphere.seen(view, &options)?;
     let hidden = args.hidden.into();
-    write_drawn(&SphereDrawing { picture, hidden }, format, &args.output)?;
+    write_drawn(
+        &SphereDrawing { picture, hidden },
+        format,
+        &args.output.options(format)?,
+        &args.output.target(),
+    )?;
     Ok(ExitCode::SUCCESS)
 }

@@ -29,7 +29,12 @@ pub(super) fn run(args: &SplineArgs) -> Outcome {
         curve,
         transform,
     };
-    write_drawn(&drawing, format, &args.output)?;
+    write_drawn(
+        &drawing,
+        format,
+        &args.output.options(format)?,
+        &args.output.target(),
+    )?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -13,6 +13,8 @@ use crate::spline::{Ends, Spline};
 /// What a writer sees.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Figure {
+    /// What it is, in a word: the name of a glyph.
+    pub name: &'static str,
     /// A few words.
     pub title: String,
     /// A sentence: the shape, the method, the stated error.
@@ -40,6 +42,15 @@ impl Figure {
     /// All curves in the order in which they are drawn.
     pub fn curves(&self) -> impl Iterator<Item = &Curve> {
         self.layers.iter().flat_map(|layer| &layer.curves)
+    }
+
+    /// The true shape of the curve of this number: there is one for all curves, or one for each.
+    #[must_use]
+    pub fn truth(&self, number: usize) -> Option<&Outline> {
+        match self.truths.as_slice() {
+            [only] => Some(only),
+            several => several.get(number),
+        }
     }
 
     /// The smallest rectangle around the curves themselves, not their control points.
@@ -92,6 +103,7 @@ impl From<&Drawing> for Figure {
             format!("{title}; exact")
         };
         Self {
+            name: name(&drawing.shape),
             title,
             description,
             layers: vec![Layer {
@@ -100,6 +112,17 @@ impl From<&Drawing> for Figure {
             }],
             truths: drawing.outline.into_iter().collect(),
         }
+    }
+}
+
+/// A shape in a word.
+const fn name(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Circle(_) => "circle",
+        Shape::Ellipse(_) => "ellipse",
+        Shape::Arc(_) => "arc",
+        Shape::Line(_) => "line",
+        Shape::Empty => "empty",
     }
 }
 
@@ -164,6 +187,7 @@ impl Figure {
         layers.retain(|layer| !layer.curves.is_empty());
         let title = format!("Sphere of radius {}", text(picture.sphere.radius));
         Self {
+            name: "sphere",
             description: describe_sphere(picture, &title),
             title,
             layers,
@@ -191,6 +215,7 @@ impl Figure {
     pub fn of_spline(spline: &Spline, curve: Curve) -> Self {
         let title = format!("Curve through {} points", spline.points.len());
         Self {
+            name: "spline",
             description: format!(
                 "Composite parametric cubic through {} points; {}",
                 spline.points.len(),

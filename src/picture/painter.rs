@@ -11,7 +11,7 @@ use super::style::Style;
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result, finite};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
-use crate::shape::{Outline, Truth};
+use crate::shape::Outline;
 
 /// The true shape, a broad band beneath the curve.
 const TRUTH: Paint = Paint::rgb(0xc4, 0xc9, 0xd0);
@@ -172,16 +172,11 @@ impl<'a> Painter<'a> {
     }
 
     fn deviation(&self, factor: f64) -> Result<[Group; 2]> {
-        let truths = self.truths()?;
+        self.truths()?;
         let mut lobes = Lobes::default();
         for (i, curve) in self.figure.curves().enumerate() {
-            // One shape for all curves, or one for each.
-            let truth: Option<&Truth> = match truths {
-                [only] => Some(&only.truth),
-                _ => truths.get(i).map(|outline| &outline.truth),
-            };
-            if let Some(truth) = truth {
-                lobes.add(curve, truth, factor);
+            if let Some(outline) = self.figure.truth(i) {
+                lobes.add(curve, &outline.truth, factor);
             }
         }
         // Where the curve touches the true shape, rounding noise makes regions that nobody sees.

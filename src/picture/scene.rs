@@ -77,7 +77,7 @@ pub enum Mark {
 }
 
 impl Pen {
-    pub(super) const fn filled(fill: Paint) -> Self {
+    pub(crate) const fn filled(fill: Paint) -> Self {
         Self {
             stroke: Paint::None,
             width: 0.0,

@@ -15,6 +15,16 @@ pub enum Format {
     Json,
     /// PostScript path operators, one a line.
     Ps,
+    /// TikZ commands.
+    Tikz,
+    /// Calls of the HTML canvas, one a line.
+    Canvas,
+    /// A glyph of the Unified Font Object.
+    Glif,
+    /// A DXF file of AutoCAD 2000.
+    Dxf,
+    /// G-code.
+    Gcode,
     /// A picture, which has colours and widths.
     Image(Image),
 }
@@ -29,11 +39,13 @@ pub enum Image {
     Eps,
     /// Pixels.
     Png,
+    /// A PDF file of one page.
+    Pdf,
 }
 
 impl Image {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Svg, Self::Eps, Self::Png];
+    pub const ALL: [Self; 4] = [Self::Svg, Self::Eps, Self::Png, Self::Pdf];
 
     /// The name.
     #[must_use]
@@ -42,6 +54,7 @@ impl Image {
             Self::Svg => "svg",
             Self::Eps => "eps",
             Self::Png => "png",
+            Self::Pdf => "pdf",
         }
     }
 
@@ -52,6 +65,7 @@ impl Image {
             Self::Svg => &["svg"],
             Self::Eps => &["eps"],
             Self::Png => &["png"],
+            Self::Pdf => &["pdf"],
         }
     }
 
@@ -62,19 +76,26 @@ impl Image {
             Self::Svg => "An SVG document",
             Self::Eps => "Encapsulated PostScript",
             Self::Png => "Pixels",
+            Self::Pdf => "A PDF file of one page",
         }
     }
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 12] = [
         Self::Path,
         Self::Image(Image::Svg),
         Self::Ps,
         Self::Image(Image::Eps),
         Self::Json,
         Self::Image(Image::Png),
+        Self::Image(Image::Pdf),
+        Self::Tikz,
+        Self::Canvas,
+        Self::Glif,
+        Self::Dxf,
+        Self::Gcode,
     ];
 
     /// The name.
@@ -84,6 +105,11 @@ impl Format {
             Self::Path => "path",
             Self::Json => "json",
             Self::Ps => "ps",
+            Self::Tikz => "tikz",
+            Self::Canvas => "canvas",
+            Self::Glif => "glif",
+            Self::Dxf => "dxf",
+            Self::Gcode => "gcode",
             Self::Image(image) => image.name(),
         }
     }
@@ -95,14 +121,27 @@ impl Format {
             Self::Path => &["path", "txt"],
             Self::Json => &["json"],
             Self::Ps => &["ps"],
+            Self::Tikz => &["tikz", "tex"],
+            Self::Canvas => &["canvas", "js"],
+            Self::Glif => &["glif"],
+            Self::Dxf => &["dxf"],
+            Self::Gcode => &["gcode", "nc", "ngc"],
             Self::Image(image) => image.extensions(),
         }
     }
 
-    /// Whether +y is up: on a PostScript page it is, on an SVG canvas it is down.
+    /// Whether +y is up: on a page and in CAD it is, on an SVG canvas it is down.
     #[must_use]
     pub const fn has_y_up(self) -> bool {
-        matches!(self, Self::Ps | Self::Image(Image::Eps))
+        match self {
+            Self::Path | Self::Json | Self::Canvas | Self::Image(Image::Svg | Image::Png) => false,
+            Self::Ps
+            | Self::Tikz
+            | Self::Glif
+            | Self::Dxf
+            | Self::Gcode
+            | Self::Image(Image::Eps | Image::Pdf) => true,
+        }
     }
 
     /// Whether closed shapes start at 180 degrees and run in the negative direction, as Lancaster's `drawellipse` does.
@@ -122,6 +161,8 @@ impl Format {
     pub const fn precision(self) -> Option<Precision> {
         match self {
             Self::Json => Some(Precision::Full),
+            // The grid of an em square.
+            Self::Glif => Some(Precision::Fixed(0)),
             _ => None,
         }
     }
@@ -150,6 +191,15 @@ mod cli {
                 Self::Path => "SVG path data, one line",
                 Self::Json => "The shape, the segments and the error; docs/schema describes it",
                 Self::Ps => "PostScript path operators, one a line",
+                Self::Tikz => "\\draw commands for a tikzpicture",
+                Self::Canvas => "Calls of the HTML canvas, one a line",
+                Self::Glif => {
+                    "A UFO glyph (format 2), on the integer grid unless -p says otherwise"
+                }
+                Self::Dxf => {
+                    "R2000: SPLINE with the very control points; lines, and arcs of whose approximation nothing is said, as what they are"
+                }
+                Self::Gcode => "G0 G1 G2 G3: circles, circular arcs and lines themselves",
                 Self::Image(image) => return image.to_possible_value(),
             };
             Some(PossibleValue::new(self.name()).help(about))

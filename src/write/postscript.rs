@@ -10,6 +10,22 @@ use crate::picture::paint::{Color, Paint};
 use crate::picture::scene::{Group, Scene};
 use crate::picture::size::Size;
 
+/// The names of the operators that make a path.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PathOperators {
+    pub(super) move_to: &'static str,
+    pub(super) line_to: &'static str,
+    pub(super) curve_to: &'static str,
+    pub(super) close: &'static str,
+}
+
+const POSTSCRIPT: PathOperators = PathOperators {
+    move_to: "moveto",
+    line_to: "lineto",
+    curve_to: "curveto",
+    close: "closepath",
+};
+
 /// The operators of one or more curves, one a line; quadratics are raised to cubics exactly.
 #[must_use]
 pub fn operators<'a>(curves: impl IntoIterator<Item = &'a Curve>) -> String {
@@ -22,20 +38,25 @@ pub fn operators<'a>(curves: impl IntoIterator<Item = &'a Curve>) -> String {
 
 /// Appends the operators of a curve, one a line.
 pub fn push_operators(out: &mut Vec<u8>, curve: &Curve) {
+    push_path(out, curve, &POSTSCRIPT);
+}
+
+/// Appends the operators of a curve by these names, one a line.
+pub(super) fn push_path(out: &mut Vec<u8>, curve: &Curve, names: &PathOperators) {
     let Some(start) = curve.start() else { return };
-    push_line(out, &[start], "moveto");
+    push_line(out, &[start], names.move_to);
     for segment in &curve.segments {
         match *segment {
-            PathSeg::Line(l) => push_line(out, &[l.p1], "lineto"),
+            PathSeg::Line(l) => push_line(out, &[l.p1], names.line_to),
             PathSeg::Quad(q) => {
                 let c = q.raise();
-                push_line(out, &[c.p1, c.p2, c.p3], "curveto");
+                push_line(out, &[c.p1, c.p2, c.p3], names.curve_to);
             }
-            PathSeg::Cubic(c) => push_line(out, &[c.p1, c.p2, c.p3], "curveto"),
+            PathSeg::Cubic(c) => push_line(out, &[c.p1, c.p2, c.p3], names.curve_to),
         }
     }
     if curve.closed {
-        push_line(out, &[], "closepath");
+        push_line(out, &[], names.close);
     }
 }
 
@@ -142,9 +163,7 @@ fn set_color(color: Color) -> Result<String> {
             "PostScript has no translucent colours: an eps file takes opaque ones".to_owned(),
         ));
     }
-    let rgb = [color.red, color.green, color.blue];
-    let [red, green, blue] =
-        rgb.map(|byte| text(Precision::Fixed(4).round(f64::from(byte) / 255.0)));
+    let [red, green, blue] = shares(color);
     Ok(if red == green && green == blue {
         red + " setgray\n"
     } else {
@@ -152,8 +171,14 @@ fn set_color(color: Color) -> Result<String> {
     })
 }
 
+/// Red, green and blue from 0 to 1.
+pub(super) fn shares(color: Color) -> [String; 3] {
+    [color.red, color.green, color.blue]
+        .map(|byte| text(Precision::Fixed(4).round(f64::from(byte) / 255.0)))
+}
+
 /// A number of the frame around the curves.
-fn number(x: f64) -> String {
+pub(super) fn number(x: f64) -> String {
     significant(x, 12)
 }
 

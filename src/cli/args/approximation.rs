@@ -98,6 +98,11 @@ impl ApproximationArgs {
         })
     }
 
+    /// Whether nothing was asked for.
+    pub(crate) fn is_silent(&self) -> bool {
+        self.method.is_empty() && self.handle.is_none() && self.cut() == Cut::Quarters
+    }
+
     /// Where the sweep is cut.
     pub(crate) fn cut(&self) -> Cut {
         match (self.segments, self.tolerance) {

@@ -34,7 +34,7 @@ pub(crate) struct CompareArgs {
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// The size of a plot: pixels in svg and png, points in eps, or mm, cm, in, pt
+    /// The size of a plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Size>,
 }
@@ -56,7 +56,7 @@ pub(crate) enum ComparisonFormat {
 
 impl ValueEnum for ComparisonFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        const ALL: [ComparisonFormat; 7] = [
+        const ALL: [ComparisonFormat; 8] = [
             ComparisonFormat::Table,
             ComparisonFormat::Csv,
             ComparisonFormat::Json,
@@ -64,6 +64,7 @@ impl ValueEnum for ComparisonFormat {
             ComparisonFormat::Plot(Image::Svg),
             ComparisonFormat::Plot(Image::Eps),
             ComparisonFormat::Plot(Image::Png),
+            ComparisonFormat::Plot(Image::Pdf),
         ];
         &ALL
     }

@@ -135,13 +135,13 @@ pub(crate) struct ReportArgs {
     /// [default: four units in the last place of the largest coordinate]
     #[arg(long, value_name = "D", value_parser = values::number)]
     pub(crate) coordinate_tolerance: Option<f64>,
-    /// Draw the quantity along the curve too; the extension says how: svg, eps or png
+    /// Draw the quantity along the curve too; the extension says how: svg, eps, png or pdf
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
     /// What the plot shows [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag]
     #[arg(long, value_name = "Q", requires = "plot", value_parser = |text: &str| text.parse::<Quantity>())]
     pub(crate) quantity: Option<Quantity>,
-    /// The size of the plot: pixels in svg and png, points in eps, or mm, cm, in, pt
+    /// The size of the plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
     #[arg(long, value_name = "WxH", requires = "plot")]
     pub(crate) size: Option<Size>,
 }

@@ -22,7 +22,7 @@ pub(crate) struct OutputArgs {
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error [default: auto; in json all]
+    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error [default: auto; in json all, in glif 0]
     #[arg(short, long, value_name = "P", value_parser = values::precision)]
     precision: Option<PrecisionWord>,
     /// An SVG transform list, applied to the control points
@@ -31,6 +31,9 @@ pub(crate) struct OutputArgs {
     /// Relative path commands (path, svg)
     #[arg(long)]
     relative: bool,
+    /// How fast gcode moves, in units a minute
+    #[arg(long, value_name = "F", value_parser = values::positive, allow_hyphen_values = true)]
+    feed: Option<f64>,
     #[command(flatten)]
     picture: PictureArgs,
 }
@@ -48,27 +51,35 @@ impl OutputArgs {
 
     /// How it is to be written, where the format can do what was asked for.
     pub(crate) fn options(&self, format: Format) -> Result<write::Options, Failure> {
+        let idle = |option: &str, why: &str, remedy: String| {
+            let message = format!("{option} says nothing in the format {format}, {why}");
+            Err(Failure::request_with_hint(
+                message,
+                format!("leave it out, or take {remedy}"),
+            ))
+        };
         if self.relative && !format.has_path_commands() {
-            return Err(Failure::request_with_hint(
-                format!(
-                    "--relative says nothing in the format {format}, which has no path commands of SVG"
-                ),
-                "leave it out, or take -f path or -f svg",
-            ));
+            return idle(
+                "--relative",
+                "which has no path commands of SVG",
+                "-f path or -f svg".to_owned(),
+            );
+        }
+        if self.feed.is_some() && format != Format::Gcode {
+            return idle("--feed", "which moves nothing", "-f gcode".to_owned());
         }
         match self.picture.given() {
-            Some(option) if !matches!(format, Format::Image(_)) => Err(Failure::request_with_hint(
-                format!(
-                    "{option} says nothing in the format {format}, which is data and no picture"
-                ),
-                format!(
-                    "leave it out, or take a picture with -f or the extension of -o: {}",
-                    formats::list::<Image>()
-                ),
-            )),
+            Some(option) if !matches!(format, Format::Image(_)) => {
+                let images = formats::list::<Image>();
+                let remedy = format!("a picture with -f or the extension of -o: {images}");
+                idle(option, "which is data and no picture", remedy)
+            }
             _ => Ok(write::Options {
                 style: self.picture.style(),
                 relative: self.relative,
+                precision: self.precision.and_then(PrecisionWord::precision),
+                feed: self.feed,
+                exact: false,
             }),
         }
     }

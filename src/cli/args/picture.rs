@@ -7,15 +7,15 @@ use curveto::picture::style::{Show, Shown, Style};
 
 use super::values;
 
-/// How svg, eps and png look.
+/// How pictures look.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Pictures (svg, eps, png)")]
+#[command(next_help_heading = "Pictures (svg, eps, png, pdf)")]
 pub(crate) struct PictureArgs {
-    /// Size: pixels in png and svg, points in eps, or mm, cm, in, pt (1600x900, 80x60mm); the drawing fits into its middle
+    /// Size: pixels in png and svg, points in eps and pdf, or mm, cm, in, pt (1600x900, 80x60mm); the drawing fits into its middle
     /// [default: in png 512 on the larger side]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
-    /// Colour of the curve: a CSS colour or none [default: black]
+    /// Colour of the curve: a CSS colour, currentColor or none [default: black]
     #[arg(long, value_name = "COLOR")]
     stroke: Option<Paint>,
     /// Width of the stroke in user units [default: about 1 % of the larger side]

@@ -83,6 +83,13 @@ pub(super) fn size(text: &str) -> Read<Vec2> {
     pair(text).map(|[x, y]| Vec2::new(x, y))
 }
 
+pub(super) fn positive(text: &str) -> Read<f64> {
+    match number(text)? {
+        number if number.is_finite() && number > 0.0 => Ok(number),
+        _ => Err(format!("'{text}' is not a positive number")),
+    }
+}
+
 /// A length that is not negative.
 pub(super) fn length(text: &str) -> Read<f64> {
     match number(text)? {
