@@ -44,7 +44,7 @@ pub trait Writable {
     ///
     /// # Errors
     ///
-    /// Where the values cannot be JSON ([`Error::Json`](crate::Error::Json)).
+    /// Where the values cannot be JSON ([`Error::Json`]).
     fn json(&self) -> Result<String>;
 }
 
@@ -68,7 +68,7 @@ pub struct Options {
 ///
 /// # Errors
 ///
-/// Where the picture cannot be made ([`Error::Picture`](crate::Error::Picture)).
+/// Where the picture cannot be made ([`Error::Picture`]).
 ///
 /// ```
 /// use curveto::write::{self, Format, Image, write};
@@ -140,7 +140,7 @@ fn courses(figure: &Figure) -> Result<Vec<Course>> {
 ///
 /// # Errors
 ///
-/// Where the picture is too large to be made ([`Error::Picture`](crate::Error::Picture)).
+/// Where the picture is too large to be made ([`Error::Picture`]).
 pub fn plot(chart: &Chart, image: Image, size: Option<Size>) -> Result<Vec<u8>> {
     let default = chart.default_size();
     let layout = match (image, size) {

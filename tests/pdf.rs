@@ -165,3 +165,14 @@ fn a_page_is_as_large_as_the_coordinates_or_as_readers_take() {
         [512.0, 256.0]
     );
 }
+
+#[test]
+fn a_page_that_no_reader_takes_is_refused() {
+    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+        .args(["circle", "5", "-f", "pdf", "--size", "6000x10mm"])
+        .output()
+        .unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message.contains("200 inches"), "{message}");
+}

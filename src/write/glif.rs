@@ -3,56 +3,57 @@
 //! <https://unifiedfontobject.org/versions/ufo3/glyphs/glif/>: points on the curve have the type of the segment that they end; a closed
 //! contour begins with the end of its last segment.
 
+use core::fmt::Write as _;
+
 use kurbo::{ParamCurve as _, PathSeg, Point};
-use svg::node::element::Element;
-use svg::node::{Node as _, Text};
+use quick_xml::escape::partial_escape;
 
 use crate::curve::{Curve, control_points, turn};
 use crate::number::text;
 use crate::picture::figure::Figure;
 
-/// A joint that turns by less, in degrees, is smooth: the grid turns it more than any method does.
+/// A joint that turns by less, in degrees, is smooth: the grid turns it more than most methods do.
 const SMOOTH: f64 = 1.0;
 
 /// The figure as a glyph, its description as the note.
 #[must_use]
 pub fn glyph(figure: &Figure) -> String {
-    let mut outline = Element::new("outline");
-    for contour in figure.curves().filter_map(contour) {
-        outline.append(contour);
+    let mut out = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<glyph name=\"{}\" format=\"2\">\n  <note>{}</note>\n  <outline>\n",
+        figure.name,
+        partial_escape(&figure.description)
+    );
+    for curve in figure.curves() {
+        push_contour(&mut out, curve);
     }
-    let mut note = Element::new("note");
-    note.append(Text::new(figure.description.as_str()));
-    let mut glyph = Element::new("glyph");
-    glyph.assign("name", figure.name);
-    glyph.assign("format", "2");
-    glyph.append(note);
-    glyph.append(outline);
-    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{glyph}\n")
+    out + "  </outline>\n</glyph>\n"
 }
 
-/// The points of a curve; none for a curve without segments.
-fn contour(curve: &Curve) -> Option<Element> {
-    let (first, last) = (curve.segments.first()?, curve.segments.last()?);
-    let mut contour = Element::new("contour");
+/// The points of a curve; nothing for a curve without segments.
+fn push_contour(out: &mut String, curve: &Curve) {
+    let (Some(first), Some(last)) = (curve.segments.first(), curve.segments.last()) else {
+        return;
+    };
+    out.push_str("    <contour>\n");
     let start = first.start();
     if curve.closed {
-        contour.append(on(start, kind(last), is_smooth(last, first)));
+        push_point(out, start, Some((kind(last), is_smooth(last, first))));
     } else {
-        contour.append(on(start, "move", false));
+        push_point(out, start, Some(("move", false)));
     }
     let following = curve.segments.iter().skip(1).map(Some).chain([None]);
     for (segment, next) in curve.segments.iter().zip(following) {
-        let points = control_points(segment);
-        for &p in points.iter().skip(1).rev().skip(1).rev() {
-            contour.append(point(p));
-        }
-        let smooth = next.is_some_and(|next| is_smooth(segment, next));
-        if next.is_some() || !curve.closed {
-            contour.append(on(segment.end(), kind(segment), smooth));
+        if let [_, off @ .., end] = control_points(segment).as_slice() {
+            for &p in off {
+                push_point(out, p, None);
+            }
+            let smooth = next.is_some_and(|next| is_smooth(segment, next));
+            if next.is_some() || !curve.closed {
+                push_point(out, *end, Some((kind(segment), smooth)));
+            }
         }
     }
-    Some(contour)
+    out.push_str("    </contour>\n");
 }
 
 /// The type of the point that ends a segment.
@@ -68,18 +69,13 @@ fn is_smooth(before: &PathSeg, after: &PathSeg) -> bool {
     turn(before, after).abs() < SMOOTH
 }
 
-fn on(p: Point, kind: &str, smooth: bool) -> Element {
-    let mut element = point(p);
-    element.assign("type", kind);
-    if smooth {
-        element.assign("smooth", "yes");
+/// A point; one on the curve has a type, and may be smooth.
+fn push_point(out: &mut String, p: Point, on: Option<(&str, bool)>) {
+    // Writing to a string cannot fail.
+    let _ = write!(out, "      <point x=\"{}\" y=\"{}\"", text(p.x), text(p.y));
+    if let Some((kind, smooth)) = on {
+        let smooth = if smooth { " smooth=\"yes\"" } else { "" };
+        let _ = write!(out, " type=\"{kind}\"{smooth}");
     }
-    element
-}
-
-fn point(p: Point) -> Element {
-    let mut element = Element::new("point");
-    element.assign("x", text(p.x));
-    element.assign("y", text(p.y));
-    element
+    out.push_str("/>\n");
 }

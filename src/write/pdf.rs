@@ -11,7 +11,7 @@ use pdf_writer::{Name, Pdf, Rect, Ref, TextStr};
 
 use super::postscript::{PathOperators, number, push_path, shares};
 use crate::curve::Curve;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::picture::paint::Paint;
 use crate::picture::scene::{Group, Pen, Scene};
 use crate::picture::size::Size;
@@ -38,9 +38,10 @@ const INFORMATION: i32 = 5;
 ///
 /// # Errors
 ///
-/// Where a true shape is such that a curve along it could not be drawn either.
+/// Where the size that was asked for is larger than any page, and where a true shape is such that a curve along it could not be
+/// drawn either.
 pub fn document(scene: &Scene) -> Result<Vec<u8>> {
-    let [width, height] = page(scene);
+    let [width, height] = page(scene)?;
     let content = content(scene, width / scene.canvas().width())?;
     let mut pdf = Pdf::new();
     pdf.catalog(Ref::new(CATALOG)).pages(Ref::new(PAGES));
@@ -62,20 +63,25 @@ pub fn document(scene: &Scene) -> Result<Vec<u8>> {
 }
 
 /// Width and height of the page in points.
-fn page(scene: &Scene) -> [f64; 2] {
-    scene.size.map_or_else(
-        || {
-            let sides = [scene.view.width(), scene.view.height()];
-            let larger = sides[0].max(sides[1]);
-            let scale = if (SIDES[0]..=SIDES[1]).contains(&larger) {
-                1.0
-            } else {
-                LARGER_SIDE / larger
-            };
-            sides.map(|side| side * scale)
-        },
-        Size::points,
-    )
+fn page(scene: &Scene) -> Result<[f64; 2]> {
+    let [least, most] = SIDES;
+    if let Some([width, height]) = scene.size.map(Size::points) {
+        return if width.max(height) <= most {
+            Ok([width, height])
+        } else {
+            Err(Error::Picture(format!(
+                "the page is too large: a side has at most {most} points, which are 200 inches"
+            )))
+        };
+    }
+    let sides = [scene.view.width(), scene.view.height()];
+    let larger = sides[0].max(sides[1]);
+    let scale = if (least..=most).contains(&larger) {
+        1.0
+    } else {
+        LARGER_SIDE / larger
+    };
+    Ok(sides.map(|side| side * scale))
 }
 
 /// The opacities of what is translucent in the picture, each a graphics state by the name that [`opacity`] gives it.

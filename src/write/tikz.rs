@@ -35,10 +35,7 @@ fn push_curve(out: &mut String, curve: &Curve) -> Result<()> {
     if let Some(far) = points.flat_map(|p| [p.x, p.y]).find(|x| x.abs() > LARGEST) {
         return Err(Error::Format {
             format: "tikz",
-            why: format!(
-                "TeX takes no number beyond {LARGEST}, and there is {}",
-                text(far)
-            ),
+            why: format!("TeX takes no number beyond {LARGEST}, and there is {far:e}"),
             remedy: "--transform 'scale(0.01)' makes it smaller",
         });
     }
