@@ -55,11 +55,10 @@ pub struct Options {
     pub style: Style,
     /// Whether path data is relative.
     pub relative: bool,
-    /// How lines and circular arcs are rounded where a format takes them in place of Béziers; `None` for all digits in DXF and for a
-    /// millionth of the size in G-code.
-    pub precision: Option<Precision>,
-    /// Whether DXF gets circular arcs themselves in place of the Béziers.
+    /// Whether DXF gets circular arcs themselves in place of the Béziers, with all digits.
     pub exact: bool,
+    /// How G-code is rounded; `None` moves no point by more than a millionth of the size.
+    pub precision: Option<Precision>,
     /// How fast G-code moves, in units a minute.
     pub feed: Option<f64>,
 }
@@ -110,8 +109,7 @@ fn traces<'a>(figure: &'a Figure, options: &Options) -> Vec<(Option<&'static str
     let curves = layers.flat_map(|layer| layer.curves.iter().map(|curve| (layer.class, curve)));
     let exact = |number: usize| {
         let outline = options.exact.then(|| figure.truth(number)).flatten()?;
-        let precision = options.precision.unwrap_or(Precision::Full);
-        Some(Course::of_arc(outline)?.rounded(precision))
+        Course::of_arc(outline)
     };
     let trace = |(i, (class, curve))| {
         let trace = exact(i).map_or(Trace::Curve(curve), Trace::Course);

@@ -47,7 +47,7 @@ impl Measurement {
     ///
     /// # Errors
     ///
-    /// As [`report`].
+    /// As [`report`](fn@report).
     pub fn of_drawing(
         drawing: &Drawing,
         coordinate_tolerance: Option<f64>,
