@@ -67,7 +67,7 @@ pub struct Options {
 ///
 /// # Errors
 ///
-/// Where the picture cannot be made ([`Error::Picture`]).
+/// Where the picture cannot be made ([`Error::Picture`]), and where the format cannot hold what was drawn ([`Error::Format`]).
 ///
 /// ```
 /// use curveto::write::{self, Format, Image, write};
@@ -120,18 +120,18 @@ fn traces<'a>(figure: &'a Figure, options: &Options) -> Vec<(Option<&'static str
 
 /// The curves of a figure as lines and circular arcs.
 fn courses(figure: &Figure) -> Result<Vec<Course>> {
-    let drawn = figure.curves().filter(|curve| !curve.segments.is_empty());
+    let drawn = figure.curves().enumerate();
+    let drawn = drawn.filter(|(_, curve)| !curve.segments.is_empty());
     let course = |(i, curve)| {
         let of_arc = || figure.truth(i).and_then(Course::of_arc);
-        Course::of_lines(curve)
-            .or_else(of_arc)
-            .ok_or(Error::Format {
-                format: Format::Gcode.name(),
-                why: "it has straight lines and circular arcs only".to_owned(),
-                remedy: "draw a circle, or an arc of one; -f dxf takes every curve",
-            })
+        let course = Course::of_lines(curve).or_else(of_arc);
+        course.ok_or_else(|| Error::Format {
+            format: Format::Gcode.name(),
+            why: "it has straight lines and circular arcs only".to_owned(),
+            remedy: "draw a circle, or an arc of one; -f dxf takes every curve",
+        })
     };
-    drawn.enumerate().map(course).collect()
+    drawn.map(course).collect()
 }
 
 /// A plot in the format of a picture, of this size or of one at which it reads well.

@@ -197,7 +197,7 @@ mod cli {
                     "A UFO glyph (format 2), on the integer grid unless -p says otherwise"
                 }
                 Self::Dxf => {
-                    "R2000: SPLINE with the very control points; lines, and arcs of whose approximation nothing is said, as what they are"
+                    "R2000: SPLINE with the very control points; lines, and circular arcs that nothing asks to approximate, as such"
                 }
                 Self::Gcode => "G0 G1 G2 G3: circles, circular arcs and lines themselves",
                 Self::Image(image) => return image.to_possible_value(),
