@@ -60,22 +60,7 @@ pub fn drawing(title: &str, traces: &[(Option<&str>, Trace<'_>)]) -> String {
     for layer in &layers {
         out.layer(layer);
     }
-    let bounds = bounds.unwrap_or_default();
-    let height = bounds
-        .height()
-        .max(bounds.width() / 1.5)
-        .max(f64::MIN_POSITIVE);
-    let values = [
-        ("@X0@", real(bounds.x0)),
-        ("@Y0@", real(bounds.y0)),
-        ("@X1@", real(bounds.x1)),
-        ("@Y1@", real(bounds.y1)),
-        ("@CX@", real(bounds.center().x)),
-        ("@CY@", real(bounds.center().y)),
-        ("@HEIGHT@", real(height)),
-        ("@LAYERCOUNT@", layers.len().to_string()),
-        ("@SEED@", format!("{:X}", out.handle)),
-    ];
+    let values = values(bounds.unwrap_or_default(), layers.len(), out.handle);
     let mut file = tags(&format!("999 {title}\n"));
     for line in FRAME.lines() {
         match line {
@@ -85,6 +70,22 @@ pub fn drawing(title: &str, traces: &[(Option<&str>, Trace<'_>)]) -> String {
         }
     }
     file
+}
+
+/// What the frame says of the drawing: its extent, how many layers it has, the next free handle.
+fn values(bounds: Rect, layers: usize, free: u32) -> [(&'static str, String); 9] {
+    let height = bounds.height().max(bounds.width() / 1.5);
+    [
+        ("@X0@", real(bounds.x0)),
+        ("@Y0@", real(bounds.y0)),
+        ("@X1@", real(bounds.x1)),
+        ("@Y1@", real(bounds.y1)),
+        ("@CX@", real(bounds.center().x)),
+        ("@CY@", real(bounds.center().y)),
+        ("@HEIGHT@", real(if height > 0.0 { height } else { 1.0 })),
+        ("@LAYERCOUNT@", layers.to_string()),
+        ("@SEED@", format!("{free:X}")),
+    ]
 }
 
 /// The line with values in the place of their names.
