@@ -9,7 +9,7 @@ BASHDIR = $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
-.PHONY: help build test lint golden install uninstall clean ghostscript pictures
+.PHONY: help build test test-readers test-tex lint golden install uninstall clean judges pictures
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | sort | expand -t 18
@@ -17,30 +17,39 @@ help: ## List the targets
 build: ## Build the optimised program, target/release/curveto
 	$(CARGO) build --release --locked
 
-test: ghostscript ## Run all tests; Ghostscript is one of the judges and is installed where that is possible
+test: judges ## Run all tests; Ghostscript and Poppler are among the judges and are installed where that is possible
 	$(CARGO) test --locked
+
+test-readers: build ## Read our DXF files by ezdxf and our glyphs by fontTools, which come from PyPI
+	python3 -m venv target/readers
+	target/readers/bin/pip install --quiet ezdxf==1.4.5 fonttools==4.68.0
+	target/readers/bin/python tests/readers.py target/release/curveto
+
+test-tex: ## Compile our TikZ by LaTeX (Debian: texlive-latex-base and texlive-pictures)
+	@command -v pdflatex >/dev/null || apt-get install -yq --no-install-recommends texlive-latex-base texlive-pictures
+	$(CARGO) test --locked --test exchange -- --ignored latex
 
 lint: ## Check formatting and lints
 	$(CARGO) fmt --all -- --check
 	$(CARGO) clippy --all-targets --all-features --locked -- -D warnings
 
 golden: ## Write the golden files in fixtures/ anew
-	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden schema peers measure_cli documented_commands convert::
+	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden format_goldens schema peers measure_cli documented_commands convert::
 
 pictures: build ## Draw the pictures of the documentation anew, with the program itself
 	$(MAKE) --no-print-directory -f Makefile.picture images
 	sh docs/pictures-chen.sh
 
-# The tests run Ghostscript on our PostScript. Debian's package comes by itself; elsewhere this says what to do.
-ghostscript:
-	@command -v gs >/dev/null || { \
-		echo 'Ghostscript (gs) is missing'; \
+# The tests run Ghostscript on our PostScript and Poppler on our PDF. Debian's packages come by themselves; elsewhere this says what to do.
+judges:
+	@command -v gs >/dev/null && command -v pdftoppm >/dev/null || { \
+		echo 'Ghostscript (gs) or Poppler (pdftoppm) is missing'; \
 		if command -v apt-get >/dev/null && [ "$$(id -u)" = 0 ]; then \
-			apt-get update -q && DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends ghostscript; \
+			apt-get update -q && DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends ghostscript poppler-utils; \
 		elif command -v apt-get >/dev/null && command -v sudo >/dev/null; then \
-			sudo apt-get update -q && sudo DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends ghostscript; \
+			sudo apt-get update -q && sudo DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends ghostscript poppler-utils; \
 		else \
-			echo 'install it first: brew install ghostscript, dnf install ghostscript, pacman -S ghostscript, apk add ghostscript'; \
+			echo 'install them first: brew install ghostscript poppler, dnf install ghostscript poppler-utils, pacman -S ghostscript poppler, apk add ghostscript poppler-utils'; \
 			exit 1; \
 		fi; }
 

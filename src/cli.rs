@@ -6,6 +6,7 @@ mod compare;
 mod convert;
 mod draw;
 mod failure;
+mod formats;
 mod measure;
 mod methods;
 mod output;

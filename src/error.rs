@@ -128,6 +128,19 @@ pub enum Error {
     /// The picture that was asked for cannot be made.
     #[error("{0}")]
     Picture(String),
+    /// A format cannot hold what was drawn.
+    #[error("{format} cannot hold this: {why}")]
+    Format {
+        /// The name of the format.
+        format: &'static str,
+        /// The reason.
+        why: String,
+        /// What can be done instead.
+        remedy: &'static str,
+    },
+    /// What was to be written cannot be JSON.
+    #[error("this cannot be written as JSON: {0}")]
+    Json(String),
 }
 
 impl Error {
@@ -146,6 +159,7 @@ impl Error {
             Self::Impossible { remedy, .. } | Self::ToleranceOutOfReach { remedy, .. } => {
                 (!remedy.is_empty()).then(|| remedy.clone())
             }
+            Self::Format { remedy, .. } => Some((*remedy).to_owned()),
             Self::TooFewPoints { cyclic: true, .. } => {
                 Some("--ends free takes two points and more".to_owned())
             }

@@ -1,262 +1,191 @@
 //! The writers: the only place that knows a format.
 //!
-//! A writer sees a [`Figure`], whose points are already rounded, and knows no method.
+//! A writer sees a [`Figure`] or a [`Scene`], whose points are already rounded, and knows no method.
 
+pub mod canvas;
 pub mod catalogue;
 pub mod comparison;
-mod deviation;
+pub mod dxf;
+mod format;
+pub mod gcode;
+pub mod glif;
 pub mod json;
 pub mod measurement;
-pub mod plot;
+pub mod pdf;
 pub mod png;
 pub mod postscript;
-pub mod scene;
 pub mod sphere;
 pub mod spline;
-pub mod style;
 pub mod svg;
+pub mod tikz;
 
-use core::fmt;
-use core::str::FromStr;
+pub use format::{Format, Image};
 
-use kurbo::Rect;
-
-use crate::approximate::Drawing;
-use crate::curve::Curve;
+use crate::course::Course;
 use crate::error::{Error, Result};
-use crate::number;
+use crate::number::Precision;
 use crate::path;
-use crate::shape::{Outline, Shape};
-use scene::Scene;
-use style::Style;
+use crate::picture::figure::Figure;
+use crate::picture::plot::Chart;
+use crate::picture::scene::Scene;
+use crate::picture::size::Size;
+use crate::picture::style::Style;
+use dxf::Trace;
 
-/// An output format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Format {
-    /// SVG path data, one line.
-    #[default]
-    Path,
-    /// An SVG document.
-    Svg,
-    /// PostScript path operators, one a line.
-    Ps,
-    /// An Encapsulated PostScript file.
-    Eps,
-    /// JSON.
-    Json,
-    /// A raster preview.
-    Png,
-}
+/// How much larger than its layout a PNG of a plot is where no size was asked for, so that it can be printed.
+const SHARPNESS: f64 = 2.0;
 
-impl Format {
-    /// All formats.
-    pub const ALL: [Self; 6] = [
-        Self::Path,
-        Self::Svg,
-        Self::Ps,
-        Self::Eps,
-        Self::Json,
-        Self::Png,
-    ];
-
-    /// The name, which is also the file extension.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Path => "path",
-            Self::Svg => "svg",
-            Self::Ps => "ps",
-            Self::Eps => "eps",
-            Self::Json => "json",
-            Self::Png => "png",
-        }
-    }
-
-    /// Whether it is a picture, which has colours and widths, rather than data.
-    #[must_use]
-    pub const fn is_picture(self) -> bool {
-        matches!(self, Self::Svg | Self::Eps | Self::Png)
-    }
-
-    /// Whether +y is up: on a PostScript page it is, on an SVG canvas it is down.
-    #[must_use]
-    pub const fn has_y_up(self) -> bool {
-        matches!(self, Self::Ps | Self::Eps)
-    }
-
-    /// Whether closed shapes start at 180 degrees and run in the negative direction, as Lancaster's `drawellipse` does.
-    #[must_use]
-    pub const fn runs_as_drawellipse(self) -> bool {
-        matches!(self, Self::Ps | Self::Eps)
-    }
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for Format {
-    type Err = Error;
-
-    fn from_str(name: &str) -> Result<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|format| format.name() == name)
-            .ok_or_else(|| Error::Syntax {
-                what: "the format",
-                text: name.to_owned(),
-                column: 1,
-                why: format!("the formats are {}", Self::ALL.map(Self::name).join(", ")),
-            })
-    }
-}
-
-/// What a writer sees.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Figure {
-    /// A few words.
-    pub title: String,
-    /// A sentence: the shape, the method, the stated error.
-    pub description: String,
-    /// The curves, those beneath first.
-    pub layers: Vec<Layer>,
-    /// The true shapes that the curves approximate.
-    pub truths: Vec<Outline>,
-}
-
-/// Curves that are drawn alike.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Layer {
-    /// The class of its group in SVG; without one its paths stand alone.
-    pub class: Option<&'static str>,
-    /// Whether it is drawn dashed.
-    pub dashed: bool,
-    /// Whether it is lines on a shape, to be stroked more finely and never filled.
-    pub fine: bool,
+/// What every format can hold: something drawn, of which JSON states what was asked for too.
+pub trait Writable {
     /// The curves, as they are written.
-    pub curves: Vec<Curve>,
+    fn figure(&self) -> Figure;
+
+    /// The JSON, without a line feed at its end.
+    ///
+    /// # Errors
+    ///
+    /// Where the values cannot be JSON ([`Error::Json`]).
+    fn json(&self) -> Result<String>;
 }
 
-impl Figure {
-    /// All curves in the order in which they are drawn.
-    pub fn curves(&self) -> impl Iterator<Item = &Curve> {
-        self.layers.iter().flat_map(|layer| &layer.curves)
-    }
-
-    /// The smallest rectangle around the curves themselves, not their control points.
-    #[must_use]
-    pub fn bounding_box(&self) -> Option<Rect> {
-        self.curves()
-            .filter_map(Curve::bounding_box)
-            .reduce(|a, b| a.union(b))
-    }
-
-    /// The description, and how what is shown is to be read.
-    fn told(&self, style: &Style) -> String {
-        match style.show.error {
-            Some(factor) if !self.truths.is_empty() => format!(
-                "{}; deviation drawn {} times as large",
-                self.description,
-                number::text(factor)
-            ),
-            _ => self.description.clone(),
-        }
-    }
+/// How it is written.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Options {
+    /// How pictures look.
+    pub style: Style,
+    /// Whether path data is relative.
+    pub relative: bool,
+    /// Whether DXF gets circular arcs themselves in place of the Béziers, with all digits.
+    pub exact: bool,
+    /// How G-code is rounded; `None` moves no point by more than a millionth of the size.
+    pub precision: Option<Precision>,
+    /// How fast G-code moves, in units a minute.
+    pub feed: Option<f64>,
 }
 
-/// The figure in a format; the style tells how pictures look.
+/// What was drawn, in a format.
 ///
 /// # Errors
 ///
-/// Where the picture cannot be made ([`Error::Picture`]), and for JSON, which tells what was asked and not only what was drawn:
-/// [`json`] forms it from a [`Drawing`].
+/// Where the picture cannot be made ([`Error::Picture`]), and where the format cannot hold what was drawn ([`Error::Format`]).
 ///
 /// ```
-/// use curveto::write::{Figure, Format, style::Style, write};
+/// use curveto::write::{self, Format, Image, write};
 /// use curveto::{Circle, Options, Shape, approximate};
 /// let circle = Shape::Circle(Circle::new((0.0, 0.0), 50.0)?);
-/// let figure = Figure::from(&approximate(&circle, &Options::default())?);
-/// let svg = String::from_utf8_lossy(&write(&figure, Format::Svg, &Style::default())?).into_owned();
-/// assert!(svg.contains(r##"<path d="M50 0C"##));
+/// let drawing = approximate(&circle, &Options::default())?;
+/// let bytes = write(&drawing, Format::Image(Image::Svg), &write::Options::default())?;
+/// assert!(String::from_utf8_lossy(&bytes).contains(r##"<path d="M50 0C"##));
 /// # Ok::<(), curveto::Error>(())
 /// ```
-pub fn write(figure: &Figure, format: Format, style: &Style) -> Result<Vec<u8>> {
-    let scene = || Scene::new(figure, style);
+pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<Vec<u8>> {
+    let figure = || work.figure();
     let text = match format {
-        Format::Path => path::data(figure.curves(), style.relative) + "\n",
-        Format::Ps => postscript::operators(figure.curves()),
-        Format::Svg => svg::document(
-            &scene()?,
-            &figure.title,
-            &figure.told(style),
-            style.relative,
-        ),
-        Format::Eps => postscript::encapsulated(&scene()?, &figure.title, &figure.told(style))?,
-        Format::Png => return png::encode(&scene()?),
-        Format::Json => {
-            return Err(Error::Picture("a figure alone has no JSON form".to_owned()));
+        Format::Json => work.json()? + "\n",
+        Format::Path => path::data(figure().curves(), options.relative) + "\n",
+        Format::Ps => postscript::operators(figure().curves()),
+        Format::Tikz => tikz::commands(figure().curves())?,
+        Format::Canvas => canvas::calls(figure().curves()),
+        Format::Glif => glif::glyph(&figure()),
+        Format::Dxf => {
+            let figure = figure();
+            dxf::drawing(&figure.title, &traces(&figure, options))
+        }
+        Format::Gcode => {
+            let figure = figure();
+            let courses = courses(&figure)?;
+            gcode::program(&figure.title, &courses, options.precision, options.feed)
+        }
+        Format::Image(image) => {
+            return picture(&figure().scene(&options.style)?, image, options.relative);
         }
     };
     Ok(text.into_bytes())
 }
 
-impl From<&Drawing> for Figure {
-    fn from(drawing: &Drawing) -> Self {
-        let title = describe(&drawing.shape);
-        let description = if drawing.outline.is_some() {
-            format!(
-                "{title}; {count} segment{s} by {method}; within {peak} of the true shape ({relative} of the larger radius)",
-                count = drawing.curve.segments.len(),
-                s = if drawing.curve.segments.len() == 1 {
-                    ""
-                } else {
-                    "s"
-                },
-                method = drawing.rule.id(),
-                peak = number::significant(drawing.error.peak(), 3),
-                relative = number::significant(drawing.relative_peak(), 3),
-            )
-        } else {
-            format!("{title}; exact")
-        };
-        Self {
-            title,
-            description,
-            layers: vec![Layer {
-                curves: vec![drawing.curve.clone()],
-                ..Layer::default()
-            }],
-            truths: drawing.outline.into_iter().collect(),
-        }
-    }
+/// The curves of a figure for DXF.
+fn traces<'a>(figure: &'a Figure, options: &Options) -> Vec<(Option<&'static str>, Trace<'a>)> {
+    let layers = figure.layers.iter();
+    let curves = layers.flat_map(|layer| layer.curves.iter().map(|curve| (layer.class, curve)));
+    let exact = |number: usize| {
+        let outline = options.exact.then(|| figure.truth(number)).flatten()?;
+        Course::of_arc(outline)
+    };
+    let trace = |(i, (class, curve))| {
+        let trace = exact(i).map_or(Trace::Curve(curve), Trace::Course);
+        (class, trace)
+    };
+    curves.enumerate().map(trace).collect()
 }
 
-/// A shape in a few words.
-#[must_use]
-pub fn describe(shape: &Shape) -> String {
-    let n = |x| number::significant(x, 9);
-    match shape {
-        Shape::Circle(c) => format!("Circle of radius {}", n(c.radius)),
-        Shape::Ellipse(e) => format!("Ellipse with radii {} and {}", n(e.radii.x), n(e.radii.y)),
-        Shape::Arc(a) if a.radii.x == a.radii.y => {
-            format!(
-                "Arc of radius {} over {} degrees",
-                n(a.radii.x),
-                n(a.sweep.degrees())
-            )
+/// The curves of a figure as lines and circular arcs.
+fn courses(figure: &Figure) -> Result<Vec<Course>> {
+    let drawn = figure.curves().enumerate();
+    let drawn = drawn.filter(|(_, curve)| !curve.segments.is_empty());
+    let course = |(i, curve)| {
+        let of_arc = || figure.truth(i).and_then(Course::of_arc);
+        let course = Course::of_lines(curve).or_else(of_arc);
+        course.ok_or_else(|| Error::Format {
+            format: Format::Gcode.name(),
+            why: "it has straight lines and circular arcs only".to_owned(),
+            remedy: "draw a circle, or an arc of one; -f dxf takes every curve",
+        })
+    };
+    drawn.map(course).collect()
+}
+
+/// A plot in the format of a picture, of this size or of one at which it reads well.
+///
+/// # Errors
+///
+/// Where the picture is too large to be made ([`Error::Picture`]).
+pub fn plot(chart: &Chart, image: Image, size: Option<Size>) -> Result<Vec<u8>> {
+    let default = chart.default_size();
+    let layout = match (image, size) {
+        (Image::Eps | Image::Pdf, Some(size)) => size.points(),
+        (Image::Svg, Some(size)) => size.pixels(),
+        (Image::Svg | Image::Eps | Image::Pdf, None) => default,
+        (Image::Png, size) => {
+            let [width, height] = size.map_or(default.map(|side| side * SHARPNESS), Size::pixels);
+            // The words of a large one grow with it.
+            let scale = (width / default[0]).min(height / default[1]).max(1.0);
+            let mut scene = chart.scene([width / scale, height / scale]);
+            scene.size = Some(Size::plain([width, height]));
+            return picture(&scene, image, false);
         }
-        Shape::Arc(a) => {
-            format!(
-                "Arc with radii {} and {} over {} degrees",
-                n(a.radii.x),
-                n(a.radii.y),
-                n(a.sweep.degrees())
-            )
+    };
+    let mut scene = chart.scene(layout);
+    scene.size = size.or(scene.size);
+    picture(&scene, image, false)
+}
+
+fn picture(scene: &Scene, image: Image, relative: bool) -> Result<Vec<u8>> {
+    Ok(match image {
+        Image::Svg => svg::document(scene, relative).into_bytes(),
+        Image::Eps => postscript::encapsulated(scene)?.into_bytes(),
+        Image::Png => png::encode(scene)?,
+        Image::Pdf => pdf::document(scene)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::{Comparison, Criterion};
+
+    #[test]
+    fn plots_are_well_formed_at_any_size() {
+        let rules = crate::Method::ALL.map(crate::Rule::Method);
+        let comparison = Comparison::new(&rules, &[2, 3, 4, 8], Criterion::Peak).unwrap();
+        let chart = Chart::comparison(&comparison);
+        for size in [None, Some([20.0, 20.0]), Some([3000.0, 700.0])] {
+            let size = size.map(Size::plain);
+            let svg = String::from_utf8(plot(&chart, Image::Svg, size).unwrap()).unwrap();
+            assert!(!svg.contains("NaN") && !svg.contains("inf"));
+            assert_eq!(svg.matches("<text").count(), svg.matches("</text>").count());
+            let png = plot(&chart, Image::Png, size).unwrap();
+            assert!(png.starts_with(b"\x89PNG"));
         }
-        Shape::Line(_) => "Line".to_owned(),
-        Shape::Empty => "Empty path".to_owned(),
+        assert!(plot(&chart, Image::Png, Some(Size::plain([1e6, 1e6]))).is_err());
     }
 }

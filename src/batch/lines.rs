@@ -139,7 +139,7 @@ fn as_drawellipse(mut shape: Shape) -> Shape {
 fn push_json(out: &mut Vec<u8>, spec: &Spec, options: &approximate::Options) -> Result<()> {
     let drawing = approximate(&spec.shape, options)?;
     let document = json::DrawingDocument::from(&drawing);
-    let text = json::to_line(&document).map_err(|error| Error::Shape(error.to_string()))?;
+    let text = json::to_line(&document)?;
     match spec.id {
         Some(id) => {
             out.extend_from_slice(b"{\"id\":");

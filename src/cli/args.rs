@@ -40,6 +40,8 @@ use curveto::Method;
     about,
     propagate_version = true,
     arg_required_else_help = true,
+    // The last of a flag given twice counts, so that a Makefile can override; where a list is meant, clap goes on appending.
+    args_override_self = true,
     max_term_width = 100
 )]
 pub(crate) struct Cli {
@@ -110,4 +112,56 @@ pub(crate) struct ManArgs {
     /// Write curveto.1 and a page for every command into DIR
     #[arg(long, value_name = "DIR")]
     pub(crate) out_dir: Option<PathBuf>,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{ArgAction, Command, CommandFactory as _};
+
+    use super::Cli;
+
+    /// What takes all of its values when it is given several times: positional words, and lists.
+    const LISTS: [&str; 9] = [
+        "circle show",
+        "ellipse show",
+        "arc show",
+        "spline show",
+        "sphere show",
+        "convert only",
+        "compare method",
+        "compare segments",
+        "compare by",
+    ];
+
+    fn visit(command: &Command, path: &str, lists: &mut Vec<String>) {
+        assert!(command.is_args_override_self(), "{path}");
+        for argument in command.get_arguments() {
+            let id = format!("{path} {}", argument.get_id()).trim().to_owned();
+            if !argument.is_positional() && matches!(argument.get_action(), ArgAction::Append) {
+                lists.push(id);
+            }
+        }
+        for inner in command.get_subcommands() {
+            let path = format!("{path} {}", inner.get_name());
+            visit(inner, path.trim(), lists);
+        }
+    }
+
+    #[test]
+    fn the_last_of_a_flag_counts_unless_it_is_a_list() {
+        let mut command = Cli::command();
+        command.build();
+        let mut lists = Vec::new();
+        visit(&command, "", &mut lists);
+        let of_measure =
+            ["circle", "ellipse", "arc"].map(|shape| format!("measure {shape} method"));
+        let mut expected: Vec<String> = LISTS
+            .map(str::to_owned)
+            .into_iter()
+            .chain(of_measure)
+            .collect();
+        expected.sort();
+        lists.sort();
+        assert_eq!(lists, expected);
+    }
 }

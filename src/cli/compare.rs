@@ -1,17 +1,18 @@
 //! `compare`.
 
-use std::path::Path;
 use std::process::ExitCode;
 
 use curveto::compare::Comparison;
+use curveto::picture::plot::Chart;
 use curveto::write::comparison::{csv, html, table};
 use curveto::write::json;
-use curveto::write::plot::{Chart, PictureFormat};
+use curveto::write::{Image, plot};
 
 use super::Outcome;
 use super::args::CompareArgs;
 use super::args::compare::ComparisonFormat;
 use super::failure::Failure;
+use super::formats::choose;
 use super::output::Target;
 
 pub(super) fn run(args: &CompareArgs) -> Outcome {
@@ -22,7 +23,10 @@ pub(super) fn run(args: &CompareArgs) -> Outcome {
         .map(|&by| Comparison::new(&rules, &args.segments, by))
         .collect::<Result<_, _>>()?;
     let target = Target::new(args.output.as_deref());
-    let bytes = match (args.format(), comparisons.as_slice()) {
+    let bytes = match (
+        choose(args.format, args.output.as_deref())?,
+        comparisons.as_slice(),
+    ) {
         (ComparisonFormat::Table, all) => {
             let tables: Vec<String> = all.iter().map(table).collect();
             tables.join("\n").into_bytes()
@@ -48,35 +52,18 @@ fn one_only(
     args: &CompareArgs,
     target: &Target,
 ) -> Result<Vec<u8>, Failure> {
-    let picture = |format| Chart::comparison(comparison).picture(format, args.size);
+    let chart = |image| plot(&Chart::comparison(comparison), image, args.size);
     Ok(match format {
-        ComparisonFormat::Svg => picture(PictureFormat::Svg)?,
-        ComparisonFormat::Png => {
-            target.refuse_terminal()?;
-            picture(PictureFormat::Png)?
+        ComparisonFormat::Plot(image) => {
+            if image == Image::Png {
+                target.refuse_terminal()?;
+            }
+            chart(image)?
         }
         ComparisonFormat::Html => {
-            let svg = picture(PictureFormat::Svg)?;
+            let svg = chart(Image::Svg)?;
             html(comparison, &String::from_utf8_lossy(&svg)).into_bytes()
         }
         _ => csv(comparison).into_bytes(),
     })
-}
-
-impl CompareArgs {
-    /// The format that was asked for, or that the extension of the output file tells.
-    fn format(&self) -> ComparisonFormat {
-        let extension = self.output.as_deref().and_then(Path::extension);
-        let extension = extension
-            .and_then(|e| e.to_str())
-            .map(str::to_ascii_lowercase);
-        self.format.unwrap_or(match extension.as_deref() {
-            Some("csv") => ComparisonFormat::Csv,
-            Some("json") => ComparisonFormat::Json,
-            Some("svg") => ComparisonFormat::Svg,
-            Some("png") => ComparisonFormat::Png,
-            Some("html" | "htm") => ComparisonFormat::Html,
-            _ => ComparisonFormat::Table,
-        })
-    }
 }

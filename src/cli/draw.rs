@@ -3,14 +3,13 @@
 use std::process::ExitCode;
 
 use curveto::approximate::{Drawing, Options, approximate};
-use curveto::write::{Figure, json};
-use curveto::{Angle, Cut};
+use curveto::{Angle, Cut, Shape};
 
 use super::Outcome;
 use super::args::shape::{Direction, ShapeWords};
 use super::args::{ApproximationArgs, ArcShape, CircleShape, Draw, EllipseShape, OutputArgs};
 use super::failure::Failure;
-use super::output::write_figure;
+use super::output::write_drawn;
 
 pub(super) fn circle(args: &Draw<CircleShape>) -> Outcome {
     draw(&args.shape, &args.approximation, &args.output)
@@ -45,8 +44,10 @@ fn draw(
         transform: output.transform(),
     };
     let drawing = drawing(shape, default, &options)?;
-    let json = || Ok(json::to_string(&json::DrawingDocument::from(&drawing))?);
-    write_figure(&Figure::from(&drawing), json, format, output)?;
+    let mut manner = output.options(format)?;
+    // Where nothing is said of how an arc is approximated, a format that has arcs gets the arc.
+    manner.exact = approximation.is_silent() && matches!(drawing.shape, Shape::Arc(_));
+    write_drawn(&drawing, format, &manner, &output.target())?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -11,9 +11,10 @@ use curveto::approximate::Options;
 use curveto::curve::Curve;
 use curveto::measure::{Quantity, Reference, fit, report};
 use curveto::number::Precision;
+use curveto::picture::plot::Chart;
 use curveto::write::json;
 use curveto::write::measurement::{Measurement, csv};
-use curveto::write::plot::{self, Chart};
+use curveto::write::plot;
 use curveto::{document, path};
 
 use super::Outcome;
@@ -22,6 +23,7 @@ use super::args::measure::{ForeignArgs, Measured, MeasuredShape, ReportArgs, Rep
 use super::args::shape::{Direction, ShapeWords};
 use super::draw;
 use super::failure::Failure;
+use super::formats::{choose, of_plot};
 use super::output::Target;
 
 /// What was measured, with what a plot needs of it.
@@ -187,7 +189,7 @@ fn tell(subjects: &[Subject], args: &ReportArgs, always_array: bool) -> Outcome 
         draw_plot(subjects, file, args)?;
     }
     let measurements: Vec<&Measurement> = subjects.iter().map(|s| &s.measurement).collect();
-    let text = match args.format() {
+    let text = match choose(args.format, args.output.as_deref())? {
         ReportFormat::Table => {
             let tables: Vec<String> = measurements.iter().map(|m| table::render(m)).collect();
             tables.join("\n")
@@ -204,14 +206,14 @@ fn tell(subjects: &[Subject], args: &ReportArgs, always_array: bool) -> Outcome 
 
 /// Draws the quantity along every subject.
 fn draw_plot(subjects: &[Subject], file: &Path, args: &ReportArgs) -> Result<(), Failure> {
-    let picture = plot::PictureFormat::of_file(file)?;
+    let image = of_plot(file)?;
     let quantity = args.quantity.unwrap_or_default();
     let curves: Vec<(&str, &Curve, &Reference)> = subjects
         .iter()
         .map(|s| (s.name.as_str(), &s.curve, &s.reference))
         .collect();
     let chart = Chart::along(&title(subjects, quantity), quantity, &curves);
-    Target::new(Some(file)).write(&chart.picture(picture, args.size)?)
+    Target::new(Some(file)).write(&plot(&chart, image, args.size)?)
 }
 
 fn title(subjects: &[Subject], quantity: Quantity) -> String {
@@ -235,17 +237,6 @@ fn title(subjects: &[Subject], quantity: Quantity) -> String {
 }
 
 impl ReportArgs {
-    /// The format that was asked for, or that the extension of the output file tells.
-    fn format(&self) -> ReportFormat {
-        let extension = self.output.as_deref().and_then(Path::extension);
-        self.format
-            .unwrap_or(match extension.and_then(|e| e.to_str()) {
-                Some("json") => ReportFormat::Json,
-                Some("csv") => ReportFormat::Csv,
-                _ => ReportFormat::Table,
-            })
-    }
-
     fn coordinate_tolerance(&self) -> Result<Option<f64>, Failure> {
         match self.coordinate_tolerance {
             Some(d) if !(d.is_finite() && d >= 0.0) => Err(Failure::request(format!(

@@ -5,9 +5,8 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use curveto::write::{Figure, Format};
+use curveto::write::{Format, Image, Options, Writable, write};
 
-use super::args::OutputArgs;
 use super::failure::Failure;
 
 /// Where output goes.
@@ -19,23 +18,17 @@ pub(crate) enum Target {
     File(PathBuf),
 }
 
-/// Writes a figure in its format, JSON from `json`.
-pub(crate) fn write_figure(
-    figure: &Figure,
-    json: impl FnOnce() -> Result<String, Failure>,
+/// Writes what was drawn, in its format.
+pub(crate) fn write_drawn(
+    work: &impl Writable,
     format: Format,
-    args: &OutputArgs,
+    options: &Options,
+    target: &Target,
 ) -> Result<(), Failure> {
-    let style = args.style(format)?;
-    let target = args.target();
-    if format == Format::Png {
+    if format == Format::Image(Image::Png) {
         target.refuse_terminal()?;
     }
-    let bytes = match format {
-        Format::Json => (json()? + "\n").into_bytes(),
-        _ => curveto::write::write(figure, format, &style)?,
-    };
-    target.write(&bytes)
+    target.write(&write(work, format, options)?)
 }
 
 impl Target {

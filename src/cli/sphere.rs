@@ -4,13 +4,11 @@ use std::process::ExitCode;
 
 use curveto::Rule;
 use curveto::sphere::{Options, Sphere, View};
-use curveto::write::Figure;
-use curveto::write::json;
-use curveto::write::sphere::SphereDocument;
+use curveto::write::sphere::SphereDrawing;
 
 use super::Outcome;
 use super::args::SphereArgs;
-use super::output::write_figure;
+use super::output::write_drawn;
 
 pub(super) fn run(args: &SphereArgs) -> Outcome {
     let format = args.output.format()?;
@@ -29,8 +27,11 @@ pub(super) fn run(args: &SphereArgs) -> Outcome {
     let sphere = Sphere::new(args.center, args.radius, args.meridians, args.parallels)?;
     let picture = sphere.seen(view, &options)?;
     let hidden = args.hidden.into();
-    let figure = Figure::of_sphere(&picture, hidden);
-    let json = || Ok(json::to_string(&SphereDocument::new(&picture, hidden))?);
-    write_figure(&figure, json, format, &args.output)?;
+    write_drawn(
+        &SphereDrawing { picture, hidden },
+        format,
+        &args.output.options(format)?,
+        &args.output.target(),
+    )?;
     Ok(ExitCode::SUCCESS)
 }

@@ -8,14 +8,12 @@ use std::process::ExitCode;
 use curveto::Error;
 use curveto::spline::Spline;
 use curveto::spline::points::{Points, ReadError};
-use curveto::write::Figure;
-use curveto::write::json;
-use curveto::write::spline::SplineDocument;
+use curveto::write::spline::SplineDrawing;
 
 use super::Outcome;
 use super::args::{SplineArgs, SplineSource};
 use super::failure::Failure;
-use super::output::write_figure;
+use super::output::write_drawn;
 
 pub(super) fn run(args: &SplineArgs) -> Outcome {
     let format = args.output.format()?;
@@ -26,12 +24,17 @@ pub(super) fn run(args: &SplineArgs) -> Outcome {
     drop(lines);
     let transform = args.output.transform();
     let curve = spline.curve(args.output.rounding(format), transform)?;
-    let figure = Figure::of_spline(&spline, curve);
-    let json = || {
-        let document = SplineDocument::new(&spline, &figure, transform);
-        Ok(json::to_string(&document)?)
+    let drawing = SplineDrawing {
+        spline: &spline,
+        curve,
+        transform,
     };
-    write_figure(&figure, json, format, &args.output)?;
+    write_drawn(
+        &drawing,
+        format,
+        &args.output.options(format)?,
+        &args.output.target(),
+    )?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -2,6 +2,8 @@
 
 use core::fmt::Write;
 
+use quick_xml::escape::partial_escape;
+
 use crate::compare::{Comparison, NOISE, Row};
 use crate::number::{compact, text};
 
@@ -120,7 +122,7 @@ pub fn html(comparison: &Comparison, svg: &str) -> String {
         let tag = if i == 0 { "th scope=\"col\"" } else { "td" };
         rows += "<tr>";
         for (j, cell) in row.into_iter().enumerate() {
-            let cell = cell.replace('<', "&lt;");
+            let cell = partial_escape(cell);
             let tag = if i > 0 && j == 0 {
                 "th scope=\"row\""
             } else {
@@ -130,7 +132,8 @@ pub fn html(comparison: &Comparison, svg: &str) -> String {
         }
         rows += "</tr>\n";
     }
-    let notes = notes(comparison).replace('<', "&lt;");
+    let notes = notes(comparison);
+    let notes = partial_escape(notes.as_str());
     let lines = notes.lines().filter(|line| !line.is_empty());
     let notes = lines.fold(String::new(), |page, line| page + "<p>" + line + "</p>\n");
     format!(

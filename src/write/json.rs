@@ -10,11 +10,14 @@ use serde_json::ser::{Formatter, Serializer};
 use crate::approximate::Drawing;
 use crate::continuity::Continuity;
 use crate::curve::control_points;
+use crate::error::{Error, Result};
 use crate::method::Rule;
 use crate::number::{decimals_of, push_shortest, round};
 use crate::path;
+use crate::picture::figure::Figure;
 use crate::power;
 use crate::shape::Shape;
+use crate::write::Writable;
 
 /// The JSON of a drawing.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -115,6 +118,16 @@ pub struct ErrorDocument {
     pub peak: f64,
     /// The larger of the two over the larger radius.
     pub relative_peak: f64,
+}
+
+impl Writable for Drawing {
+    fn figure(&self) -> Figure {
+        Figure::from(self)
+    }
+
+    fn json(&self) -> Result<String> {
+        to_string(&DrawingDocument::from(self))
+    }
 }
 
 impl From<&Drawing> for DrawingDocument {
@@ -229,8 +242,8 @@ pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentD
 ///
 /// # Errors
 ///
-/// Where the value cannot be JSON.
-pub fn to_string(value: &impl Serialize) -> Result<String, serde_json::Error> {
+/// Where the value cannot be JSON ([`Error::Json`]).
+pub fn to_string(value: &impl Serialize) -> Result<String> {
     serialize(value, Layout::default())
 }
 
@@ -238,8 +251,8 @@ pub fn to_string(value: &impl Serialize) -> Result<String, serde_json::Error> {
 ///
 /// # Errors
 ///
-/// Where the value cannot be JSON.
-pub fn to_line(value: &impl Serialize) -> Result<String, serde_json::Error> {
+/// Where the value cannot be JSON ([`Error::Json`]).
+pub fn to_line(value: &impl Serialize) -> Result<String> {
     serialize(
         value,
         Layout {
@@ -249,9 +262,11 @@ pub fn to_line(value: &impl Serialize) -> Result<String, serde_json::Error> {
     )
 }
 
-fn serialize(value: &impl Serialize, layout: Layout) -> Result<String, serde_json::Error> {
+fn serialize(value: &impl Serialize, layout: Layout) -> Result<String> {
     let mut out = Vec::new();
-    value.serialize(&mut Serializer::with_formatter(&mut out, layout))?;
+    value
+        .serialize(&mut Serializer::with_formatter(&mut out, layout))
+        .map_err(|error| Error::Json(error.to_string()))?;
     // A serializer writes UTF-8, so that this cannot fail and need not copy.
     Ok(String::from_utf8(out).unwrap_or_default())
 }

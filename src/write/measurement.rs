@@ -9,6 +9,7 @@ use crate::error::Result;
 use crate::measure::{Reference, Report, report};
 use crate::method::Rule;
 use crate::number::text;
+use crate::picture::figure::describe;
 
 /// A report with what it is about.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -46,7 +47,7 @@ impl Measurement {
     ///
     /// # Errors
     ///
-    /// As [`report`].
+    /// As [`report`](fn@report).
     pub fn of_drawing(
         drawing: &Drawing,
         coordinate_tolerance: Option<f64>,
@@ -69,7 +70,7 @@ impl Measurement {
             subject: Subject {
                 title: format!(
                     "{}, {} by {}",
-                    super::describe(&drawing.shape),
+                    describe(&drawing.shape),
                     segments(report.segments),
                     drawing.rule.id()
                 ),

@@ -1,15 +1,15 @@
 //! PNG previews, which draw the emitted Béziers themselves.
 
 use kurbo::{Affine, ParamCurve, PathSeg, Point};
-use svgtypes::Color;
 use tiny_skia::{
     FillRule, LineJoin, Paint as Ink, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
 };
 
-use super::scene::{Pen, Scene};
-use super::style::Paint;
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result};
+use crate::picture::paint::{Color, Paint};
+use crate::picture::scene::{Pen, Scene};
+use crate::picture::size::Size;
 
 /// The pixels on the larger side where no size is asked for.
 const LARGER_SIDE: f64 = 512.0;
@@ -43,8 +43,9 @@ pub fn encode(scene: &Scene) -> Result<Vec<u8>> {
     for group in &scene.groups {
         for mark in &group.marks {
             // In `f64`, so that a small shape far from the origin keeps its digits.
-            let curve = scene.curve(mark)?.transformed(to_pixels);
-            if let Some(path) = skia_path(&curve) {
+            let curves = scene.curves(mark)?;
+            let curves = curves.iter().map(|curve| curve.transformed(to_pixels));
+            if let Some(path) = skia_path(curves) {
                 draw(&mut pixmap, &path, &group.pen, scale);
             }
         }
@@ -56,11 +57,14 @@ pub fn encode(scene: &Scene) -> Result<Vec<u8>> {
 
 /// Width and height in pixels.
 fn pixels(scene: &Scene) -> Result<[u32; 2]> {
-    let [width, height] = scene.size.unwrap_or_else(|| {
-        let (width, height) = (scene.view.width(), scene.view.height());
-        let scale = LARGER_SIDE / width.max(height);
-        [width * scale, height * scale]
-    });
+    let [width, height] = scene.size.map_or_else(
+        || {
+            let (width, height) = (scene.view.width(), scene.view.height());
+            let scale = LARGER_SIDE / width.max(height);
+            [width * scale, height * scale]
+        },
+        Size::pixels,
+    );
     let [width, height] = [width, height].map(|side| side.round().max(1.0));
     // Written so that a product that is not a number is refused too.
     if width * height <= MOST_PIXELS {
@@ -76,11 +80,19 @@ fn too_large(width: f64, height: f64) -> Error {
     ))
 }
 
-/// `None` for a curve without segments, or one too far away for single precision.
-fn skia_path(curve: &Curve) -> Option<Path> {
+/// `None` where there are no segments, or some too far away for single precision.
+fn skia_path(curves: impl Iterator<Item = Curve>) -> Option<Path> {
     let mut path = PathBuilder::new();
+    for curve in curves {
+        push_curve(&mut path, &curve);
+    }
+    path.finish()
+}
+
+fn push_curve(path: &mut PathBuilder, curve: &Curve) {
     let single = |p: Point| (p.x as f32, p.y as f32);
-    let (x, y) = single(curve.start()?);
+    let Some(start) = curve.start() else { return };
+    let (x, y) = single(start);
     path.move_to(x, y);
     for segment in curve.segments.iter().flat_map(pieces) {
         match segment {
@@ -101,7 +113,6 @@ fn skia_path(curve: &Curve) -> Option<Path> {
     if curve.closed {
         path.close();
     }
-    path.finish()
 }
 
 /// The same curve in several pieces.
@@ -125,11 +136,14 @@ fn draw(pixmap: &mut Pixmap, path: &Path, pen: &Pen, scale: f64) {
     let Some((color, width)) = pen.visible_stroke() else {
         return;
     };
-    let dash = pen.dash.map(|dash| (dash * scale) as f32);
+    // An odd number of lengths takes dashes and gaps in turn when it comes round, which tiny-skia wants spelt out.
+    let rounds = 1 + pen.dash.len() % 2;
+    let lengths = pen.dash.iter().map(|length| (length * scale) as f32);
+    let lengths: Vec<f32> = lengths.collect();
     let stroke = Stroke {
         width: (width * scale) as f32,
         line_join: LineJoin::Round,
-        dash: dash.and_then(|dash| StrokeDash::new(vec![dash, dash], 0.0)),
+        dash: StrokeDash::new(lengths.repeat(rounds), 0.0),
         ..Stroke::default()
     };
     if stroke.width < HAIRLINE {

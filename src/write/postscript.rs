@@ -1,14 +1,30 @@
 //! PostScript: path operators, Encapsulated PostScript, and Lancaster's procedures.
 
 use kurbo::{PathSeg, Point, Rect};
-use svgtypes::Color;
 
-use super::scene::{Group, Pen, Scene};
-use super::style::Paint;
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::method::{Method, Rule, Span};
 use crate::number::{Precision, push_shortest, significant, text};
+use crate::picture::paint::{Color, Paint};
+use crate::picture::scene::{Group, Scene};
+use crate::picture::size::Size;
+
+/// The names of the operators that make a path.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PathOperators {
+    pub(super) move_to: &'static str,
+    pub(super) line_to: &'static str,
+    pub(super) curve_to: &'static str,
+    pub(super) close: &'static str,
+}
+
+const POSTSCRIPT: PathOperators = PathOperators {
+    move_to: "moveto",
+    line_to: "lineto",
+    curve_to: "curveto",
+    close: "closepath",
+};
 
 /// The operators of one or more curves, one a line; quadratics are raised to cubics exactly.
 #[must_use]
@@ -22,20 +38,25 @@ pub fn operators<'a>(curves: impl IntoIterator<Item = &'a Curve>) -> String {
 
 /// Appends the operators of a curve, one a line.
 pub fn push_operators(out: &mut Vec<u8>, curve: &Curve) {
+    push_path(out, curve, &POSTSCRIPT);
+}
+
+/// Appends the operators of a curve by these names, one a line.
+pub(super) fn push_path(out: &mut Vec<u8>, curve: &Curve, names: &PathOperators) {
     let Some(start) = curve.start() else { return };
-    push_line(out, &[start], "moveto");
+    push_line(out, &[start], names.move_to);
     for segment in &curve.segments {
         match *segment {
-            PathSeg::Line(l) => push_line(out, &[l.p1], "lineto"),
+            PathSeg::Line(l) => push_line(out, &[l.p1], names.line_to),
             PathSeg::Quad(q) => {
                 let c = q.raise();
-                push_line(out, &[c.p1, c.p2, c.p3], "curveto");
+                push_line(out, &[c.p1, c.p2, c.p3], names.curve_to);
             }
-            PathSeg::Cubic(c) => push_line(out, &[c.p1, c.p2, c.p3], "curveto"),
+            PathSeg::Cubic(c) => push_line(out, &[c.p1, c.p2, c.p3], names.curve_to),
         }
     }
     if curve.closed {
-        push_line(out, &[], "closepath");
+        push_line(out, &[], names.close);
     }
 }
 
@@ -53,18 +74,18 @@ fn push_line(out: &mut Vec<u8>, points: &[Point], operator: &str) {
 /// # Errors
 ///
 /// Where a colour is translucent, which PostScript cannot paint.
-pub fn encapsulated(scene: &Scene, title: &str, description: &str) -> Result<String> {
+pub fn encapsulated(scene: &Scene) -> Result<String> {
     let canvas = scene.canvas();
-    let (bounds, scale) = match scene.size {
-        Some([width, height]) => (Rect::new(0.0, 0.0, width, height), width / canvas.width()),
-        None => (canvas, 1.0),
+    let mut text = String::new();
+    let bounds = match scene.size.map(Size::points) {
+        None if !scene.upright => canvas,
+        size => {
+            let [width, height] = size.unwrap_or([canvas.width(), canvas.height()]);
+            let scale = width / canvas.width();
+            text += &frame(scene, scale);
+            Rect::new(0.0, 0.0, width, height)
+        }
     };
-    let mut text = header(bounds, title, description);
-    if scene.size.is_some() {
-        let origin = canvas.origin().to_vec2() * -scale;
-        let [x, y, scale] = [origin.x, origin.y, scale].map(number);
-        text += &[&x, &y, "translate", &scale, "dup scale\n"].join(" ");
-    }
     if let Some(color) = scene.background.and_then(Paint::visible) {
         let area = Curve {
             segments: kurbo::Shape::path_segments(&canvas, 0.0).collect(),
@@ -76,27 +97,42 @@ pub fn encapsulated(scene: &Scene, title: &str, description: &str) -> Result<Str
     for group in &scene.groups {
         text += &paint_group(group, scene)?;
     }
-    Ok(text + "grestore\nshowpage\n%%EOF\n")
+    Ok(header(bounds, scene) + &text + "grestore\nshowpage\n%%EOF\n")
 }
 
-fn header(bounds: Rect, title: &str, description: &str) -> String {
+/// Moves the canvas to the corner of a page and scales it; what has a right way up is turned over, since +y of a page is up.
+fn frame(scene: &Scene, scale: f64) -> String {
+    let canvas = scene.canvas();
+    let far = if scene.upright { canvas.y1 } else { -canvas.y0 };
+    let [x, y, scale] = [-canvas.x0 * scale, far * scale, scale].map(number);
+    let scaling = if scene.upright {
+        "dup neg scale"
+    } else {
+        "dup scale"
+    };
+    [&x, &y, "translate", &scale, scaling].join(" ") + "\n"
+}
+
+fn header(bounds: Rect, scene: &Scene) -> String {
     let Rect { x0, y0, x1, y1 } = bounds;
     let list = |corners: [f64; 4]| corners.map(number).join(" ");
+    let description = match ascii(&scene.description) {
+        none if none.is_empty() => none,
+        some => format!("% {some}\n"),
+    };
     format!(
         "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: {}\n%%HiResBoundingBox: {}\n%%Title: {}\n%%Creator: curveto\n%%Pages: 1\n\
-         %%EndComments\n%%Page: 1 1\n% {}\ngsave\n1 setlinejoin\n",
+         %%EndComments\n%%Page: 1 1\n{description}gsave\n1 setlinejoin\n",
         list([x0.floor(), y0.floor(), x1.ceil(), y1.ceil()]),
         list([x0, y0, x1, y1]),
-        ascii(title),
-        ascii(description),
+        ascii(&scene.title),
     )
 }
 
 fn paint_group(group: &Group, scene: &Scene) -> Result<String> {
-    let Pen { dash, fill, .. } = group.pen;
     let mut text = "gsave\n".to_owned();
     let mut paint = String::new();
-    if let Some(color) = fill.visible() {
+    if let Some(color) = group.pen.fill.visible() {
         paint = set_color(color)? + "fill\n";
     }
     if let Some((color, width)) = group.pen.visible_stroke() {
@@ -106,15 +142,16 @@ fn paint_group(group: &Group, scene: &Scene) -> Result<String> {
         paint += &(set_color(color)? + "stroke\n");
         text += &(number(width) + " setlinewidth\n");
     }
-    if let Some(dash) = dash {
-        text += &["[", &number(dash), "] 0 setdash\n"].concat();
+    if !group.pen.dash.is_empty() {
+        let lengths: Vec<String> = group.pen.dash.iter().copied().map(number).collect();
+        text += &["[", &lengths.join(" "), "] 0 setdash\n"].concat();
     }
     // Painting starts a new path; where nothing is painted, that has to be said.
     if paint.is_empty() {
         paint += "newpath\n";
     }
     for mark in &group.marks {
-        text += &operators([&scene.curve(mark)?]);
+        text += &operators(scene.curves(mark)?.iter());
         text += &paint;
     }
     Ok(text + "grestore\n")
@@ -126,9 +163,7 @@ fn set_color(color: Color) -> Result<String> {
             "PostScript has no translucent colours: an eps file takes opaque ones".to_owned(),
         ));
     }
-    let rgb = [color.red, color.green, color.blue];
-    let [red, green, blue] =
-        rgb.map(|byte| text(Precision::Fixed(4).round(f64::from(byte) / 255.0)));
+    let [red, green, blue] = shares(color);
     Ok(if red == green && green == blue {
         red + " setgray\n"
     } else {
@@ -136,8 +171,14 @@ fn set_color(color: Color) -> Result<String> {
     })
 }
 
+/// Red, green and blue from 0 to 1.
+pub(super) fn shares(color: Color) -> [String; 3] {
+    [color.red, color.green, color.blue]
+        .map(|byte| text(Precision::Fixed(4).round(f64::from(byte) / 255.0)))
+}
+
 /// A number of the frame around the curves.
-fn number(x: f64) -> String {
+pub(super) fn number(x: f64) -> String {
     significant(x, 12)
 }
 

@@ -4,65 +4,30 @@ use kurbo::Affine;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::json::{ErrorDocument, SegmentDocument, segment_document};
-use super::{Figure, Layer};
-use crate::number::{significant, text};
+use super::Writable;
+use super::json::{self, ErrorDocument, SegmentDocument, segment_document};
+use crate::error::Result;
 use crate::path;
+use crate::picture::figure::{Figure, Hidden};
 use crate::sphere::{Line, Part, Picture};
 
-/// What becomes of the hidden halves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Hidden {
-    /// They are drawn like the others.
-    Show,
-    /// They are drawn dashed.
-    #[default]
-    Dash,
-    /// They are left out.
-    None,
+/// A sphere that was drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SphereDrawing {
+    /// The sphere as it is seen.
+    pub picture: Picture,
+    /// What becomes of its hidden halves.
+    pub hidden: Hidden,
 }
 
-impl Figure {
-    /// A sphere as layers with the classes `outline`, `back` and `front`, those beneath first.
-    #[must_use]
-    pub fn of_sphere(picture: &Picture, hidden: Hidden) -> Self {
-        let lines = |class, dashed, parts: &[Part]| Layer {
-            class: Some(class),
-            dashed,
-            fine: true,
-            curves: parts.iter().map(|part| part.curve.clone()).collect(),
-        };
-        let mut layers = vec![Layer {
-            class: Some("outline"),
-            curves: vec![picture.outline.curve.clone()],
-            ..Layer::default()
-        }];
-        if hidden != Hidden::None {
-            layers.push(lines("back", hidden == Hidden::Dash, &picture.back));
-        }
-        layers.push(lines("front", false, &picture.front));
-        layers.retain(|layer| !layer.curves.is_empty());
-        let title = format!("Sphere of radius {}", text(picture.sphere.radius));
-        Self {
-            description: describe(picture, &title),
-            title,
-            layers,
-            truths: Vec::new(),
-        }
+impl Writable for SphereDrawing {
+    fn figure(&self) -> Figure {
+        Figure::of_sphere(&self.picture, self.hidden)
     }
-}
 
-fn describe(picture: &Picture, title: &str) -> String {
-    format!(
-        "{title} seen from longitude {longitude}, latitude {latitude} degrees; {meridians} meridians and {parallels} parallels by {method}; in space within {peak} of the true circles ({relative} of the radius)",
-        longitude = text(picture.view.longitude.degrees()),
-        latitude = text(picture.view.latitude.degrees()),
-        meridians = picture.sphere.meridians,
-        parallels = picture.sphere.parallels,
-        method = picture.options.rule.id(),
-        peak = significant(picture.error.peak(), 3),
-        relative = significant(picture.error.peak() / picture.sphere.radius, 3),
-    )
+    fn json(&self) -> Result<String> {
+        json::to_string(&SphereDocument::new(&self.picture, self.hidden))
+    }
 }
 
 /// The JSON of a sphere.

@@ -4,50 +4,33 @@ use kurbo::{Affine, PathSeg};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
-use super::json::{PowerDocument, segment_document};
-use super::{Figure, Layer, path};
+use super::Writable;
+use super::json::{self, PowerDocument, segment_document};
 use crate::curve::Curve;
+use crate::error::Result;
+use crate::path;
+use crate::picture::figure::Figure;
 use crate::spline::{Ends, Parametrization, Quadrature, Spline};
 
-impl Figure {
-    /// A spline's curve, as [`Spline::curve`] gives it.
-    #[must_use]
-    pub fn of_spline(spline: &Spline, curve: Curve) -> Self {
-        let title = format!("Curve through {} points", spline.points.len());
-        Self {
-            description: format!(
-                "Composite parametric cubic through {} points; {}",
-                spline.points.len(),
-                describe(spline)
-            ),
-            title,
-            layers: vec![Layer {
-                curves: vec![curve],
-                ..Layer::default()
-            }],
-            truths: Vec::new(),
-        }
-    }
+/// A spline that was drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SplineDrawing<'a> {
+    /// The spline.
+    pub spline: &'a Spline,
+    /// Its curve, as [`Spline::curve`] gives it.
+    pub curve: Curve,
+    /// The map that was applied to the curve.
+    pub transform: Affine,
 }
 
-/// How the curve runs through its points.
-fn describe(spline: &Spline) -> String {
-    let settled = match spline.rounds {
-        0 => String::new(),
-        rounds => format!(", settled in {rounds} rounds"),
-    };
-    let ends = match spline.options.ends {
-        Ends::Cyclic => "cyclic",
-        Ends::Free => "free",
-        Ends::Fixed(_) => "fixed",
-    };
-    let tangents = if spline.options.unit_tangents {
-        ", unit tangents"
-    } else {
-        ""
-    };
-    let parametrization = spline.options.parametrization.name();
-    format!("{parametrization} parametrization{settled}, {ends} ends{tangents}")
+impl Writable for SplineDrawing<'_> {
+    fn figure(&self) -> Figure {
+        Figure::of_spline(self.spline, self.curve.clone())
+    }
+
+    fn json(&self) -> Result<String> {
+        json::to_string(&SplineDocument::new(self))
+    }
 }
 
 /// The JSON of a spline.
@@ -86,7 +69,7 @@ pub struct SplineDocument<'a> {
     /// The segments in their order.
     #[serde(serialize_with = "segments")]
     #[schemars(with = "Vec<SplineSegmentDocument>")]
-    pub segments: (&'a Spline, &'a Figure),
+    pub segments: &'a SplineDrawing<'a>,
     /// SVG path data.
     pub path: String,
 }
@@ -103,9 +86,14 @@ pub struct SplineSegmentDocument {
 }
 
 impl<'a> SplineDocument<'a> {
-    /// The document of a spline and its figure, in which it was mapped by `transform`.
+    /// The document of a spline that was drawn.
     #[must_use]
-    pub fn new(spline: &'a Spline, figure: &'a Figure, transform: Affine) -> Self {
+    pub fn new(drawing: &'a SplineDrawing<'a>) -> Self {
+        let &SplineDrawing {
+            spline,
+            ref curve,
+            transform,
+        } = drawing;
         let options = &spline.options;
         let gauss2 = options.parametrization == Parametrization::ArcLength(Quadrature::Gauss2);
         let (ends, end_derivatives) = match options.ends {
@@ -125,8 +113,8 @@ impl<'a> SplineDocument<'a> {
             end_derivatives,
             transform: (transform != Affine::IDENTITY).then(|| transform.as_coeffs()),
             closed: options.ends == Ends::Cyclic,
-            segments: (spline, figure),
-            path: path::data(figure.curves(), false),
+            segments: drawing,
+            path: path::data([curve], false),
         }
     }
 }
@@ -149,10 +137,11 @@ fn derivatives<S: Serializer>(spline: &&Spline, serializer: S) -> Result<S::Ok, 
     serializer.collect_seq(spline.derivatives.iter().map(|d| [d.x, d.y]))
 }
 
-fn segments<S: Serializer>(
-    (spline, figure): &(&Spline, &Figure),
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes references to fields"
+)]
+fn segments<S: Serializer>(drawing: &&SplineDrawing, serializer: S) -> Result<S::Ok, S::Error> {
     let document = |(segment, &parameter_length): (&PathSeg, &f64)| {
         let segment = segment_document(segment, None);
         SplineSegmentDocument {
@@ -161,6 +150,6 @@ fn segments<S: Serializer>(
             power: segment.power,
         }
     };
-    let segments = figure.curves().flat_map(|curve| &curve.segments);
-    serializer.collect_seq(segments.zip(&spline.lengths).map(document))
+    let segments = drawing.curve.segments.iter();
+    serializer.collect_seq(segments.zip(&drawing.spline.lengths).map(document))
 }

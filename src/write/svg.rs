@@ -1,37 +1,40 @@
 //! SVG documents.
 
 use kurbo::Rect;
-use svg::node::element::{Circle, Description, Element, Path, Rectangle, Title};
-use svg::node::{Node, Text};
-use svgtypes::Color;
+use svg::node::element::{self, Circle, Description, Element, Path, Rectangle, Title};
+use svg::node::{self, Node};
 
-use super::scene::{Group, Mark, Pen, Scene};
-use super::style::Paint;
 use crate::angle::Angle;
-use crate::number::{Precision, text};
+use crate::number::{Precision, text as digits};
 use crate::path;
+use crate::picture::paint::{Color, Paint};
+use crate::picture::scene::{Group, Mark, Pen, Scene};
+use crate::picture::text::{Anchor, FAMILY, Text};
 use crate::shape::Outline;
 
 /// The largest angle of an arc command, in degrees. An arc of half a turn is found from its ends alone, so that their rounding
 /// would move its centre far.
 const LARGEST_ARC: f64 = 120.0;
 
-/// A whole document: a fitting `viewBox`, `<title>` and `<desc>`, one `<path>` for each curve.
+/// A whole document: a fitting `viewBox`, `<title>` and `<desc>`, one `<path>` for each curve, its data relative where that is asked
+/// for.
 #[must_use]
-pub fn document(scene: &Scene, title: &str, description: &str, relative: bool) -> String {
+pub fn document(scene: &Scene, relative: bool) -> String {
     let view = scene.view;
     let corner_and_size = [view.x0, view.y0, view.width(), view.height()];
     let mut document = svg::Document::new()
         .set("viewBox", corner_and_size.map(|x| scene.text(x)).join(" "))
-        .add(Title::new(title))
-        .add(Description::new().add(Text::new(description)));
-    if let Some([width, height]) = scene.size {
-        document = document
-            .set("width", text(width))
-            .set("height", text(height));
+        .add(Title::new(scene.title.as_str()));
+    if !scene.description.is_empty() {
+        let words = node::Text::new(scene.description.as_str());
+        document.append(Description::new().add(words));
     }
-    if let Some(color) = scene.background.and_then(Paint::visible) {
-        document.append(background(scene, color));
+    if let Some(size) = scene.size {
+        document.assign("width", size.width.to_string());
+        document.assign("height", size.height.to_string());
+    }
+    if let Some(paint) = scene.background.filter(|paint| paint.visible().is_some()) {
+        document.append(background(scene, paint));
     }
     for group in &scene.groups {
         add_group(&mut document, group, scene, relative);
@@ -42,11 +45,11 @@ pub fn document(scene: &Scene, title: &str, description: &str, relative: bool) -
 impl Scene {
     /// The text of a coordinate with as many decimals as a picture can show.
     fn text(&self, x: f64) -> String {
-        text(Precision::Fixed(self.decimals).round(x))
+        digits(Precision::Fixed(self.decimals).round(x))
     }
 }
 
-fn background(scene: &Scene, color: Color) -> Element {
+fn background(scene: &Scene, paint: Paint) -> Element {
     let area: Rect = scene.canvas();
     let mut element: Element = Rectangle::new()
         .set("x", scene.text(area.x0))
@@ -54,20 +57,20 @@ fn background(scene: &Scene, color: Color) -> Element {
         .set("width", scene.text(area.width()))
         .set("height", scene.text(area.height()))
         .into();
-    set_color(&mut element, "fill", Paint::Color(color));
+    set_paint(&mut element, "fill", paint);
     element
 }
 
 /// A group with a class becomes a `<g>`; the marks of one without stand alone.
 fn add_group(document: &mut svg::Document, group: &Group, scene: &Scene, relative: bool) {
-    let marks = group
-        .marks
-        .iter()
-        .map(|mark| element(mark, scene, relative));
+    let marks = group.marks.iter().map(|mark| shape(mark, scene, relative));
     if let Some(class) = group.class {
         let mut parent = Element::new("g");
         parent.assign("class", class);
         set_pen(&mut parent, &group.pen);
+        if group.marks.iter().any(|mark| matches!(mark, Mark::Text(_))) {
+            parent.assign("font-family", FAMILY);
+        }
         marks.for_each(|mark| parent.append(mark));
         document.append(parent);
     } else {
@@ -78,16 +81,35 @@ fn add_group(document: &mut svg::Document, group: &Group, scene: &Scene, relativ
     }
 }
 
-fn element(mark: &Mark, scene: &Scene, relative: bool) -> Element {
+fn shape(mark: &Mark, scene: &Scene, relative: bool) -> Element {
     match mark {
         Mark::Curve(curve) => Path::new().set("d", path::data([curve], relative)).into(),
         Mark::Truth(outline) => Path::new().set("d", arcs(outline, scene)).into(),
         Mark::Dot(dot) => Circle::new()
-            .set("cx", text(dot.center.x))
-            .set("cy", text(dot.center.y))
-            .set("r", text(dot.radius))
+            .set("cx", digits(dot.center.x))
+            .set("cy", digits(dot.center.y))
+            .set("r", digits(dot.radius))
             .into(),
+        Mark::Text(text) => words(text, scene),
     }
+}
+
+fn words(text: &Text, scene: &Scene) -> Element {
+    let [x, y] = [text.at.x, text.at.y].map(|x| scene.text(x));
+    let mut element: Element = element::Text::new(text.words.as_str())
+        .set("font-size", digits(text.size))
+        .into();
+    match text.anchor {
+        Anchor::Start => {}
+        Anchor::Middle => element.assign("text-anchor", "middle"),
+        Anchor::End => element.assign("text-anchor", "end"),
+    }
+    if text.upwards {
+        element.assign("transform", ["rotate(-90 ", &x, " ", &y, ")"].concat());
+    }
+    element.assign("x", x);
+    element.assign("y", y);
+    element
 }
 
 /// The true shape itself, in arc commands.
@@ -101,9 +123,9 @@ fn arcs(outline: &Outline, scene: &Scene) -> String {
     };
     let truth = &outline.truth;
     let ellipse = [
-        text(truth.radii.x),
-        text(truth.radii.y),
-        text(truth.axis.atan2().to_degrees()),
+        digits(truth.radii.x),
+        digits(truth.radii.y),
+        digits(truth.axis.atan2().to_degrees()),
     ];
     let positive = (sweep > 0.0) == (outline.placement.determinant() > 0.0);
     let command = format!("A{} 0 {} ", ellipse.join(" "), u8::from(positive));
@@ -119,39 +141,52 @@ fn arcs(outline: &Outline, scene: &Scene) -> String {
 }
 
 fn set_pen(element: &mut Element, pen: &Pen) {
-    set_color(element, "fill", pen.fill);
+    set_paint(element, "fill", pen.fill);
     let Some((_, width)) = pen.visible_stroke() else {
         return;
     };
-    set_color(element, "stroke", pen.stroke);
-    element.assign("stroke-width", text(width));
+    set_paint(element, "stroke", pen.stroke);
+    element.assign("stroke-width", digits(width));
     element.assign("stroke-linejoin", "round");
-    if let Some(dash) = pen.dash {
-        element.assign("stroke-dasharray", text(dash));
+    if !pen.dash.is_empty() {
+        let lengths: Vec<String> = pen.dash.iter().map(|&length| digits(length)).collect();
+        element.assign("stroke-dasharray", lengths.join(" "));
     }
 }
 
 /// Sets `fill` or `stroke`, and its opacity where it is not opaque.
-fn set_color(element: &mut Element, name: &str, paint: Paint) {
-    let Paint::Color(Color {
-        red,
-        green,
-        blue,
-        alpha,
-    }) = paint
-    else {
-        element.assign(name, "none");
-        return;
-    };
-    let short = [red, green, blue].iter().all(|byte| byte / 16 == byte % 16);
-    let hexadecimal = if short {
+fn set_paint(element: &mut Element, name: &str, paint: Paint) {
+    match paint {
+        Paint::None => element.assign(name, "none"),
+        Paint::Current => element.assign(name, "currentColor"),
+        Paint::Color(color) => {
+            element.assign(name, hexadecimal(color));
+            if color.alpha < 255 {
+                element.assign(format!("{name}-opacity"), opacity(color.alpha));
+            }
+        }
+    }
+}
+
+fn hexadecimal(color: Color) -> String {
+    let Color {
+        red, green, blue, ..
+    } = color;
+    if [red, green, blue].iter().all(|byte| byte / 16 == byte % 16) {
         format!("#{:x}{:x}{:x}", red % 16, green % 16, blue % 16)
     } else {
         format!("#{red:02x}{green:02x}{blue:02x}")
-    };
-    element.assign(name, hexadecimal);
-    if alpha < 255 {
-        let opacity = Precision::Fixed(3).round(f64::from(alpha) / 255.0);
-        element.assign(format!("{name}-opacity"), text(opacity));
     }
+}
+
+/// The shorter of two or three decimals that is read as the same byte, as CSS Color 4 writes it.
+fn opacity(alpha: u8) -> String {
+    let exact = f64::from(alpha) / 255.0;
+    let short = Precision::Fixed(2).round(exact);
+    let same = (short * 255.0).round() == f64::from(alpha);
+    digits(if same {
+        short
+    } else {
+        Precision::Fixed(3).round(exact)
+    })
 }

@@ -231,7 +231,7 @@ fn impossible_requests_say_why_and_what_would_do() {
         (&["circle", "5", "--transform", "scale(1 0)"], "flattens"),
         (&["circle", "5", "--transform", "turn(5)"], "transform"),
         (&["circle", "5", "-p", "0", "-t", "0.01"], "rounding"),
-        (&["circle", "5", "-f", "tiff"], "formats"),
+        (&["circle", "5", "-f", "tiff"], "possible values: path, svg"),
         (&["circle", "5", "-o", "x.jpg"], "jpg"),
         (&["circle", "5", "--quadrature", "gauss2"], "chen-2"),
         (&["procset", "-m", "minimax-g0"], "magic"),

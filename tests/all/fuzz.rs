@@ -183,11 +183,12 @@ fn read_all(text: &str) {
     let _ = text.parse::<curveto::Angle>();
     let _ = text.parse::<Tolerance>();
     let _ = text.parse::<Method>();
-    let _ = text.parse::<curveto::write::style::Paint>();
+    let _ = text.parse::<curveto::picture::paint::Paint>();
+    let _ = text.parse::<curveto::picture::size::Size>();
 }
 
 /// Lines of each form, to be damaged.
-const LINES: [&str; 12] = [
+const LINES: [&str; 16] = [
     "circle 0 0 50",
     "ellipse 1 -2 30 20 15",
     "arc .5 0 5 10 -200",
@@ -196,6 +197,10 @@ const LINES: [&str; 12] = [
     r#"{"id": "a1", "circle": {"center": [0,0], "radius": 50}, "method": "minimax", "segments": 4}"#,
     r#"{"ellipse": {"center": [0,0], "radii": [30,20], "rotation": 15}, "tolerance": 0.001}"#,
     r#"{"svg_arc": {"from": [0,0], "radii": [25,25], "rotation": -30, "large_arc": false, "sweep": true, "to": [50,-25]}}"#,
+    "rgb(255 0 0 / 50%)",
+    "color(from hsl(0.5turn 100% 50%) xyz-d50 x calc(y * 2) 0.3 / alpha)",
+    "oklch(44.027% 0.1603 303.37)",
+    "25.4mmx48px",
     "M10 80a25,25-30 0150-25",
     "M0 0C1 2 3 4 5 6S7 8 9 10Q1 2 3 4T5 6z",
     "0,0 1,1 2.5,-3\n4 5\n",

@@ -1,7 +1,9 @@
 //! What judges the library and the program without sharing their code.
 
+pub(crate) mod chain;
 pub(crate) mod ghostscript;
 pub(crate) mod independent;
 pub(crate) mod oracle;
 pub(crate) mod program;
 pub(crate) mod random;
+pub(crate) mod raster;

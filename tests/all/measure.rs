@@ -6,8 +6,9 @@ use curveto::continuity::Continuity;
 use curveto::curve::{Curve, control_points};
 use curveto::measure::{Quantity, Reference, Report, curvature, fit, profile, report};
 use curveto::number::Precision;
+use curveto::picture::plot::Chart;
 use curveto::shape::Truth;
-use curveto::write::plot::{Chart, PictureFormat};
+use curveto::write::{self, Image};
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, approximate,
 };
@@ -500,7 +501,7 @@ proptest! {
             prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{truth:?}: {text}");
             for quantity in Quantity::ALL {
                 let chart = Chart::along("", quantity, &[("curve", &curve, &reference)]);
-                let svg = chart.picture(PictureFormat::Svg, None).unwrap();
+                let svg = write::plot(&chart, Image::Svg, None).unwrap();
                 let svg = String::from_utf8(svg).unwrap();
                 prop_assert!(!svg.contains("NaN") && !svg.contains("inf"), "{quantity}");
             }

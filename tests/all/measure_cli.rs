@@ -175,7 +175,7 @@ fn what_cannot_be_measured_is_refused_and_said_why() {
         (&["measure", "circle", "1e300"], "1e150"),
         (
             &["measure", "circle", "1", "--plot", "plot.gif"],
-            ".svg or a .png",
+            "svg, eps, png and pdf",
         ),
     ];
     for (arguments, why) in cases {

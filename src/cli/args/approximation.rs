@@ -1,6 +1,6 @@
 //! The words for how a shape is approximated.
 
-use clap::{Args, ValueEnum};
+use clap::{ArgAction, Args, ValueEnum};
 use curveto::{Angle, Cut, Method, Rule, Tolerance};
 
 use super::values;
@@ -29,7 +29,7 @@ impl From<Quadrature> for curveto::spline::Quadrature {
 #[command(next_help_heading = "How it is approximated")]
 pub(crate) struct ApproximationArgs {
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
-    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader)]
+    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader, action = ArgAction::Set)]
     method: Vec<Method>,
     /// Exactly N segments, of equal parametric angle
     #[arg(short = 'n', long, value_name = "N", conflicts_with_all = ["tolerance", "joints"])]
@@ -38,7 +38,7 @@ pub(crate) struct ApproximationArgs {
     #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true, conflicts_with = "joints")]
     tolerance: Option<Tolerance>,
     /// Joints at these angles instead; for an arc, inside its sweep
-    #[arg(long, value_name = "A,B,...", value_delimiter = ',', value_parser = values::angle, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',', value_parser = values::angle, allow_hyphen_values = true, action = ArgAction::Set)]
     joints: Vec<Angle>,
     /// A literal handle length on the unit circle in place of a method
     #[arg(long, value_name = "K", value_parser = values::number, allow_hyphen_values = true, conflicts_with = "method")]
@@ -96,6 +96,11 @@ impl ApproximationArgs {
             }
             (Quadrature::Adaptive, _) => Rule::Method(method),
         })
+    }
+
+    /// Whether nothing was asked for.
+    pub(crate) fn is_silent(&self) -> bool {
+        self.method.is_empty() && self.handle.is_none() && self.cut() == Cut::Quarters
     }
 
     /// Where the sweep is cut.

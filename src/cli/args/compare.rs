@@ -2,19 +2,23 @@
 
 use std::path::PathBuf;
 
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use curveto::compare::Criterion;
+use curveto::picture::size::Size;
+use curveto::write::Image;
 use curveto::{Method, Rule};
 
 use super::approximation::Quadrature;
 use super::values;
+use crate::cli::formats::FileFormat;
 
 /// Methods by numbers of segments, on the full circle of radius 1.
 #[derive(Debug, Args)]
 pub(crate) struct CompareArgs {
     /// Methods by id or alias, or all
     #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = methods)]
-    pub(crate) method: MethodList,
+    pub(crate) method: Vec<MethodList>,
     /// Numbers of segments
     #[arg(short = 'n', long, value_name = "N,N", value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
     pub(crate) segments: Vec<usize>,
@@ -25,34 +29,68 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_enum, value_name = "RULE", default_value_t)]
     pub(crate) quadrature: Quadrature,
     /// The format [default: by the extension of -o, else table]
-    #[arg(short, long, value_enum, value_name = "F")]
+    #[arg(short, long, value_enum, value_name = "F", ignore_case = true)]
     pub(crate) format: Option<ComparisonFormat>,
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// The size of a plot in pixels
-    #[arg(long, value_name = "WxH", value_parser = values::pixels)]
-    pub(crate) size: Option<[f64; 2]>,
+    /// The size of a plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<Size>,
 }
 
 /// The methods that were named; a name of its own, since clap reads a plain `Vec` value by value.
 pub(crate) type MethodList = Vec<Method>;
 
 /// How a comparison is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum ComparisonFormat {
-    /// For people, 80 columns wide
+    #[default]
     Table,
-    /// A line a method
     Csv,
-    /// docs/schema/comparison.json describes it
     Json,
-    /// A plot, both axes logarithmic
-    Svg,
-    /// The same in pixels
-    Png,
-    /// A page with the table and the plot
     Html,
+    /// A plot, both axes logarithmic.
+    Plot(Image),
+}
+
+impl ValueEnum for ComparisonFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        const ALL: [ComparisonFormat; 8] = [
+            ComparisonFormat::Table,
+            ComparisonFormat::Csv,
+            ComparisonFormat::Json,
+            ComparisonFormat::Html,
+            ComparisonFormat::Plot(Image::Svg),
+            ComparisonFormat::Plot(Image::Eps),
+            ComparisonFormat::Plot(Image::Png),
+            ComparisonFormat::Plot(Image::Pdf),
+        ];
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, about) = match self {
+            Self::Table => ("table", "For people, 80 columns wide"),
+            Self::Csv => ("csv", "A line a method"),
+            Self::Json => ("json", "docs/schema/comparison.json describes it"),
+            Self::Html => ("html", "A page with the table and the plot"),
+            Self::Plot(image) => (image.name(), "A plot, both axes logarithmic"),
+        };
+        Some(PossibleValue::new(name).help(about))
+    }
+}
+
+impl FileFormat for ComparisonFormat {
+    fn extensions(&self) -> &'static [&'static str] {
+        match self {
+            Self::Table => &["txt"],
+            Self::Csv => &["csv"],
+            Self::Json => &["json"],
+            Self::Html => &["html", "htm"],
+            Self::Plot(image) => image.extensions(),
+        }
+    }
 }
 
 /// Reads a list of methods, or `all`.
@@ -72,6 +110,6 @@ impl CompareArgs {
             (Method::Chen2, Quadrature::Gauss2) => Rule::Chen2Gauss2,
             _ => Rule::Method(method),
         };
-        self.method.iter().map(rule).collect()
+        self.method.iter().flatten().map(rule).collect()
     }
 }

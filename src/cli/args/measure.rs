@@ -2,15 +2,17 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, Subcommand, ValueEnum};
 use curveto::measure::Quantity;
 use curveto::measure::fit::FitTo;
+use curveto::picture::size::Size;
 use curveto::shape::Truth;
 use curveto::{Angle, Ellipse, Shape};
 use kurbo::{Affine, Vec2};
 
 use super::shape::{ArcShape, CircleShape, EllipseShape};
 use super::{ApproximationArgs, values};
+use crate::cli::formats::FileFormat;
 
 /// What to measure: a shape that is drawn here, or a curve that someone else made.
 #[derive(Debug, Args)]
@@ -41,6 +43,7 @@ pub(crate) enum MeasuredShape {
 
 /// A shape, how it is approximated, and what is told of it. Several methods may be named.
 #[derive(Debug, Args)]
+#[command(mut_arg("method", |method| method.action(ArgAction::Append)))]
 pub(crate) struct Measured<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,
@@ -98,9 +101,10 @@ impl From<FitArg> for FitTo {
 }
 
 /// How a report is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub(crate) enum ReportFormat {
     /// For people, 80 columns wide
+    #[default]
     Table,
     /// One object, or an array of several; docs/schema/measurement.json describes it
     Json,
@@ -108,11 +112,21 @@ pub(crate) enum ReportFormat {
     Csv,
 }
 
+impl FileFormat for ReportFormat {
+    fn extensions(&self) -> &'static [&'static str] {
+        match self {
+            Self::Table => &["txt"],
+            Self::Json => &["json"],
+            Self::Csv => &["csv"],
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Report")]
 pub(crate) struct ReportArgs {
     /// The format of the report [default: by the extension of -o, else table]
-    #[arg(short, long, value_enum, value_name = "F")]
+    #[arg(short, long, value_enum, value_name = "F", ignore_case = true)]
     pub(crate) format: Option<ReportFormat>,
     /// Write the report to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
@@ -121,15 +135,15 @@ pub(crate) struct ReportArgs {
     /// [default: four units in the last place of the largest coordinate]
     #[arg(long, value_name = "D", value_parser = values::number)]
     pub(crate) coordinate_tolerance: Option<f64>,
-    /// Draw the quantity along the curve too; the extension, svg or png, says how
+    /// Draw the quantity along the curve too; the extension says how: svg, eps, png or pdf
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
     /// What the plot shows [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag]
     #[arg(long, value_name = "Q", requires = "plot", value_parser = |text: &str| text.parse::<Quantity>())]
     pub(crate) quantity: Option<Quantity>,
-    /// The size of the plot in pixels
-    #[arg(long, value_name = "WxH", value_parser = values::pixels, requires = "plot")]
-    pub(crate) size: Option<[f64; 2]>,
+    /// The size of the plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
+    #[arg(long, value_name = "WxH", requires = "plot")]
+    pub(crate) size: Option<Size>,
 }
 
 /// Reads the true shape of `--against`.

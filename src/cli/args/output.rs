@@ -1,28 +1,28 @@
 //! The words for output.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use curveto::number::Precision;
-use curveto::write::Format;
-use curveto::write::style::Style;
+use curveto::write::{self, Format, Image};
 use kurbo::Affine;
 
 use super::picture::PictureArgs;
 use super::values::{self, PrecisionWord};
 use crate::cli::failure::Failure;
+use crate::cli::formats;
 use crate::cli::output::Target;
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Output")]
 pub(crate) struct OutputArgs {
-    /// The format [default: by the extension of -o, else path] [possible values: path, svg, ps, eps, json, png]
-    #[arg(short, long, value_name = "F", value_parser = |text: &str| text.parse::<Format>())]
+    /// The format [default: by the extension of -o, else path]
+    #[arg(short, long, value_name = "F", value_enum, ignore_case = true)]
     format: Option<Format>,
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error [default: auto; in json all]
+    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error [default: auto; in json all, in glif 0]
     #[arg(short, long, value_name = "P", value_parser = values::precision)]
     precision: Option<PrecisionWord>,
     /// An SVG transform list, applied to the control points
@@ -31,6 +31,9 @@ pub(crate) struct OutputArgs {
     /// Relative path commands (path, svg)
     #[arg(long)]
     relative: bool,
+    /// How fast gcode moves, in units a minute
+    #[arg(long, value_name = "F", value_parser = values::positive, allow_hyphen_values = true)]
+    feed: Option<f64>,
     #[command(flatten)]
     picture: PictureArgs,
 }
@@ -43,56 +46,49 @@ impl OutputArgs {
 
     /// The format that was asked for, or that the extension of the output file tells.
     pub(crate) fn format(&self) -> Result<Format, Failure> {
-        if let Some(format) = self.format {
-            return Ok(format);
-        }
-        let extension = self
-            .output
-            .as_deref()
-            .and_then(Path::extension)
-            .and_then(|extension| extension.to_str());
-        let Some(extension) = extension.map(str::to_ascii_lowercase) else {
-            return Ok(Format::default());
-        };
-        if [
-            "jpg", "jpeg", "gif", "webp", "pdf", "tif", "tiff", "bmp", "avif", "svgz",
-        ]
-        .contains(&extension.as_str())
-        {
-            return Err(Failure::request_with_hint(
-                format!("no format of ours has the extension .{extension}"),
-                "the formats are path, svg, ps, eps, json and png; -f says which, whatever the name",
-            ));
-        }
-        Ok(extension.parse().unwrap_or_default())
+        formats::choose(self.format, self.output.as_deref())
     }
 
-    /// How pictures are to look, where the format can do what was asked for.
-    pub(crate) fn style(&self, format: Format) -> Result<Style, Failure> {
-        if self.relative && !matches!(format, Format::Path | Format::Svg) {
-            return Err(Failure::request_with_hint(
-                format!(
-                    "--relative says nothing in the format {format}, which has no path commands of SVG"
-                ),
-                "leave it out, or take -f path or -f svg",
-            ));
+    /// How it is to be written, where the format can do what was asked for.
+    pub(crate) fn options(&self, format: Format) -> Result<write::Options, Failure> {
+        let idle = |option: &str, why: &str, remedy: String| {
+            let message = format!("{option} says nothing in the format {format}, {why}");
+            Err(Failure::request_with_hint(
+                message,
+                format!("leave it out, or take {remedy}"),
+            ))
+        };
+        if self.relative && !format.has_path_commands() {
+            return idle(
+                "--relative",
+                "which has no path commands of SVG",
+                "-f path or -f svg".to_owned(),
+            );
+        }
+        if self.feed.is_some() && format != Format::Gcode {
+            return idle("--feed", "which moves nothing", "-f gcode".to_owned());
         }
         match self.picture.given() {
-            Some(option) if !format.is_picture() => Err(Failure::request_with_hint(
-                format!(
-                    "{option} says nothing in the format {format}, which is data and no picture"
-                ),
-                "leave it out, or take a picture: -f svg, -f eps or -f png, or -o with such an extension",
-            )),
-            _ => Ok(self.picture.style(self.relative)),
+            Some(option) if !matches!(format, Format::Image(_)) => {
+                let images = formats::list::<Image>();
+                let remedy = format!("a picture with -f or the extension of -o: {images}");
+                idle(option, "which is data and no picture", remedy)
+            }
+            _ => Ok(write::Options {
+                style: self.picture.style(),
+                relative: self.relative,
+                precision: self.precision.and_then(PrecisionWord::precision),
+                feed: self.feed,
+                exact: false,
+            }),
         }
     }
 
-    /// How the points are to be rounded: as it was asked for, in full for JSON, else by what is drawn.
+    /// How the points are to be rounded: as it was asked for, else as the format wants it, else by what is drawn.
     pub(crate) fn rounding(&self, format: Format) -> Option<Precision> {
         match self.precision {
             Some(word) => word.precision(),
-            None => (format == Format::Json).then_some(Precision::Full),
+            None => format.precision(),
         }
     }
 

@@ -1,18 +1,21 @@
 //! The words for pictures.
 
 use clap::Args;
-use curveto::write::style::{Paint, Show, Shown, Style};
+use curveto::picture::paint::Paint;
+use curveto::picture::size::Size;
+use curveto::picture::style::{Show, Shown, Style};
 
 use super::values;
 
-/// How svg, eps and png look.
+/// How pictures look.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Pictures (svg, eps, png)")]
+#[command(next_help_heading = "Pictures (svg, eps, png, pdf)")]
 pub(crate) struct PictureArgs {
-    /// Size: pixels in png and svg, points in eps; the drawing fits into its middle [default: in png 512 on the larger side]
-    #[arg(long, value_name = "WxH", value_parser = values::pixels)]
-    size: Option<[f64; 2]>,
-    /// Colour of the curve: a CSS colour or none [default: black]
+    /// Size: pixels in png and svg, points in eps and pdf, or mm, cm, in, pt (1600x900, 80x60mm); the drawing fits into its middle
+    /// [default: in png 512 on the larger side]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+    /// Colour of the curve: a CSS colour, currentColor or none [default: black]
     #[arg(long, value_name = "COLOR")]
     stroke: Option<Paint>,
     /// Width of the stroke in user units [default: about 1 % of the larger side]
@@ -34,7 +37,7 @@ pub(crate) struct PictureArgs {
 
 impl PictureArgs {
     /// How the picture is to look.
-    pub(super) fn style(&self, relative: bool) -> Style {
+    pub(super) fn style(&self) -> Style {
         let default = Style::default();
         let mut show = Show::default();
         show.extend(self.show.iter().copied());
@@ -46,7 +49,6 @@ impl PictureArgs {
             background: self.background,
             margin: self.margin,
             show,
-            relative,
         }
     }
 

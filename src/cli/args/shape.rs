@@ -1,6 +1,6 @@
 //! The words for shapes, and the shapes that they ask for.
 
-use clap::Args;
+use clap::{ArgAction, Args};
 use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
 use curveto::{Angle, Arc, Circle, Ellipse, Shape};
 use kurbo::{Point, Vec2};
@@ -72,7 +72,7 @@ pub(crate) struct ArcShape {
     #[arg(long, value_name = "PATH", allow_hyphen_values = true, group = "form")]
     svg: Option<String>,
     /// Start, a point on the arc, end
-    #[arg(long, value_names = ["X,Y", "X,Y", "X,Y"], num_args = 3, value_parser = values::point, allow_hyphen_values = true, group = "form")]
+    #[arg(long, value_names = ["X,Y", "X,Y", "X,Y"], num_args = 3, value_parser = values::point, allow_hyphen_values = true, group = "form", action = ArgAction::Set)]
     through: Vec<Point>,
     /// The first point of an arc with a bulge
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, requires_all = ["to", "bulge"], group = "form")]

@@ -54,7 +54,7 @@ pub(crate) enum Hidden {
     None,
 }
 
-impl From<Hidden> for curveto::write::sphere::Hidden {
+impl From<Hidden> for curveto::picture::figure::Hidden {
     fn from(hidden: Hidden) -> Self {
         match hidden {
             Hidden::Show => Self::Show,

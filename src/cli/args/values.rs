@@ -83,15 +83,11 @@ pub(super) fn size(text: &str) -> Read<Vec2> {
     pair(text).map(|[x, y]| Vec2::new(x, y))
 }
 
-pub(super) fn pixels(text: &str) -> Read<[f64; 2]> {
-    let (width, height) = text
-        .split_once(['x', 'X', '×'])
-        .ok_or_else(|| format!("'{text}' is not a width and a height, like 640x480"))?;
-    let side = |text: &str| match number(text) {
-        Ok(side) if side.is_finite() && side > 0.0 => Ok(side),
-        _ => Err(format!("'{text}' is not a positive number of pixels")),
-    };
-    Ok([side(width)?, side(height)?])
+pub(super) fn positive(text: &str) -> Read<f64> {
+    match number(text)? {
+        number if number.is_finite() && number > 0.0 => Ok(number),
+        _ => Err(format!("'{text}' is not a positive number")),
+    }
 }
 
 /// A length that is not negative.

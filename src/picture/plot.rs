@@ -1,62 +1,26 @@
 //! Plots: a quantity along curves, and the error of methods by the number of segments.
 
-mod palette;
-mod picture;
+mod lines;
 mod scale;
 mod sheet;
-mod text;
 
-use std::path::Path;
+use kurbo::{Rect, Vec2};
 
-use kurbo::Vec2;
+use super::paint::Paint;
+use super::scene::{Pen, Scene};
+use super::size::Size;
 
 use crate::compare::Comparison;
 use crate::curve::Curve;
-use crate::error::{Error, Result};
 use crate::measure::{Quantity, Reference, profile};
-use picture::Pen;
 use scale::Kind;
-use sheet::LABEL_STEP;
+use sheet::{DECIMALS, LABEL_STEP};
 
 /// The size at which a plot is laid out where none was asked for.
 const LAYOUT: [f64; 2] = [800.0, 500.0];
 
-/// How much larger than its layout a PNG is where no size was asked for, so that it can be printed.
-const SHARPNESS: f64 = 2.0;
-
 /// More joints than this are not marked.
 const MOST_MARKED_JOINTS: usize = 36;
-
-/// The form of a picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PictureFormat {
-    /// An SVG document.
-    Svg,
-    /// Pixels.
-    Png,
-}
-
-impl PictureFormat {
-    /// The form that the extension of a file tells.
-    ///
-    /// # Errors
-    ///
-    /// Where it is neither `.svg` nor `.png`.
-    pub fn of_file(file: &Path) -> Result<Self> {
-        let extension = file
-            .extension()
-            .and_then(|e| e.to_str())
-            .map(str::to_ascii_lowercase);
-        match extension.as_deref() {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            _ => Err(Error::Picture(format!(
-                "a plot is a .svg or a .png file, and '{}' is neither",
-                file.display()
-            ))),
-        }
-    }
-}
 
 /// A line of a chart.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,7 +79,7 @@ impl Chart {
                 }
                 Series {
                     name: (*name).to_owned(),
-                    pen: palette::line(i),
+                    pen: lines::line(i),
                     parts,
                     dots: false,
                 }
@@ -146,7 +110,7 @@ impl Chart {
             let points = points.filter_map(|(&n, value)| Some((n as f64, (*value)?)));
             Series {
                 name: row.rule.id().to_owned(),
-                pen: palette::family_line(row.rule.method().unwrap_or_default()),
+                pen: lines::family_line(row.rule.method().unwrap_or_default()),
                 parts: vec![points.filter(|&(_, value)| value > 0.0).collect()],
                 dots: true,
             }
@@ -166,60 +130,33 @@ impl Chart {
         }
     }
 
-    /// The picture's bytes at a size in pixels, or at the default one.
-    ///
-    /// # Errors
-    ///
-    /// Where the picture is too large to be made.
-    pub fn picture(&self, format: PictureFormat, size: Option<[f64; 2]>) -> Result<Vec<u8>> {
-        let size = size.map(|[w, h]| Vec2::new(w, h));
-        let default = self.default_size();
-        match format {
-            PictureFormat::Svg => Ok(sheet::picture(self, size.unwrap_or(default))
-                .svg()
-                .into_bytes()),
-            PictureFormat::Png => {
-                let pixels = size.unwrap_or(default * SHARPNESS);
-                let scale = (pixels.x / default.x).min(pixels.y / default.y).max(1.0);
-                sheet::picture(self, pixels / scale).png(scale)
-            }
+    /// The chart laid out on a white sheet of this size, in pixels or points: its words keep their size.
+    #[must_use]
+    pub fn scene(&self, size: [f64; 2]) -> Scene {
+        let [width, height] = size;
+        Scene {
+            title: self.title.clone(),
+            description: String::new(),
+            view: Rect::new(0.0, 0.0, width, height),
+            size: Some(Size::plain(size)),
+            background: Some(Paint::WHITE),
+            decimals: DECIMALS,
+            upright: true,
+            groups: sheet::groups(self, Vec2::new(width, height)),
         }
     }
 
-    fn default_size(&self) -> Vec2 {
+    /// The size of a sheet on which it reads well.
+    #[must_use]
+    pub fn default_size(&self) -> [f64; 2] {
         let [width, height] = LAYOUT;
         match self.names {
-            Names::Legend => Vec2::new(width, height),
+            Names::Legend => LAYOUT,
             // Room for a line of words for each series.
-            Names::AtEnds => Vec2::new(
+            Names::AtEnds => [
                 width,
                 height.max(120.0 + 1.25 * LABEL_STEP * self.series.len() as f64),
-            ),
+            ],
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn plots_are_well_formed_at_any_size() {
-        let comparison = Comparison::new(
-            &crate::Method::ALL.map(crate::Rule::Method),
-            &[2, 3, 4, 8],
-            crate::compare::Criterion::Peak,
-        )
-        .unwrap();
-        let chart = Chart::comparison(&comparison);
-        for size in [None, Some([20.0, 20.0]), Some([3000.0, 700.0])] {
-            let svg = chart.picture(PictureFormat::Svg, size).unwrap();
-            let svg = String::from_utf8(svg).unwrap();
-            assert!(!svg.contains("NaN") && !svg.contains("inf"));
-            assert_eq!(svg.matches("<text").count(), svg.matches("</text>").count());
-            let png = chart.picture(PictureFormat::Png, size).unwrap();
-            assert!(png.starts_with(b"\x89PNG"));
-        }
-        assert!(chart.picture(PictureFormat::Png, Some([1e6, 1e6])).is_err());
     }
 }

@@ -1,34 +1,40 @@
-//! A picture as a short list of strokes, fills and dots: what SVG, PNG and EPS have in common.
+//! A picture as a short list of strokes, fills, dots and words: what SVG, PNG, EPS and PDF have in common.
 
-mod painter;
+use std::borrow::Cow;
 
 use kurbo::{Circle, Rect};
 
-use super::Figure;
-use super::style::{Paint, Style, default_stroke_width};
+use super::paint::{Color, Paint};
+use super::size::Size;
+use super::text::Text;
 use crate::curve::Curve;
-use crate::error::{Result, finite};
+use crate::error::Result;
 use crate::joints::Joints;
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::place::place;
 use crate::shape::Outline;
-use painter::Painter;
 
 /// The largest angle, in degrees, that one cubic of a true shape spans: it strays by less than 1e-9 of the radius.
 const TRUE_SPAN: f64 = 11.25;
 
-/// What is drawn, in user space; no axis is flipped.
+/// What is drawn, in user space.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
+    /// A few words.
+    pub title: String,
+    /// A sentence, or nothing.
+    pub description: String,
     /// The smallest tidy rectangle around everything that is drawn, and the margin.
     pub view: Rect,
     /// Width and height of the picture, where they were asked for.
-    pub size: Option<[f64; 2]>,
+    pub size: Option<Size>,
     /// What lies beneath everything, where that was asked for.
     pub background: Option<Paint>,
     /// How many decimals a coordinate needs that a picture can show.
     pub decimals: u8,
+    /// Whether +y is down whatever the format, as a plot with its words wants it. Else it is the format's own: no axis is flipped.
+    pub upright: bool,
     /// What is drawn, those beneath first.
     pub groups: Vec<Group>,
 }
@@ -45,14 +51,14 @@ pub struct Group {
 }
 
 /// How marks are drawn: filled, then stroked with round joins.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Pen {
     /// The colour of the stroke.
     pub stroke: Paint,
     /// The width of the stroke.
     pub width: f64,
-    /// The length of dashes and of the gaps between them.
-    pub dash: Option<f64>,
+    /// The lengths of dashes and gaps in turn, over and over; empty for a solid line.
+    pub dash: Vec<f64>,
     /// The colour of the inside.
     pub fill: Paint,
 }
@@ -66,30 +72,32 @@ pub enum Mark {
     Truth(Outline),
     /// A dot.
     Dot(Circle),
+    /// A line of words.
+    Text(Text),
 }
 
 impl Pen {
-    const fn filled(fill: Paint) -> Self {
+    pub(crate) const fn filled(fill: Paint) -> Self {
         Self {
             stroke: Paint::None,
             width: 0.0,
-            dash: None,
+            dash: Vec::new(),
             fill,
         }
     }
 
-    const fn stroked(stroke: Paint, width: f64) -> Self {
+    pub(super) const fn stroked(stroke: Paint, width: f64) -> Self {
         Self {
             stroke,
             width,
-            dash: None,
+            dash: Vec::new(),
             fill: Paint::None,
         }
     }
 
     /// The colour and the width of the stroke, where there is one.
     #[must_use]
-    pub fn visible_stroke(&self) -> Option<(svgtypes::Color, f64)> {
+    pub fn visible_stroke(&self) -> Option<(Color, f64)> {
         self.stroke
             .visible()
             .map(|color| (color, self.width))
@@ -98,24 +106,28 @@ impl Pen {
 }
 
 impl Mark {
-    /// The mark as Béziers, true shapes and dots within 1e-9 of their radius.
-    fn to_curve(&self) -> Result<Curve> {
-        match self {
-            Self::Curve(curve) => Ok(curve.clone()),
-            Self::Truth(outline) => finely(outline),
+    /// The mark as Béziers, true shapes and dots within 1e-9 of their radius. Those of words belong together: one is a hole in another.
+    fn to_curves(&self) -> Result<Cow<'_, [Curve]>> {
+        Ok(match self {
+            Self::Curve(curve) => Cow::Borrowed(std::slice::from_ref(curve)),
+            Self::Truth(outline) => Cow::Owned(vec![finely(outline)?]),
             Self::Dot(dot) => {
                 let circle = crate::shape::Circle::new(dot.center, dot.radius)?;
-                crate::Shape::Circle(circle)
-                    .outline()
-                    .map_or_else(|| Ok(Curve::default()), |outline| finely(&outline))
+                let outline = crate::Shape::Circle(circle).outline();
+                Cow::Owned(outline.iter().map(finely).collect::<Result<_>>()?)
             }
-        }
+            Self::Text(text) => Cow::Owned(text.outlines()),
+        })
     }
 
-    fn bounding_box(&self) -> Result<Option<Rect>> {
+    pub(super) fn bounding_box(&self) -> Result<Option<Rect>> {
         Ok(match self {
             Self::Dot(dot) => Some(kurbo::Shape::bounding_box(dot)),
-            _ => self.to_curve()?.bounding_box(),
+            _ => self
+                .to_curves()?
+                .iter()
+                .filter_map(Curve::bounding_box)
+                .reduce(|a, b| a.union(b)),
         })
     }
 }
@@ -129,61 +141,28 @@ fn finely(outline: &Outline) -> Result<Curve> {
 }
 
 impl Scene {
-    /// The figure in this style.
-    ///
-    /// # Errors
-    ///
-    /// Where a length of the style is not finite or beyond all bounds, and where the true shape or the deviation from it is to be
-    /// shown and the figure has none.
-    pub fn new(figure: &Figure, style: &Style) -> Result<Self> {
-        for (what, length) in [
-            ("stroke width", style.stroke_width),
-            ("margin", style.margin),
-            ("factor of the error", style.show.error),
-        ] {
-            length.map_or(Ok(0.0), |length| finite(what, length))?;
-        }
-        let painter = Painter::new(figure, style);
-        let groups = painter.groups()?;
-        Ok(Self {
-            view: painter.view(&groups)?,
-            size: style.size,
-            background: style.background,
-            decimals: painter.decimals(),
-            groups,
-        })
-    }
-
     /// The mark as Béziers; the points of what is shown beside the curve with as many decimals as a picture can show.
     ///
     /// # Errors
     ///
     /// Where a true shape is such that a curve along it could not be drawn either.
-    pub fn curve(&self, mark: &Mark) -> Result<Curve> {
-        match mark {
-            Mark::Curve(curve) => Ok(curve.clone()),
-            Mark::Truth(_) | Mark::Dot(_) => Ok(mark
-                .to_curve()?
-                .rounded(Precision::Fixed(self.decimals), &[])),
+    pub fn curves<'a>(&self, mark: &'a Mark) -> Result<Cow<'a, [Curve]>> {
+        let curves = mark.to_curves()?;
+        if matches!(mark, Mark::Curve(_)) {
+            return Ok(curves);
         }
+        let precision = Precision::Fixed(self.decimals);
+        let rounded = curves.iter().map(|curve| curve.rounded(precision, &[]));
+        Ok(rounded.collect())
     }
 
     /// The view, widened to the proportions of the picture; the view lies in its middle.
     #[must_use]
     pub fn canvas(&self) -> Rect {
-        let Some([width, height]) = self.size else {
+        let Some([width, height]) = self.size.map(Size::pixels) else {
             return self.view;
         };
         let scale = (width / self.view.width()).min(height / self.view.height());
         Rect::from_center_size(self.view.center(), (width / scale, height / scale))
-    }
-}
-
-impl Figure {
-    /// The width of the stroke where none is asked for; see [`default_stroke_width`].
-    #[must_use]
-    pub fn default_stroke_width(&self) -> f64 {
-        let bounds = self.bounding_box().unwrap_or(Rect::ZERO);
-        default_stroke_width(bounds.width().max(bounds.height()))
     }
 }

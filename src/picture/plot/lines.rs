@@ -1,18 +1,11 @@
-//! Colours that colour-blind people can tell apart (Okabe & Ito, "Color Universal Design", 2008; without their yellow, which is
-//! too light for a line on white), and dashes that tell lines apart without any colour.
+//! The pens of lines: a colour of the palette, and a dash that tells lines apart without any colour.
 
-use super::picture::{Colour, Pen};
 use crate::method::Method;
+use crate::picture::paint::Paint;
+use crate::picture::palette::{BLUE, GREEN, LINES, ORANGE, PURPLE, SKY_BLUE, VERMILION};
+use crate::picture::scene::Pen;
 
-const BLACK: Colour = [0x00, 0x00, 0x00];
-const ORANGE: Colour = [0xe6, 0x9f, 0x00];
-const SKY_BLUE: Colour = [0x56, 0xb4, 0xe9];
-const GREEN: Colour = [0x00, 0x9e, 0x73];
-const BLUE: Colour = [0x00, 0x72, 0xb2];
-const VERMILION: Colour = [0xd5, 0x5e, 0x00];
-const PURPLE: Colour = [0xcc, 0x79, 0xa7];
-
-const COLOURS: [Colour; 7] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY_BLUE, BLACK];
+const BLACK: Paint = Paint::BLACK;
 
 const DASHES: [&[f64]; 6] = [
     &[],
@@ -27,11 +20,11 @@ const WIDTH: f64 = 1.7;
 
 /// The pen of the line of this number: first by colour, then by dash.
 pub(super) fn line(number: usize) -> Pen {
+    // Each line has a dash of its own too, so that two that coincide are both seen.
+    let dash = (number + number / LINES.len()) % DASHES.len();
     Pen {
-        colour: COLOURS[number % COLOURS.len()],
-        width: WIDTH,
-        // Each line has a dash of its own too, so that two that coincide are both seen.
-        dashes: DASHES[(number + number / COLOURS.len()) % DASHES.len()],
+        dash: DASHES[dash].to_vec(),
+        ..Pen::stroked(LINES[number % LINES.len()], WIDTH)
     }
 }
 
@@ -66,8 +59,7 @@ pub(super) fn family_line(method: Method) -> Pen {
         Method::QuadraticMinimaxFree => (SKY_BLUE, 5),
     };
     Pen {
-        colour,
-        width: WIDTH,
-        dashes: DASHES[member],
+        dash: DASHES[member].to_vec(),
+        ..Pen::stroked(colour, WIDTH)
     }
 }

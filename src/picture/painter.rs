@@ -2,25 +2,27 @@
 
 use kurbo::{Circle, Line, ParamCurveArea as _, PathSeg, Point, Rect};
 
-use super::{Group, Mark, Pen};
+use super::deviation::Lobes;
+use super::figure::{Figure, Layer};
+use super::paint::Paint;
+use super::palette::{GREEN, ORANGE, SKY_BLUE};
+use super::scene::{Group, Mark, Pen, Scene};
+use super::style::Style;
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, finite};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
-use crate::shape::{Outline, Truth};
-use crate::write::deviation::Lobes;
-use crate::write::style::{Paint, Style};
-use crate::write::{Figure, Layer};
+use crate::shape::Outline;
 
 /// The true shape, a broad band beneath the curve.
 const TRUTH: Paint = Paint::rgb(0xc4, 0xc9, 0xd0);
-/// Deviation outside and inside: two colours of Okabe and Ito's palette, which everybody can tell apart.
-const OUTWARD: Paint = Paint::rgb(0xe6, 0x9f, 0x00);
-const INWARD: Paint = Paint::rgb(0x56, 0xb4, 0xe9);
-/// Handles, in the bluish green of the same palette.
-const HANDLES: Paint = Paint::rgb(0x00, 0x9e, 0x73);
+/// Deviation outside and inside.
+const OUTWARD: Paint = ORANGE;
+const INWARD: Paint = SKY_BLUE;
+const HANDLES: Paint = GREEN;
 
 // Sizes of fine lines and of what is shown, in widths of the curve's stroke.
 const FINE_WIDTH: f64 = 0.5;
+const DASH: f64 = 3.0;
 const TRUTH_WIDTH: f64 = 3.0;
 const HANDLE_WIDTH: f64 = 0.5;
 const HANDLE_RADIUS: f64 = 1.1;
@@ -32,6 +34,36 @@ const SHOW_MARGIN: f64 = 2.0;
 
 /// What rounding may add to a count of steps.
 const NOISE: f64 = 1e-6;
+
+impl Figure {
+    /// The figure in this style.
+    ///
+    /// # Errors
+    ///
+    /// Where a length of the style is not finite or beyond all bounds, and where the true shape or the deviation from it is to be
+    /// shown and the figure has none.
+    pub fn scene(&self, style: &Style) -> Result<Scene> {
+        for (what, length) in [
+            ("stroke width", style.stroke_width),
+            ("margin", style.margin),
+            ("factor of the error", style.show.error),
+        ] {
+            length.map_or(Ok(0.0), |length| finite(what, length))?;
+        }
+        let painter = Painter::new(self, style);
+        let groups = painter.groups()?;
+        Ok(Scene {
+            title: self.title.clone(),
+            description: self.described(style),
+            view: painter.view(&groups)?,
+            size: style.size,
+            background: style.background,
+            decimals: painter.decimals(),
+            upright: false,
+            groups,
+        })
+    }
+}
 
 /// Paints a figure.
 pub(super) struct Painter<'a> {
@@ -101,12 +133,13 @@ impl<'a> Painter<'a> {
             self.style.fill
         };
         let part = if layer.fine { FINE_WIDTH } else { 1.0 };
+        let dash = layer.dashed.then_some(DASH * part * self.mark);
         Group {
             class: layer.class,
             pen: Pen {
                 stroke: self.style.stroke,
                 width: part * self.width,
-                dash: layer.dashed.then_some(3.0 * part * self.mark),
+                dash: dash.into_iter().collect(),
                 fill,
             },
             marks: layer.curves.iter().cloned().map(Mark::Curve).collect(),
@@ -139,16 +172,11 @@ impl<'a> Painter<'a> {
     }
 
     fn deviation(&self, factor: f64) -> Result<[Group; 2]> {
-        let truths = self.truths()?;
+        self.truths()?;
         let mut lobes = Lobes::default();
         for (i, curve) in self.figure.curves().enumerate() {
-            // One shape for all curves, or one for each.
-            let truth: Option<&Truth> = match truths {
-                [only] => Some(&only.truth),
-                _ => truths.get(i).map(|outline| &outline.truth),
-            };
-            if let Some(truth) = truth {
-                lobes.add(curve, truth, factor);
+            if let Some(outline) = self.figure.truth(i) {
+                lobes.add(curve, &outline.truth, factor);
             }
         }
         // Where the curve touches the true shape, rounding noise makes regions that nobody sees.

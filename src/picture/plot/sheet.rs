@@ -1,80 +1,69 @@
 //! The layout of a chart: axes, lines, names.
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Circle, Line, PathSeg, Point, Rect, Vec2};
 
-use super::picture::{Anchor, Colour, Item, Pen, Picture, Text};
 use super::scale::{Axis, power_of_ten};
-use super::text::Font;
 use super::{Chart, Names, Series};
+use crate::curve::Curve;
+use crate::number::round;
+use crate::picture::paint::Paint;
+use crate::picture::scene::{Group, Mark, Pen};
+use crate::picture::text::{Anchor, Text, width};
 
-/// The sizes of words, in pixels.
+/// The sizes of words.
 const TITLE: f64 = 15.0;
 const BODY: f64 = 12.0;
 
 /// How far apart the words at the ends of lines stand.
 pub(super) const LABEL_STEP: f64 = 14.0;
 
-const INK: Colour = [0x22, 0x22, 0x22];
-const FRAME: Pen = Pen {
-    colour: [0x55, 0x55, 0x55],
-    width: 1.0,
-    dashes: &[],
-};
-const GRID: Pen = Pen {
-    colour: [0xe4, 0xe4, 0xe4],
-    width: 1.0,
-    dashes: &[],
-};
-const ZERO: Pen = Pen {
-    colour: [0x99, 0x99, 0x99],
-    width: 1.0,
-    dashes: &[],
-};
-const JOINT: Pen = Pen {
-    colour: [0xb0, 0xb0, 0xb0],
-    width: 1.0,
-    dashes: &[2.0, 3.0],
-};
+/// Hundredths of a pixel are enough.
+pub(super) const DECIMALS: u8 = 2;
 
-/// The chart as a picture of this size.
-pub(super) fn picture(chart: &Chart, size: Vec2) -> Picture {
+const DOT_RADIUS: f64 = 2.5;
+const LEADER_WIDTH: f64 = 0.8;
+
+const INK: Paint = Paint::rgb(0x22, 0x22, 0x22);
+const FRAME: Paint = Paint::rgb(0x55, 0x55, 0x55);
+const GRID: Paint = Paint::rgb(0xe4, 0xe4, 0xe4);
+const ZERO: Paint = Paint::rgb(0x99, 0x99, 0x99);
+const JOINT: Paint = Paint::rgb(0xb0, 0xb0, 0xb0);
+const JOINT_DASH: [f64; 2] = [2.0, 3.0];
+
+/// What a chart of this size shows.
+pub(super) fn groups(chart: &Chart, size: Vec2) -> Vec<Group> {
     let points = || chart.series.iter().flat_map(Series::points);
     let mut sheet = Sheet {
         chart,
-        font: Font::new(),
         x: Axis::new(chart.x_kind.clone(), points().map(|p| p.0), size.x / 90.0),
         y: Axis::new(chart.y_kind.clone(), points().map(|p| p.1), size.y / 70.0),
         size,
         frame: Rect::ZERO,
-        items: Vec::new(),
+        groups: Vec::new(),
+        words: Vec::new(),
     };
     sheet.draw();
-    Picture {
-        title: chart.title.clone(),
-        size,
-        items: sheet.items,
-    }
+    sheet.finish()
 }
 
 /// A chart while it is laid out.
 struct Sheet<'a> {
     chart: &'a Chart,
-    font: Font,
     x: Axis,
     y: Axis,
     size: Vec2,
     /// The rectangle of the data.
     frame: Rect,
-    items: Vec<Item>,
+    groups: Vec<Group>,
+    /// What stands above everything else.
+    words: Vec<Mark>,
 }
 
 impl Sheet<'_> {
     fn draw(&mut self) {
         let legend_height = self.legend();
         let widest = |texts: &mut dyn Iterator<Item = &str>| {
-            texts
-                .map(|text| self.font.width(text, BODY))
-                .fold(0.0, f64::max)
+            texts.map(|text| width(text, BODY)).fold(0.0, f64::max)
         };
         let ticks = self.y.ticks();
         let left = 44.0 + widest(&mut ticks.iter().map(|tick| tick.label.as_str()));
@@ -89,14 +78,9 @@ impl Sheet<'_> {
             (self.size.x - right).max(left + 10.0),
             (self.size.y - 52.0).max(top + 10.0),
         );
-        let size = TITLE
-            .min(TITLE * (self.size.x - 32.0) / self.font.width(&self.chart.title, TITLE).max(1.0));
-        self.text(
-            Point::new(16.0, 26.0),
-            &self.chart.title,
-            size,
-            Anchor::Start,
-        );
+        let title = self.chart.title.as_str();
+        let size = TITLE.min(TITLE * (self.size.x - 32.0) / width(title, TITLE).max(1.0));
+        self.text((16.0, 26.0), title, size, Anchor::Start);
         self.axes();
         self.lines();
         if self.chart.names == Names::AtEnds {
@@ -104,19 +88,47 @@ impl Sheet<'_> {
         }
     }
 
-    fn text(&mut self, at: Point, words: &str, size: f64, anchor: Anchor) {
-        self.items.push(Item::Text(Text {
-            at,
+    fn finish(mut self) -> Vec<Group> {
+        self.groups.push(Group {
+            class: Some("words"),
+            pen: Pen::filled(INK),
+            marks: self.words,
+        });
+        self.groups
+    }
+
+    fn text(&mut self, at: impl Into<Point>, words: &str, size: f64, anchor: Anchor) {
+        self.words.push(Mark::Text(Text {
+            at: tidy(at.into()),
             words: words.to_owned(),
             size,
             anchor,
-            colour: INK,
             upwards: false,
         }));
     }
 
-    fn line(&mut self, points: Vec<Point>, pen: Pen) {
-        self.items.push(Item::Line { points, pen });
+    /// Adds a mark, to the group before where that is drawn alike.
+    fn add(&mut self, class: &'static str, pen: &Pen, mark: Mark) {
+        match self.groups.last_mut() {
+            Some(last) if last.class == Some(class) && last.pen == *pen => last.marks.push(mark),
+            _ => self.groups.push(Group {
+                class: Some(class),
+                pen: pen.clone(),
+                marks: vec![mark],
+            }),
+        }
+    }
+
+    fn line(&mut self, class: &'static str, pen: &Pen, points: &[Point]) {
+        let points: Vec<Point> = points.iter().map(|&p| tidy(p)).collect();
+        let segments = points.windows(2);
+        let curve = Curve {
+            segments: segments
+                .map(|pair| PathSeg::Line(Line::new(pair[0], pair[1])))
+                .collect(),
+            closed: false,
+        };
+        self.add(class, pen, Mark::Curve(curve));
     }
 
     /// The point of the sheet for a point of the data.
@@ -134,90 +146,88 @@ impl Sheet<'_> {
         }
         let (mut x, mut y) = (16.0, 46.0);
         for series in &self.chart.series {
-            let width = 34.0 + self.font.width(&series.name, BODY) + 22.0;
+            let width = 34.0 + width(&series.name, BODY) + 22.0;
             if x + width > self.size.x && x > 16.0 {
                 (x, y) = (16.0, y + 18.0);
             }
-            self.line(
-                vec![Point::new(x, y - 4.0), Point::new(x + 28.0, y - 4.0)],
-                series.pen,
-            );
-            self.text(Point::new(x + 34.0, y), &series.name, BODY, Anchor::Start);
+            let line = [Point::new(x, y - 4.0), Point::new(x + 28.0, y - 4.0)];
+            self.line("legend", &series.pen, &line);
+            self.text((x + 34.0, y), &series.name, BODY, Anchor::Start);
             x += width;
         }
         y - 26.0
     }
 
     fn axes(&mut self) {
+        self.grid();
         let frame = self.frame;
+        let pen = Pen::stroked(FRAME, 1.0);
         for tick in self.x.ticks() {
             let x = self.place((tick.value, 1.0)).x;
-            self.line(vec![Point::new(x, frame.y0), Point::new(x, frame.y1)], GRID);
-            self.line(
-                vec![Point::new(x, frame.y1), Point::new(x, frame.y1 + 5.0)],
-                FRAME,
-            );
-            self.text(
-                Point::new(x, frame.y1 + 19.0),
-                &tick.label,
-                BODY,
-                Anchor::Middle,
-            );
+            let mark = [Point::new(x, frame.y1), Point::new(x, frame.y1 + 5.0)];
+            self.line("frame", &pen, &mark);
+            self.text((x, frame.y1 + 19.0), &tick.label, BODY, Anchor::Middle);
         }
         for tick in self.y.ticks() {
             let y = self.place((1.0, tick.value)).y;
             let long = if tick.label.is_empty() { 3.0 } else { 5.0 };
-            self.line(
-                vec![Point::new(frame.x0 - long, y), Point::new(frame.x0, y)],
-                FRAME,
-            );
+            let mark = [Point::new(frame.x0 - long, y), Point::new(frame.x0, y)];
+            self.line("frame", &pen, &mark);
             if !tick.label.is_empty() {
-                let pen = if tick.value == 0.0 { ZERO } else { GRID };
-                self.line(vec![Point::new(frame.x0, y), Point::new(frame.x1, y)], pen);
-                self.text(
-                    Point::new(frame.x0 - 9.0, y + 4.0),
-                    &tick.label,
-                    BODY,
-                    Anchor::End,
-                );
+                self.text((frame.x0 - 9.0, y + 4.0), &tick.label, BODY, Anchor::End);
             }
-        }
-        for &mark in &self.chart.marks {
-            let x = self.place((mark, 1.0)).x;
-            self.line(
-                vec![Point::new(x, frame.y0), Point::new(x, frame.y1)],
-                JOINT,
-            );
         }
         let corners = [
             (frame.x0, frame.y0),
             (frame.x0, frame.y1),
             (frame.x1, frame.y1),
         ];
-        self.line(corners.map(Point::from).to_vec(), FRAME);
+        self.line("frame", &pen, &corners.map(Point::from));
         self.axis_titles();
+    }
+
+    /// The lines beneath the data: round numbers, the zero, the joints.
+    fn grid(&mut self) {
+        let frame = self.frame;
+        let upright = |x| [Point::new(x, frame.y0), Point::new(x, frame.y1)];
+        let level = |y| [Point::new(frame.x0, y), Point::new(frame.x1, y)];
+        let pen = Pen::stroked(GRID, 1.0);
+        for tick in self.x.ticks() {
+            let x = self.place((tick.value, 1.0)).x;
+            self.line("grid", &pen, &upright(x));
+        }
+        let labelled = |tick: &super::scale::Tick| !tick.label.is_empty();
+        let (zero, others): (Vec<_>, Vec<_>) = self
+            .y
+            .ticks()
+            .into_iter()
+            .filter(labelled)
+            .partition(|tick| tick.value == 0.0);
+        for (ticks, class, paint) in [(others, "grid", GRID), (zero, "zero", ZERO)] {
+            for tick in ticks {
+                let y = self.place((1.0, tick.value)).y;
+                self.line(class, &Pen::stroked(paint, 1.0), &level(y));
+            }
+        }
+        for &mark in &self.chart.marks {
+            let x = self.place((mark, 1.0)).x;
+            self.line("joints", &joint(), &upright(x));
+        }
     }
 
     fn axis_titles(&mut self) {
         let frame = self.frame;
         let below = Point::new(frame.center().x, self.size.y - 12.0);
         self.text(below, &self.chart.x_title, BODY, Anchor::Middle);
-        let times = match self.y.exponent {
-            0 => String::new(),
-            exponent => format!("×{}", power_of_ten(exponent)),
-        };
-        self.text(
-            Point::new(frame.x0, frame.y0 - 7.0),
-            &times,
-            BODY,
-            Anchor::End,
-        );
-        self.items.push(Item::Text(Text {
-            at: Point::new(20.0, frame.center().y),
+        if self.y.exponent != 0 {
+            let times = format!("×{}", power_of_ten(self.y.exponent));
+            self.text((frame.x0, frame.y0 - 7.0), &times, BODY, Anchor::End);
+        }
+        self.words.push(Mark::Text(Text {
+            at: tidy(Point::new(20.0, frame.center().y)),
             words: self.chart.y_title.clone(),
             size: BODY,
             anchor: Anchor::Middle,
-            colour: INK,
             upwards: true,
         }));
     }
@@ -227,17 +237,15 @@ impl Sheet<'_> {
             for part in &series.parts {
                 let shown = part.iter().filter(|p| self.y.shows(p.1));
                 let points: Vec<Point> = shown.map(|&p| self.place(p)).collect();
-                if series.dots {
-                    let colour = series.pen.colour;
-                    let dots = points.iter().map(|&at| Item::Dot {
-                        at,
-                        radius: 2.5,
-                        colour,
-                    });
-                    self.items.extend(dots);
-                }
                 if points.len() > 1 {
-                    self.line(points, series.pen);
+                    self.line("line", &series.pen, &points);
+                }
+                if series.dots {
+                    let pen = Pen::filled(series.pen.stroke);
+                    for at in points {
+                        let dot = Circle::new(tidy(at), DOT_RADIUS);
+                        self.add("dots", &pen, Mark::Dot(dot));
+                    }
                 }
             }
         }
@@ -262,34 +270,29 @@ impl Sheet<'_> {
         for ((end, series), y) in ends.into_iter().zip(heights) {
             // A line that ends early is led far, and faintly.
             let leader = if end.x < ends_at - 1.0 {
-                JOINT
+                joint()
             } else {
-                Pen {
-                    width: 0.8,
-                    dashes: &[],
-                    ..series.pen
-                }
+                Pen::stroked(series.pen.stroke, LEADER_WIDTH)
             };
-            self.line(
-                vec![
-                    end,
-                    Point::new(end.x.max(x), end.y),
-                    Point::new(x + 20.0, y),
-                ],
-                leader,
-            );
-            self.line(
-                vec![Point::new(x + 20.0, y), Point::new(x + 40.0, y)],
-                series.pen,
-            );
-            self.text(
-                Point::new(x + 44.0, y + 4.0),
-                &series.name,
-                BODY,
-                Anchor::Start,
-            );
+            let level = Point::new(end.x.max(x), end.y);
+            let (from, to) = (Point::new(x + 20.0, y), Point::new(x + 40.0, y));
+            self.line("leader", &leader, &[end, level, from]);
+            self.line("legend", &series.pen, &[from, to]);
+            self.text((x + 44.0, y + 4.0), &series.name, BODY, Anchor::Start);
         }
     }
+}
+
+/// The pen of the lines at joints, and of what leads far.
+fn joint() -> Pen {
+    Pen {
+        dash: JOINT_DASH.to_vec(),
+        ..Pen::stroked(JOINT, 1.0)
+    }
+}
+
+fn tidy(p: Point) -> Point {
+    Point::new(round(p.x, DECIMALS), round(p.y, DECIMALS))
 }
 
 /// Heights nearest to the wished ones, ascending, that are at least `step` apart and within [`low`, `high`] where there is room:

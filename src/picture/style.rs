@@ -2,8 +2,8 @@
 
 use core::str::FromStr;
 
-use svgtypes::Color;
-
+use super::paint::Paint;
+use super::size::Size;
 use crate::error::{Error, Result};
 use crate::number::round_one_two_five;
 
@@ -13,24 +13,22 @@ const STROKE_PART: f64 = 0.01;
 /// How a picture looks. Lengths are in user units, as the coordinates are.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Style {
-    /// Width and height of the picture: pixels in PNG and SVG, points in EPS. Without it SVG and EPS are as large as their
-    /// coordinates and PNG has 512 pixels on its larger side.
-    pub size: Option<[f64; 2]>,
+    /// Width and height of the picture. Without it SVG, EPS and PDF are as large as their coordinates and PNG has 512 pixels on its
+    /// larger side.
+    pub size: Option<Size>,
     /// What curves are stroked with.
     pub stroke: Paint,
     /// How wide their stroke is; without it [`default_stroke_width`].
     pub stroke_width: Option<f64>,
     /// What curves are filled with.
     pub fill: Paint,
-    /// What lies beneath everything; without it white in PNG and nothing in SVG and EPS.
+    /// What lies beneath everything; without it white in PNG and nothing elsewhere.
     pub background: Option<Paint>,
     /// The free space around everything that is drawn, strokes included; without it 0, or twice the default stroke where
     /// something is shown beside the curve.
     pub margin: Option<f64>,
     /// What is shown beside the curve.
     pub show: Show,
-    /// Whether path data is relative (SVG).
-    pub relative: bool,
 }
 
 impl Default for Style {
@@ -43,7 +41,6 @@ impl Default for Style {
             background: None,
             margin: None,
             show: Show::default(),
-            relative: false,
         }
     }
 }
@@ -55,63 +52,6 @@ pub fn default_stroke_width(larger_side: f64) -> f64 {
         round_one_two_five(STROKE_PART * larger_side)
     } else {
         1.0
-    }
-}
-
-/// A colour, or nothing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Paint {
-    /// Nothing is painted.
-    #[default]
-    None,
-    /// This colour.
-    Color(Color),
-}
-
-impl Paint {
-    /// Opaque black.
-    pub const BLACK: Self = Self::rgb(0, 0, 0);
-    /// Opaque white.
-    pub const WHITE: Self = Self::rgb(255, 255, 255);
-
-    /// An opaque colour.
-    #[must_use]
-    pub const fn rgb(red: u8, green: u8, blue: u8) -> Self {
-        Self::Color(Color {
-            red,
-            green,
-            blue,
-            alpha: 255,
-        })
-    }
-
-    /// The colour, where there is one that can be seen.
-    #[must_use]
-    pub const fn visible(self) -> Option<Color> {
-        match self {
-            Self::Color(color) if color.alpha > 0 => Some(color),
-            _ => None,
-        }
-    }
-}
-
-impl FromStr for Paint {
-    type Err = Error;
-
-    /// A CSS colour: a name, `#rgb`, `#rrggbb`, with alpha too, `rgb()`, `hsl()`, `hwb()`; or `none`, or `transparent`.
-    fn from_str(text: &str) -> Result<Self> {
-        let text = text.trim();
-        if ["none", "transparent"]
-            .iter()
-            .any(|none| text.eq_ignore_ascii_case(none))
-        {
-            return Ok(Self::None);
-        }
-        text.parse().map(Self::Color).map_err(|_| {
-            Error::Picture(format!(
-                "'{text}' is not a colour: a colour is none, a CSS name like tomato, or like #d50, #dd5500, rgb(221, 85, 0)"
-            ))
-        })
     }
 }
 
@@ -207,19 +147,6 @@ mod tests {
             (0.0, 1.0),
         ] {
             assert_eq!(default_stroke_width(side), width, "{side}");
-        }
-    }
-
-    #[test]
-    fn colours_are_those_of_css_and_none() {
-        let paint = |text: &str| text.parse::<Paint>();
-        assert_eq!(paint("none"), Ok(Paint::None));
-        assert_eq!(paint("Transparent"), Ok(Paint::None));
-        assert_eq!(paint("black"), Ok(Paint::BLACK));
-        assert_eq!(paint(" #fff "), Ok(Paint::WHITE));
-        assert_eq!(paint("rgb(0, 158, 115)"), Ok(Paint::rgb(0, 158, 115)));
-        for wrong in ["blak", "#12", "", "#ggg", "rgb(1,2", "red red"] {
-            assert!(paint(wrong).is_err(), "{wrong}");
         }
     }
 

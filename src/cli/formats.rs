@@ -1,0 +1,84 @@
+//! The format of a file: the one that was named, or the one that its extension tells.
+
+use std::path::Path;
+
+use clap::ValueEnum;
+use curveto::write::{Format, Image};
+
+use super::failure::Failure;
+
+/// A format of one of the commands.
+pub(crate) trait FileFormat: ValueEnum {
+    /// The extensions of its files, in lower case.
+    fn extensions(&self) -> &'static [&'static str];
+}
+
+impl FileFormat for Format {
+    fn extensions(&self) -> &'static [&'static str] {
+        Self::extensions(*self)
+    }
+}
+
+impl FileFormat for Image {
+    fn extensions(&self) -> &'static [&'static str] {
+        Self::extensions(*self)
+    }
+}
+
+/// The format that was named, or that the extension of the output tells; the default where there is neither.
+pub(crate) fn choose<F: FileFormat + Default>(
+    named: Option<F>,
+    output: Option<&Path>,
+) -> Result<F, Failure> {
+    match (named, output.and_then(extension)) {
+        (Some(format), _) => Ok(format),
+        (None, None) => Ok(F::default()),
+        (None, Some(extension)) => by_extension(&extension).ok_or_else(|| {
+            Failure::request_with_hint(
+                format!("no format of this command has the extension .{extension}"),
+                format!(
+                    "its formats are {}; -f names one, whatever the file is called",
+                    list::<F>()
+                ),
+            )
+        }),
+    }
+}
+
+/// The format of a plot, which the extension of its file has to tell.
+pub(crate) fn of_plot(file: &Path) -> Result<Image, Failure> {
+    let found = extension(file).and_then(|extension| by_extension(&extension));
+    found.ok_or_else(|| {
+        Failure::request_with_hint(
+            format!(
+                "the extension of {} tells no format of a plot",
+                file.display()
+            ),
+            format!("its formats are {}", list::<Image>()),
+        )
+    })
+}
+
+fn extension(file: &Path) -> Option<String> {
+    let extension = file.extension()?.to_string_lossy().to_ascii_lowercase();
+    (!extension.is_empty()).then_some(extension)
+}
+
+fn by_extension<F: FileFormat>(extension: &str) -> Option<F> {
+    let mut formats = F::value_variants().iter();
+    formats
+        .find(|format| format.extensions().contains(&extension))
+        .cloned()
+}
+
+/// All of them in a sentence.
+pub(crate) fn list<F: FileFormat>() -> String {
+    let names: Vec<String> = F::value_variants()
+        .iter()
+        .filter_map(|format| Some(format.to_possible_value()?.get_name().to_owned()))
+        .collect();
+    match names.split_last() {
+        Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        _ => names.concat(),
+    }
+}

@@ -1,0 +1,252 @@
+//! What is drawn: curves in layers, and the true shapes that they approximate.
+
+use kurbo::Rect;
+
+use super::style::{Style, default_stroke_width};
+use crate::approximate::Drawing;
+use crate::curve::Curve;
+use crate::number::{significant, text};
+use crate::shape::{Outline, Shape};
+use crate::sphere::{Part, Picture};
+use crate::spline::{Ends, Spline};
+
+/// What a writer sees.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Figure {
+    /// What it is, in a word: the name of a glyph.
+    pub name: &'static str,
+    /// A few words.
+    pub title: String,
+    /// A sentence: the shape, the method, the stated error.
+    pub description: String,
+    /// The curves, those beneath first.
+    pub layers: Vec<Layer>,
+    /// The true shapes that the curves approximate.
+    pub truths: Vec<Outline>,
+}
+
+/// Curves that are drawn alike.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Layer {
+    /// The class of its group in SVG; without one its paths stand alone.
+    pub class: Option<&'static str>,
+    /// Whether it is drawn dashed.
+    pub dashed: bool,
+    /// Whether it is lines on a shape, to be stroked more finely and never filled.
+    pub fine: bool,
+    /// The curves, as they are written.
+    pub curves: Vec<Curve>,
+}
+
+impl Figure {
+    /// All curves in the order in which they are drawn.
+    pub fn curves(&self) -> impl Iterator<Item = &Curve> {
+        self.layers.iter().flat_map(|layer| &layer.curves)
+    }
+
+    /// The true shape of the curve of this number: there is one for all curves, or one for each.
+    #[must_use]
+    pub fn truth(&self, number: usize) -> Option<&Outline> {
+        match self.truths.as_slice() {
+            [only] => Some(only),
+            several => several.get(number),
+        }
+    }
+
+    /// The smallest rectangle around the curves themselves, not their control points.
+    #[must_use]
+    pub fn bounding_box(&self) -> Option<Rect> {
+        self.curves()
+            .filter_map(Curve::bounding_box)
+            .reduce(|a, b| a.union(b))
+    }
+
+    /// The description, and how what is shown is to be read.
+    pub(crate) fn described(&self, style: &Style) -> String {
+        match style.show.error {
+            Some(factor) if !self.truths.is_empty() => format!(
+                "{}; deviation drawn {} times as large",
+                self.description,
+                text(factor)
+            ),
+            _ => self.description.clone(),
+        }
+    }
+}
+
+impl Figure {
+    /// The width of the stroke where none is asked for; see [`default_stroke_width`].
+    #[must_use]
+    pub fn default_stroke_width(&self) -> f64 {
+        let bounds = self.bounding_box().unwrap_or(Rect::ZERO);
+        default_stroke_width(bounds.width().max(bounds.height()))
+    }
+}
+
+impl From<&Drawing> for Figure {
+    fn from(drawing: &Drawing) -> Self {
+        let title = describe(&drawing.shape);
+        let description = if drawing.outline.is_some() {
+            format!(
+                "{title}; {count} segment{s} by {method}; within {peak} of the true shape ({relative} of the larger radius)",
+                count = drawing.curve.segments.len(),
+                s = if drawing.curve.segments.len() == 1 {
+                    ""
+                } else {
+                    "s"
+                },
+                method = drawing.rule.id(),
+                peak = significant(drawing.error.peak(), 3),
+                relative = significant(drawing.relative_peak(), 3),
+            )
+        } else {
+            format!("{title}; exact")
+        };
+        Self {
+            name: name(&drawing.shape),
+            title,
+            description,
+            layers: vec![Layer {
+                curves: vec![drawing.curve.clone()],
+                ..Layer::default()
+            }],
+            truths: drawing.outline.into_iter().collect(),
+        }
+    }
+}
+
+/// A shape in a word.
+const fn name(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Circle(_) => "circle",
+        Shape::Ellipse(_) => "ellipse",
+        Shape::Arc(_) => "arc",
+        Shape::Line(_) => "line",
+        Shape::Empty => "empty",
+    }
+}
+
+/// A shape in a few words.
+#[must_use]
+pub fn describe(shape: &Shape) -> String {
+    let n = |x| significant(x, 9);
+    match shape {
+        Shape::Circle(c) => format!("Circle of radius {}", n(c.radius)),
+        Shape::Ellipse(e) => format!("Ellipse with radii {} and {}", n(e.radii.x), n(e.radii.y)),
+        Shape::Arc(a) if a.radii.x == a.radii.y => {
+            format!(
+                "Arc of radius {} over {} degrees",
+                n(a.radii.x),
+                n(a.sweep.degrees())
+            )
+        }
+        Shape::Arc(a) => {
+            format!(
+                "Arc with radii {} and {} over {} degrees",
+                n(a.radii.x),
+                n(a.radii.y),
+                n(a.sweep.degrees())
+            )
+        }
+        Shape::Line(_) => "Line".to_owned(),
+        Shape::Empty => "Empty path".to_owned(),
+    }
+}
+
+/// What becomes of the hidden halves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hidden {
+    /// They are drawn like the others.
+    Show,
+    /// They are drawn dashed.
+    #[default]
+    Dash,
+    /// They are left out.
+    None,
+}
+
+impl Figure {
+    /// A sphere as layers with the classes `outline`, `back` and `front`, those beneath first.
+    #[must_use]
+    pub fn of_sphere(picture: &Picture, hidden: Hidden) -> Self {
+        let lines = |class, dashed, parts: &[Part]| Layer {
+            class: Some(class),
+            dashed,
+            fine: true,
+            curves: parts.iter().map(|part| part.curve.clone()).collect(),
+        };
+        let mut layers = vec![Layer {
+            class: Some("outline"),
+            curves: vec![picture.outline.curve.clone()],
+            ..Layer::default()
+        }];
+        if hidden != Hidden::None {
+            layers.push(lines("back", hidden == Hidden::Dash, &picture.back));
+        }
+        layers.push(lines("front", false, &picture.front));
+        layers.retain(|layer| !layer.curves.is_empty());
+        let title = format!("Sphere of radius {}", text(picture.sphere.radius));
+        Self {
+            name: "sphere",
+            description: describe_sphere(picture, &title),
+            title,
+            layers,
+            truths: Vec::new(),
+        }
+    }
+}
+
+fn describe_sphere(picture: &Picture, title: &str) -> String {
+    format!(
+        "{title} seen from longitude {longitude}, latitude {latitude} degrees; {meridians} meridians and {parallels} parallels by {method}; in space within {peak} of the true circles ({relative} of the radius)",
+        longitude = text(picture.view.longitude.degrees()),
+        latitude = text(picture.view.latitude.degrees()),
+        meridians = picture.sphere.meridians,
+        parallels = picture.sphere.parallels,
+        method = picture.options.rule.id(),
+        peak = significant(picture.error.peak(), 3),
+        relative = significant(picture.error.peak() / picture.sphere.radius, 3),
+    )
+}
+
+impl Figure {
+    /// A spline's curve, as [`Spline::curve`] gives it.
+    #[must_use]
+    pub fn of_spline(spline: &Spline, curve: Curve) -> Self {
+        let title = format!("Curve through {} points", spline.points.len());
+        Self {
+            name: "spline",
+            description: format!(
+                "Composite parametric cubic through {} points; {}",
+                spline.points.len(),
+                describe_spline(spline)
+            ),
+            title,
+            layers: vec![Layer {
+                curves: vec![curve],
+                ..Layer::default()
+            }],
+            truths: Vec::new(),
+        }
+    }
+}
+
+/// How the curve runs through its points.
+fn describe_spline(spline: &Spline) -> String {
+    let settled = match spline.rounds {
+        0 => String::new(),
+        rounds => format!(", settled in {rounds} rounds"),
+    };
+    let ends = match spline.options.ends {
+        Ends::Cyclic => "cyclic",
+        Ends::Free => "free",
+        Ends::Fixed(_) => "fixed",
+    };
+    let tangents = if spline.options.unit_tangents {
+        ", unit tangents"
+    } else {
+        ""
+    };
+    let parametrization = spline.options.parametrization.name();
+    format!("{parametrization} parametrization{settled}, {ends} ends{tangents}")
+}

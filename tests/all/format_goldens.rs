@@ -1,0 +1,68 @@
+//! Golden files of the formats for other programs, for a few shapes; `make golden` writes them anew.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// A name, the words that draw it, and the formats that can hold it.
+const CASES: [(&str, &str, &str); 7] = [
+    (
+        "circle-minimax",
+        "circle 50 -m minimax",
+        "pdf tikz canvas glif dxf gcode",
+    ),
+    (
+        "circle-quadratic-minimax",
+        "circle 50 -m quadratic-minimax",
+        "pdf tikz canvas glif dxf",
+    ),
+    (
+        "ellipse-rotated",
+        "ellipse 30 20 --rotation 15 --center 100,50",
+        "pdf tikz canvas glif dxf",
+    ),
+    (
+        "arc-bulge",
+        "arc --from 0,0 --to 10,0 --bulge -0.4",
+        "pdf tikz canvas glif dxf gcode",
+    ),
+    (
+        "arc-line",
+        "arc --from 0,0 --to 10,5 --bulge 0",
+        "pdf tikz canvas glif dxf gcode",
+    ),
+    (
+        "spline-cyclic-arc-length",
+        "spline --points 0,0_10,0_12,5_3,8 --ends cyclic --parametrization arc-length --unit-tangents",
+        "pdf tikz canvas glif dxf",
+    ),
+    ("sphere", "sphere 100", "pdf tikz canvas dxf"),
+];
+
+#[test]
+fn the_formats_for_other_programs_print_their_golden_files() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/golden");
+    let mut wrong = Vec::new();
+    for (name, words, formats) in CASES {
+        for format in formats.split(' ') {
+            let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+                .args(words.split(' ').map(|word| word.replace('_', " ")))
+                .args(["-f", format])
+                .output()
+                .unwrap();
+            let message = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{words} -f {format}: {message}");
+            let golden = folder.join(format!("{name}.{format}"));
+            if std::env::var_os("CURVETO_GOLDEN").is_some() {
+                fs::write(&golden, &output.stdout).unwrap();
+            } else if fs::read(&golden).unwrap_or_default() != output.stdout {
+                wrong.push(golden);
+            }
+            let text = String::from_utf8_lossy(&output.stdout).into_owned();
+            for fleeting in [env!("CARGO_PKG_VERSION"), "CreationDate", "TDCREATE", "/ID"] {
+                assert!(!text.contains(fleeting), "{name}.{format} holds {fleeting}");
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

@@ -1,0 +1,94 @@
+//! Options of output: the last one counts, colours of CSS level 4, sizes with units.
+
+use std::process::Command;
+
+fn printed(arguments: &str) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+        .args(arguments.split_whitespace())
+        .output()
+        .unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "curveto {arguments}: {message}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn the_last_of_a_flag_given_twice_counts() {
+    for (twice, once) in [
+        ("circle 50 -f svg -f ps", "circle 50 -f ps"),
+        ("circle 50 -m minimax -m midpoint", "circle 50 -m midpoint"),
+        ("circle 50 -n 3 -n 5 -p 1 -p 2", "circle 50 -n 5 -p 2"),
+        (
+            "circle 50 --center 1,1 --center -2,0",
+            "circle 50 --center -2,0",
+        ),
+        (
+            "circle 50 --joints 0,100,200 --joints 0,180",
+            "circle 50 --joints 0,180",
+        ),
+        (
+            "circle 50 --open --open --reverse --reverse",
+            "circle 50 --open --reverse",
+        ),
+        (
+            "arc --through 0,0 1,1 2,0 --through 0,0 1,2 2,0",
+            "arc --through 0,0 1,2 2,0",
+        ),
+        (
+            "circle 5 -f svg --stroke red --stroke blue --size 9x9 --size 10x10",
+            "circle 5 -f svg --stroke blue --size 10x10",
+        ),
+        ("sphere 5 --view 0,0 --view 1,2", "sphere 5 --view 1,2"),
+        ("compare -n 4 -f json -f csv", "compare -n 4 -f csv"),
+        // Lists grow.
+        (
+            "measure circle 1 -m minimax -m midpoint",
+            "measure circle 1 -m minimax,midpoint",
+        ),
+        (
+            "compare -m minimax -m midpoint -n 4 -n 5",
+            "compare -m minimax,midpoint -n 4,5",
+        ),
+        (
+            "circle 5 -f svg --show joints --show truth",
+            "circle 5 -f svg --show joints,truth",
+        ),
+    ] {
+        assert_eq!(printed(twice), printed(once), "{twice}");
+    }
+}
+
+#[test]
+fn colours_are_those_of_css_level_4() {
+    let run = |color: &str, format: &str| {
+        let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+            .args(["circle", "5", "--fill", color, "-f", format])
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{color}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    for (color, attributes) in [
+        ("rebeccapurple", r##"fill="#639""##),
+        ("rgb(255 0 0 / 50%)", r##"fill="#f00" fill-opacity="0.5""##),
+        ("#00f8", r##"fill="#00f" fill-opacity="0.533""##),
+        ("hsl(0.5turn 100% 50%)", r##"fill="#0ff""##),
+        ("oklch(44.027% 0.1603 303.37)", r##"fill="#639""##),
+        ("currentColor", r#"fill="currentColor""#),
+    ] {
+        let svg = run(color, "svg");
+        assert!(svg.contains(attributes), "{color}: {svg}");
+    }
+    assert_eq!(run("currentcolor", "eps"), run("black", "eps"));
+}
+
+#[test]
+fn a_size_with_a_unit_is_a_length_where_the_format_has_lengths() {
+    let svg = printed("circle 5 -f svg --size 40x30mm");
+    assert!(svg.contains(r#"width="40mm""#) && svg.contains(r#"height="30mm""#));
+    let eps = printed("circle 5 -f eps --size 1inx2.54cm");
+    assert!(eps.contains("%%HiResBoundingBox: 0 0 72 72\n"), "{eps}");
+    let plain = |unit| printed(&format!("circle 5 -f eps --size 96x48{unit}"));
+    assert_eq!(plain(""), plain("pt"));
+    assert!(plain("px").contains("%%HiResBoundingBox: 0 0 72 36\n"));
+}
