@@ -1,5 +1,8 @@
 //! Time per number of the formatter, against std and zmij: `cargo bench --bench number`.
 
+// A benchmark may ask the platform's functions.
+#![allow(clippy::disallowed_methods)]
+
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use curveto::number::{push_fixed, push_shortest, round};
 use std::hint::black_box;

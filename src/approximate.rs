@@ -13,6 +13,7 @@ use crate::joints::{Cut, Joints, quarters};
 use crate::measure::radial;
 use crate::method::{Method, Rule};
 use crate::number::Precision;
+use crate::numeric::functions::power;
 use crate::place::place;
 use crate::radial_error::RadialError;
 use crate::shape::{Outline, Shape};
@@ -341,5 +342,5 @@ pub(crate) fn automatic_precision<'a>(
 
 /// 10^-d/sqrt(2), the farthest that rounding to d decimals moves a point.
 fn farthest_moved(decimals: u8) -> f64 {
-    FRAC_1_SQRT_2 / 10_f64.powi(i32::from(decimals))
+    FRAC_1_SQRT_2 / power(10.0, i32::from(decimals))
 }

@@ -216,7 +216,7 @@ fn order(counts: &[usize], values: &[Option<f64>]) -> Option<f64> {
     known.sort_by(|a, b| a.0.total_cmp(&b.0));
     known.dedup_by(|a, b| a.0 == b.0);
     match known.as_slice() {
-        [.., (n, e), (m, f)] => Some((e / f).ln() / (m / n).ln()),
+        [.., (n, e), (m, f)] => Some(libm::log(e / f) / libm::log(m / n)),
         _ => None,
     }
 }

@@ -85,10 +85,7 @@ pub fn control_points(segment: &PathSeg) -> Vec<Point> {
 pub(crate) fn turn(before: &PathSeg, after: &PathSeg) -> f64 {
     let (incoming, outgoing) = (before.reverse(), *after);
     let (incoming, outgoing) = (-first_direction(&incoming), first_direction(&outgoing));
-    incoming
-        .cross(outgoing)
-        .atan2(incoming.dot(outgoing))
-        .to_degrees()
+    libm::atan2(incoming.cross(outgoing), incoming.dot(outgoing)).to_degrees()
 }
 
 /// The direction in which a segment leaves its first point.
@@ -113,5 +110,5 @@ pub(crate) fn gap(curve: &Curve) -> f64 {
 pub(crate) fn size(curve: &Curve) -> f64 {
     curve
         .bounding_box()
-        .map_or(0.0, |b| b.width().hypot(b.height()))
+        .map_or(0.0, |b| libm::hypot(b.width(), b.height()))
 }

@@ -19,6 +19,7 @@ use kurbo::Affine;
 
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result, finite};
+use crate::numeric::functions::power;
 use bench::Bench;
 
 /// Measures a curve. `coordinate_tolerance` is how far rounding may have moved each coordinate; without it, four units in the
@@ -69,7 +70,7 @@ pub fn report(
 /// The unit of the bench: a power of two near the largest number brings every power of a length into the range of f64, without a
 /// rounding error.
 pub(crate) fn unit_for(largest: f64) -> f64 {
-    2.0_f64.powi(largest.log2().ceil().clamp(-500.0, 500.0) as i32)
+    power(2.0, libm::log2(largest).ceil().clamp(-500.0, 500.0) as i32)
 }
 
 /// The largest number among all coordinates.

@@ -115,15 +115,13 @@ impl Piece {
     /// The length of the handle: how far the first inner control point lies from the end.
     #[must_use]
     pub fn handle_length(&self) -> f64 {
-        (self.handle.x - self.end_radius).hypot(self.handle.y)
+        libm::hypot(self.handle.x - self.end_radius, self.handle.y)
     }
 
     /// How far the tangent at an end leaves the circle's tangent outward, in degrees: half the corner at a joint of equal pieces.
     #[must_use]
     pub fn tangent_lift(&self) -> f64 {
-        (self.handle.x - self.end_radius)
-            .atan2(self.handle.y)
-            .to_degrees()
+        libm::atan2(self.handle.x - self.end_radius, self.handle.y).to_degrees()
     }
 }
 

@@ -10,6 +10,7 @@
 
 pub(crate) mod digits;
 
+use crate::numeric::functions;
 use std::io::Write as _;
 
 use digits::{ROUNDING, ZEROS, digits};
@@ -152,7 +153,7 @@ pub fn significant(x: f64, digits: u8) -> String {
     let magnitude = if x == 0.0 || !x.is_finite() {
         0.0
     } else {
-        x.abs().log10().floor()
+        libm::log10(x.abs()).floor()
     };
     let decimals = (f64::from(digits) - 1.0 - magnitude).clamp(0.0, 60.0);
     let mut out = Vec::new();
@@ -166,16 +167,16 @@ pub fn round_one_two_five(x: f64) -> f64 {
     if !(x.is_finite() && x > 0.0) {
         return 1.0;
     }
-    let exponent = x.log10().floor() as i32;
+    let exponent = libm::log10(x).floor() as i32;
     // One rounding only: 10^22 and less are exact.
     let scaled = |digit: f64| match exponent {
-        0.. => digit * 10_f64.powi(exponent),
-        _ => digit / 10_f64.powi(-exponent),
+        0.. => digit * functions::power(10.0, exponent),
+        _ => digit / functions::power(10.0, -exponent),
     };
     [1.0, 2.0, 5.0, 10.0]
         .map(scaled)
         .into_iter()
-        .min_by(|a, b| (a / x).ln().abs().total_cmp(&(b / x).ln().abs()))
+        .min_by(|a, b| libm::log(a / x).abs().total_cmp(&libm::log(b / x).abs()))
         .unwrap_or(1.0)
 }
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod double;
+pub(crate) mod functions;
 pub(crate) mod tridiagonal;
 
 use kurbo::common::GAUSS_LEGENDRE_COEFFS_24;
@@ -108,7 +109,7 @@ fn halved(
 /// a - sin a without cancellation.
 pub(crate) fn angle_minus_sine(a: f64) -> f64 {
     if a > 1.0 {
-        return a - a.sin();
+        return a - libm::sin(a);
     }
     odd_series(a, 1, |_| 1.0)
 }
@@ -116,7 +117,7 @@ pub(crate) fn angle_minus_sine(a: f64) -> f64 {
 /// sin h - h cos h without cancellation.
 pub(crate) fn sine_minus_angle_cosine(h: f64) -> f64 {
     if h > 1.0 {
-        return h.sin() - h * h.cos();
+        return libm::sin(h) - h * libm::cos(h);
     }
     odd_series(h, 1, |n| n - 1.0)
 }
@@ -124,9 +125,9 @@ pub(crate) fn sine_minus_angle_cosine(h: f64) -> f64 {
 /// 3a + sin a - 8 sin(a/2) without cancellation.
 pub(crate) fn area_excess(a: f64) -> f64 {
     if a > 1.5 {
-        return 3.0 * a + a.sin() - 8.0 * (a / 2.0).sin();
+        return 3.0 * a + libm::sin(a) - 8.0 * libm::sin(a / 2.0);
     }
-    odd_series(a, 2, |n| 1.0 - 8.0 / n.exp2())
+    odd_series(a, 2, |n| 1.0 - 8.0 / libm::exp2(n))
 }
 
 /// How many terms of a series reach past the last bit up to an angle of 1.5.

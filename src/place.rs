@@ -65,6 +65,6 @@ impl Frames<'_> {
     fn chord(&self, from: usize, to: usize) -> Vec2 {
         let (a, b) = (self.joints.angles[from], self.joints.angles[to]);
         let halfway = crate::angle::Angle::from_degrees(f64::midpoint(a, b)).direction();
-        Vec2::new(-halfway.y, halfway.x) * (2.0 * ((b - a) / 2.0).to_radians().sin())
+        Vec2::new(-halfway.y, halfway.x) * (2.0 * libm::sin(((b - a) / 2.0).to_radians()))
     }
 }

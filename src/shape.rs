@@ -6,6 +6,7 @@ use kurbo::{Affine, Point, Vec2};
 
 use crate::angle::Angle;
 use crate::error::{Error, Result, finite, positive};
+use crate::numeric::functions::unit_vector;
 
 /// A shape that can be drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -169,7 +170,7 @@ impl Truth {
         if (a == d && b == -c) || (a == -d && b == c) {
             return Ok(Self::circle(
                 center,
-                positive("scale of the transform", a.hypot(b))?,
+                positive("scale of the transform", libm::hypot(a, b))?,
             ));
         }
         let (radii, rotation) = kurbo::Ellipse::from_affine(placement).radii_and_rotation();
@@ -184,7 +185,7 @@ impl Truth {
         Ok(Self {
             center,
             radii,
-            axis: Vec2::from_angle(rotation),
+            axis: unit_vector(rotation),
         })
     }
 }

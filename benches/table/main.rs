@@ -3,6 +3,9 @@
 //! Random elliptical arcs as cubics beside kurbo and `lyon_geom`, and SVG icons beside usvg. The peers take turns, and the best of
 //! many rounds counts, which a busy machine disturbs least. The ratio is to kurbo, and to usvg on documents.
 
+// A benchmark may ask the platform's functions.
+#![allow(clippy::disallowed_methods)]
+
 mod documents;
 
 use std::hint::black_box;

@@ -6,6 +6,7 @@ use crate::joints::adaptive::Balance;
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
+use crate::numeric::functions::power;
 
 /// How many counts beyond the estimate are tried.
 const MOST_TRIES: usize = 64;
@@ -58,7 +59,7 @@ impl Request<'_> {
     fn refusal(&self, tolerance: f64, last_refusal: Option<Error>) -> Error {
         match (last_refusal, self.options.precision) {
             (_, Some(Precision::Fixed(decimals)))
-                if 10_f64.powi(-i32::from(decimals)) > tolerance =>
+                if power(10.0, -i32::from(decimals)) > tolerance =>
             {
                 self.out_of_reach(
                     tolerance,
@@ -133,7 +134,7 @@ impl Request<'_> {
             // The error of a literal handle is least near its own angle and grows again beyond it.
             Rule::Handle(k) => (
                 1,
-                (sweep / (4.0 * (0.75 * k.abs()).atan()).to_degrees()).min(1e4) as usize + 3,
+                (sweep / (4.0 * libm::atan(0.75 * k.abs())).to_degrees()).min(1e4) as usize + 3,
             ),
             _ => (self.least_count(tolerance), MOST_SEGMENTS),
         };
@@ -144,7 +145,7 @@ impl Request<'_> {
     /// A bound on how far rounding may bring the curve nearer to the true shape.
     fn rounding(&self, tolerance: f64) -> f64 {
         match self.options.precision {
-            Some(Precision::Fixed(decimals)) => 10_f64.powi(-i32::from(decimals)),
+            Some(Precision::Fixed(decimals)) => power(10.0, -i32::from(decimals)),
             _ => tolerance * ROUNDING_SHARE,
         }
     }

@@ -235,7 +235,7 @@ impl<S: Sink> Writer<'_, '_, S> {
             Some(arc) if !arc.is_relative() => after.push_text(text, &bytes[arc.tail..arc.end]),
             _ => {
                 let size = self.point.x.abs().max(self.point.y.abs()).max(1e-9);
-                let decimals = (12 - size.log10().ceil() as i32).max(0).unsigned_abs();
+                let decimals = (12 - libm::log10(size).ceil() as i32).max(0).unsigned_abs();
                 after.push(text, Decimal::round(self.point.x, decimals));
                 after.push(text, Decimal::round(self.point.y, decimals));
             }

@@ -211,7 +211,7 @@ fn equal(
 /// From one angle of the unit circle to another: 2 sin(δ/2) across the direction halfway.
 fn chord(from: f64, to: f64) -> Vec2 {
     let halfway = Angle::from_degrees(f64::midpoint(from, to)).direction();
-    Vec2::new(-halfway.y, halfway.x) * (2.0 * ((to - from) / 2.0).to_radians().sin())
+    Vec2::new(-halfway.y, halfway.x) * (2.0 * libm::sin(((to - from) / 2.0).to_radians()))
 }
 
 #[cfg(test)]

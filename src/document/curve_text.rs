@@ -124,7 +124,7 @@ fn end_point(data: &str, segment: &Segment) -> [Decimal; 2] {
     let read = |text: &str| {
         Decimal::read(text).unwrap_or_else(|| {
             let value: f64 = text.parse().unwrap_or_default();
-            let digits = 15 - value.abs().max(1e-300).log10().ceil() as i32;
+            let digits = 15 - libm::log10(value.abs().max(1e-300)).ceil() as i32;
             Decimal::round(value, digits.max(0).unsigned_abs())
         })
     };

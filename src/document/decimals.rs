@@ -72,7 +72,7 @@ fn sampled_error(truth: &Truth, start: Vec2, base: Point, drawn: &Beziers) -> f6
             (1..SAMPLES).map(move |i| {
                 let p = segment.eval(f64::from(i) / f64::from(SAMPLES)).to_vec2();
                 let length = p.hypot();
-                (length - 1.0).abs() * length / (p.x / radii.x).hypot(p.y / radii.y)
+                (length - 1.0).abs() * length / libm::hypot(p.x / radii.x, p.y / radii.y)
             })
         })
         .fold(0.0, f64::max)
@@ -99,5 +99,5 @@ fn fewest(peak: f64, largest: f64) -> u32 {
     if needed < 5 && largest < 1e9 || needed < 10 && largest < 1e5 {
         return needed;
     }
-    needed.min((15.0 - largest.log10().ceil()).clamp(0.0, f64::from(MAX_DECIMALS)) as u32)
+    needed.min((15.0 - libm::log10(largest).ceil()).clamp(0.0, f64::from(MAX_DECIMALS)) as u32)
 }

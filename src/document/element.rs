@@ -12,6 +12,7 @@ use super::property::Kind;
 use super::scratch::Scratch;
 use super::{Options, Reason};
 use crate::Angle;
+use crate::numeric::functions::power;
 use crate::shape::endpoint::SvgArc;
 
 /// A shape with its used values: `auto` resolved, radii clamped.
@@ -150,7 +151,7 @@ fn check_size(lengths: &[&[Length; 2]], options: &Options, smallest: f64) -> Res
         return Err(Reason::TooLarge);
     }
     match options.precision {
-        Some(decimals) if smallest * 10_f64.powi(i32::from(decimals)) < 0.5 => {
+        Some(decimals) if smallest * power(10.0, i32::from(decimals)) < 0.5 => {
             Err(Reason::Collapses)
         }
         _ => Ok(()),

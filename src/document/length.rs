@@ -34,7 +34,7 @@ const UNITS: [(&str, f64); 7] = [
 impl Length {
     /// A value that was computed.
     pub(super) fn computed(value: f64) -> Self {
-        let size = value.abs().max(1e-300).log10().ceil() as i32;
+        let size = libm::log10(value.abs().max(1e-300)).ceil() as i32;
         Self {
             value,
             exact: Decimal::round(value, (14 - size).clamp(0, 15).unsigned_abs()),

@@ -65,7 +65,7 @@ impl Balance {
         // |M u'|² = |first column|² sin²θ + |second|² cos²θ - 2 first·second sin θ cos θ; its extremes are det²/largest and largest.
         let (first, second, dot) = (a * a + b * b, c * c + d * d, a * c + b * d);
         let (even, odd) = ((second - first) / 2.0, -dot);
-        let swing = even.hypot(odd);
+        let swing = libm::hypot(even, odd);
         Some(Self {
             arc: outline.unit,
             rule,
@@ -73,7 +73,7 @@ impl Balance {
             swing: 2.0 * swing / (det * det),
             // A placement by radii and a rotation has its axes at 0 and 90 degrees; rounding must not turn them.
             axis: if odd.abs() > 1e-14 * even.abs() {
-                odd.atan2(even).to_degrees() / 2.0
+                libm::atan2(odd, even).to_degrees() / 2.0
             } else if even < 0.0 {
                 90.0
             } else {
@@ -86,7 +86,7 @@ impl Balance {
 
     /// w at an angle in degrees, over the larger radius.
     fn weight(&self, degrees: f64) -> f64 {
-        let cos = (degrees - self.axis).to_radians().cos();
+        let cos = libm::cos((degrees - self.axis).to_radians());
         (self.least + self.swing * cos * cos).sqrt().recip()
     }
 
@@ -105,7 +105,7 @@ impl Balance {
     fn longest(&self, way: f64, allowed: f64, guess: f64) -> f64 {
         let mut size = guess.min(self.largest_angle);
         for _ in 0..MOST_STEPS {
-            let factor = (allowed / self.error(way, size)).powf(1.0 / self.order);
+            let factor = libm::pow(allowed / self.error(way, size), 1.0 / self.order);
             let next = (size * factor.clamp(0.25, 4.0)).min(self.largest_angle);
             let settled = (next - size).abs() <= 1e-7 * size;
             size = next;
@@ -215,7 +215,7 @@ impl Balance {
                 joints.push(whole);
                 return (joints.len() == pieces + 1).then_some(joints);
             }
-            allowed *= (taken / count).powf(self.order).clamp(1e-3, 1e3);
+            allowed *= libm::pow(taken / count, self.order).clamp(1e-3, 1e3);
         }
         None
     }

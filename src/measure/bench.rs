@@ -12,6 +12,7 @@ use super::report::{
 use super::{curvature, extent};
 use crate::continuity::Continuity;
 use crate::curve::{CLOSING_GAP, Curve, gap, size};
+use crate::numeric::functions::angle_of;
 
 /// A curve on the bench: in units near 1, beside its reference.
 pub(crate) struct Bench<'a> {
@@ -93,7 +94,7 @@ impl<'a> Bench<'a> {
             reference: ReferenceReport {
                 center: [truth.center.x, truth.center.y],
                 radii: [truth.radii.x, truth.radii.y],
-                rotation: truth.axis.atan2().to_degrees(),
+                rotation: angle_of(truth.axis).to_degrees(),
                 start: self.arc.0,
                 sweep: self.arc.1,
                 fit: None,
@@ -151,7 +152,7 @@ impl<'a> Bench<'a> {
             .direction()
             .to_point();
         let own = truth.placement().inverse() * (self.reference.placement * first);
-        let start = own.to_vec2().atan2();
+        let start = angle_of(own.to_vec2());
         let end = start + self.arc.1.to_radians() * self.reference.handedness();
         Extent::new(
             self.segments.iter().map(extent::length).sum(),
@@ -202,14 +203,11 @@ impl<'a> Bench<'a> {
         let inverse = truth.placement().inverse() * self.reference.placement;
         let at = |degrees: f64| {
             let v = inverse * crate::Angle::from_degrees(degrees).direction().to_point();
-            let speed = (a * v.y).hypot(b * v.x);
+            let speed = libm::hypot(a * v.y, b * v.x);
             (a / speed) * (b / speed) / speed
         };
         let (start, end) = (self.arc.0, self.arc.0 + self.arc.1);
-        let axis = (inverse.inverse() * Point::new(1.0, 0.0))
-            .to_vec2()
-            .atan2()
-            .to_degrees();
+        let axis = angle_of((inverse.inverse() * Point::new(1.0, 0.0)).to_vec2()).to_degrees();
         let (low, high) = (start.min(end), start.max(end));
         let first = ((low - axis) / 90.0).ceil() as i64;
         let last = ((high - axis) / 90.0).floor() as i64;

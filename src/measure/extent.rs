@@ -30,7 +30,7 @@ pub fn ellipse_length(radii: Vec2, from: f64, to: f64) -> f64 {
     if radii.x == radii.y {
         return sign * radii.x * (to - from);
     }
-    let speed = |angle: f64| (radii.x * angle.sin()).hypot(radii.y * angle.cos());
+    let speed = |angle: f64| libm::hypot(radii.x * libm::sin(angle), radii.y * libm::cos(angle));
     let quarter = core::f64::consts::FRAC_PI_2;
     let mut sum = 0.0;
     let mut here = from;

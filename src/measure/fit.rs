@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use crate::curve::Curve;
 use crate::error::{Error, Result};
+use crate::numeric::functions::power;
 use crate::shape::Truth;
 
 /// How many points of each segment stand for the curve.
@@ -63,7 +64,7 @@ fn joints(curve: &Curve) -> Vec<Point> {
     let near = 1e-6
         * curve
             .bounding_box()
-            .map_or(0.0, |b| b.width().hypot(b.height()));
+            .map_or(0.0, |b| libm::hypot(b.width(), b.height()));
     let mut distinct: Vec<Point> = Vec::with_capacity(points.len());
     for p in points {
         if distinct.iter().all(|q| q.distance(p) > near) {
@@ -87,7 +88,7 @@ fn fitted(points: &[Point], to: FitTo) -> Result<(Truth, Fit)> {
     let (center, radius) = nearest_circle(points).ok_or_else(|| {
         Error::Shape("no circle fits: the points lie on a line, or are one point".to_owned())
     })?;
-    let squares = points.iter().map(|p| (p.distance(center) - radius).powi(2));
+    let squares = points.iter().map(|p| power(p.distance(center) - radius, 2));
     let rms = (squares.sum::<f64>() / points.len() as f64).sqrt();
     let fit = Fit {
         to,

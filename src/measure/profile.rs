@@ -12,6 +12,7 @@ use super::reference::Reference;
 use super::{largest_coordinate, unit_for};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
+use crate::numeric::functions::power;
 
 /// A quantity along a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -112,8 +113,8 @@ pub fn along(
                 Some(match quantity {
                     Quantity::Error => distance.at(t) * unit,
                     Quantity::Curvature => k?.value * sense / unit,
-                    Quantity::CurvatureD1 => k?.d1 * sense / unit.powi(2),
-                    Quantity::CurvatureD2 => k?.d2 * sense / unit.powi(3),
+                    Quantity::CurvatureD1 => k?.d1 * sense / power(unit, 2),
+                    Quantity::CurvatureD2 => k?.d2 * sense / power(unit, 3),
                     Quantity::AngleLag => {
                         (framed.lag(t) * sense * bench.reference().handedness()).to_degrees()
                     }

@@ -51,7 +51,7 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
     for (from, to) in Profile::new(segment, truth).crossings().pieces() {
         let mut before = search.sample(from);
         for i in 1..=BRACKETS {
-            let part = (core::f64::consts::PI * f64::from(i) / f64::from(BRACKETS)).cos();
+            let part = libm::cos(core::f64::consts::PI * f64::from(i) / f64::from(BRACKETS));
             let after = search.sample(from + (to - from) * (1.0 - part) / 2.0);
             search.bracket(&before, &after, MOST_HALVINGS, &mut visit);
             before = after;

@@ -4,6 +4,7 @@ use kurbo::{Affine, PathSeg, Point, Vec2};
 
 use crate::curve::control_points;
 use crate::numeric::bernstein::Polynomial;
+use crate::numeric::functions::angle_of;
 use crate::shape::{Outline, Truth};
 
 /// A circle or an ellipse, and the part of it that the curve stands for.
@@ -90,7 +91,7 @@ impl Framed {
 
     /// The angle of the first point, in radians between -π and π.
     pub(crate) fn first_angle(&self) -> f64 {
-        self.at(0.0).atan2()
+        angle_of(self.at(0.0))
     }
 
     /// How far the curve has turned about the centre at t, in radians; whole turns count.
@@ -99,7 +100,7 @@ impl Framed {
         (1..=STEPS)
             .map(|step| {
                 let here = self.at(t * f64::from(step) / f64::from(STEPS));
-                let turn = before.cross(here).atan2(before.dot(here));
+                let turn = libm::atan2(before.cross(here), before.dot(here));
                 before = here;
                 turn
             })

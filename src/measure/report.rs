@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::continuity::Joint;
 use super::fit::Fit;
+use crate::numeric::functions::power;
 
 /// Everything that is measured of one curve. Lengths are in user units, angles in degrees, parametric on an ellipse.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -177,7 +178,7 @@ impl Report {
         k.true_least /= unit;
         k.true_largest /= unit;
         length(&mut self.continuity.coordinate_tolerance);
-        let per_length = |x: f64, power: i32| x / unit.powi(power);
+        let per_length = |x: f64, n: i32| x / power(unit, n);
         for joint in &mut self.continuity.joints {
             joint.point.iter_mut().for_each(length);
             length(&mut joint.gap);

@@ -15,6 +15,7 @@
 //! E = sin⁶ h (4 + 8c + q(5+c)/2) / (N² cos² h (4+q))
 //! ```
 
+use crate::numeric::functions::power;
 use crate::radial_error::RadialError;
 
 use super::tangent::root_minus_1;
@@ -42,8 +43,8 @@ fn big_e(span: &Span) -> f64 {
     let c = span.c;
     let q = (2.0 * (5.0 + 3.0 * c)).sqrt();
     let n = 2.0 + 2.0 * c + q;
-    let numerator = span.sh.powi(6) * (4.0 + 8.0 * c + q * (5.0 + c) / 2.0);
-    numerator / ((n * span.ch).powi(2) * (4.0 + q))
+    let numerator = power(span.sh, 6) * (4.0 + 8.0 * c + q * (5.0 + c) / 2.0);
+    numerator / (power(n * span.ch, 2) * (4.0 + q))
 }
 
 pub(super) fn minus_error(span: &Span) -> RadialError {

@@ -9,6 +9,7 @@ use kurbo::{Point, Vec2};
 
 use super::nodal::{self, Ends};
 use crate::angle::Angle;
+use crate::numeric::functions::power;
 use crate::radial_error::RadialError;
 
 use super::{Degree, Piece, Span, tangent};
@@ -25,7 +26,7 @@ pub(super) fn formulation_1(span: &Span) -> f64 {
 /// 1 - r² at t = 1/2, where it is largest: (H + G/4)/16 with H = 12 sin⁴ h/(2+c)² and G = 16 sin⁶ h/(2+c)².
 pub(super) fn formulation_1_error(span: &Span) -> RadialError {
     let square = span.sh * span.sh;
-    let largest = (square / (2.0 + span.c)).powi(2) * (3.0 + square) / 4.0;
+    let largest = power(square / (2.0 + span.c), 2) * (3.0 + square) / 4.0;
     RadialError {
         outward: 0.0,
         inward: -tangent::root_minus_1(-largest),
@@ -117,7 +118,7 @@ impl<'a> SelfMeasured<'a> {
     fn excess_at(&self, tau: f64) -> f64 {
         let dx = -0.5 * self.t * self.span.sh * tau;
         let dy = self.span.sh + 0.25 * self.y * (3.0 * tau * tau - 1.0);
-        2.0 * dx * dx / (dx.hypot(dy) + dy)
+        2.0 * dx * dx / (libm::hypot(dx, dy) + dy)
     }
 
     fn handle(&self) -> f64 {

@@ -14,6 +14,7 @@
 
 use kurbo::Vec2;
 
+use crate::numeric::functions::power;
 use crate::radial_error::RadialError;
 
 use super::{Degree, Piece, Span};
@@ -34,20 +35,20 @@ struct Solution {
 impl Solution {
     /// The curve of the peak error R = g⁶, whatever angle it spans.
     fn new(g: f64, ends_on_circle: bool) -> Self {
-        let r = g.powi(6);
+        let r = power(g, 6);
         let lambda = if ends_on_circle {
-            ((-r / 2.0).acos() / 6.0).cos()
+            libm::cos(libm::acos(-r / 2.0) / 6.0)
         } else {
             1.0
         };
         let square = g * g;
         let gamma =
-            |beta: f64| (beta * beta - 36.0 * (square * lambda).powi(2)) / (2.0 * (1.0 - r));
+            |beta: f64| (beta * beta - 36.0 * power(square * lambda, 2)) / (2.0 * (1.0 - r));
         let mut beta = 4.0 * lambda;
         for _ in 0..NEWTON_STEPS {
             let c = gamma(beta);
-            let value = c * c - 16.0 * lambda.powi(3) * beta + 96.0 * square * lambda.powi(4);
-            let slope = 2.0 * c * beta / (1.0 - r) - 16.0 * lambda.powi(3);
+            let value = c * c - 16.0 * power(lambda, 3) * beta + 96.0 * square * power(lambda, 4);
+            let slope = 2.0 * c * beta / (1.0 - r) - 16.0 * power(lambda, 3);
             beta -= value / slope;
         }
         Self {
@@ -55,7 +56,7 @@ impl Solution {
             x0: 1.0 - r,
             x2: -gamma(beta) * square,
             y1: beta * g,
-            y3: -8.0 * (g * lambda).powi(3),
+            y3: -8.0 * power(g * lambda, 3),
         }
     }
 

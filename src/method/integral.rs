@@ -13,6 +13,7 @@
 //! - `length`: ∫ (ds - dθ) = 0, the arc length is the circle's
 //! - `mean`: ∫ |r-1| dt is least; `mean-angle`: ∫ |r-1| dθ is least; `rms`: ∫ (r-1)² dt is least
 
+use crate::numeric::functions::power;
 use crate::radial_error::RadialError;
 
 use super::Span;
@@ -75,7 +76,7 @@ impl<'a> Member<'a> {
         At {
             r,
             excess,
-            turn: g * (tau * v * (2.0 * w0 - 3.0 * v) / 32.0).powi(2),
+            turn: g * power(tau * v * (2.0 * w0 - 3.0 * v) / 32.0, 2),
             theta: cross / r_squared,
             r_k,
             theta_k: (cross_k - 2.0 * cross * r_k / r) / r_squared,

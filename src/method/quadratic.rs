@@ -10,6 +10,7 @@
 
 use kurbo::Vec2;
 
+use crate::numeric::functions::power;
 use crate::radial_error::RadialError;
 
 use super::tangent::root_minus_1;
@@ -49,7 +50,7 @@ pub(super) fn midpoint(span: &Span) -> Piece {
 pub(super) fn midpoint_error(span: &Span) -> RadialError {
     RadialError {
         outward: 0.0,
-        inward: -root_minus_1(-span.half_versine().powi(2) / 4.0),
+        inward: -root_minus_1(-power(span.half_versine(), 2) / 4.0),
     }
 }
 
@@ -67,7 +68,7 @@ pub(super) fn area_error(span: &Span) -> RadialError {
     let x2 = -span.half_versine() - middle;
     let (b, q) = (middle * (2.0 + middle), x2 * x2);
     // The turning point τ² = (b + q)/(2q).
-    let inner = -(q - b).powi(2) / (4.0 * q);
+    let inner = -power(q - b, 2) / (4.0 * q);
     RadialError::of_range([0.0, middle, root_minus_1(inner)])
 }
 
@@ -84,7 +85,7 @@ impl Balanced {
         let q = g * g;
         let r = q * q;
         let lambda = if ends_on_circle {
-            ((-r / 2.0).acos() / 4.0).cos()
+            libm::cos(libm::acos(-r / 2.0) / 4.0)
         } else {
             1.0
         };

@@ -26,6 +26,7 @@
 //! w0 = 0 is `curvature` (de Boor, Höllig, Sabin 1987; Apprich et al. tell it as curvature = 1 at the ends);
 //! w0 = (3/2)(cbrt(√2+1) - cbrt(√2-1)), the root of 4w0³ + 27w0 = 27, balances r² - 1: `goldapp` (Goldapp 1991).
 
+use crate::numeric::functions::power;
 use crate::radial_error::RadialError;
 
 use super::{Piece, Span};
@@ -46,14 +47,14 @@ pub(super) fn family(span: &Span, w0: f64) -> f64 {
 /// y of the family's member.
 pub(super) fn family_y(span: &Span, w0: f64) -> f64 {
     let root = root_square(span, w0).sqrt();
-    -2.0 * span.sh.powi(3) / (1.0 + span.ch * span.ch + span.ch * root)
+    -2.0 * power(span.sh, 3) / (1.0 + span.ch * span.ch + span.ch * root)
 }
 
 /// The error of the family's member: extremes of r² - 1 at v = 2 w0/3 and v = 1.
 pub(super) fn family_error(span: &Span, w0: f64) -> RadialError {
-    let g = 4.0 * family_y(span, w0).powi(2);
+    let g = 4.0 * power(family_y(span, w0), 2);
     RadialError {
-        outward: root_minus_1(g * w0.powi(3) / 432.0),
+        outward: root_minus_1(g * power(w0, 3) / 432.0),
         inward: -root_minus_1(-g * (1.0 - w0) / 64.0),
     }
 }
@@ -61,7 +62,7 @@ pub(super) fn family_error(span: &Span, w0: f64) -> RadialError {
 /// The error of any handle k. Where k is nearly right for a small angle, H and G cancel: below a degree no sixth digit is left.
 pub(super) fn error(span: &Span, k: f64) -> RadialError {
     let h = 6.0 * span.versine() - 6.0 * k * span.s - 9.0 * k * k;
-    error_of(h, 4.0 * (3.0 * k * span.ch - 2.0 * span.sh).powi(2))
+    error_of(h, 4.0 * power(3.0 * k * span.ch - 2.0 * span.sh, 2))
 }
 
 /// The error of the handle k that is told by its y too, of which H keeps its digits at small angles; at large ones it has no need.
@@ -70,7 +71,7 @@ pub(super) fn error_by_y(span: &Span, k: f64, y: f64) -> RadialError {
         return error(span, k);
     }
     let square = span.ch * span.ch;
-    let h = -(4.0 * span.sh.powi(4) + 4.0 * y * span.sh * (1.0 + square) + y * y) / square;
+    let h = -(4.0 * power(span.sh, 4) + 4.0 * y * span.sh * (1.0 + square) + y * y) / square;
     error_of(h, 4.0 * y * y)
 }
 

@@ -11,6 +11,7 @@ use super::style::Style;
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result, finite};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
+use crate::numeric::functions::power;
 use crate::shape::Outline;
 
 /// The true shape, a broad band beneath the curve.
@@ -180,7 +181,7 @@ impl<'a> Painter<'a> {
             }
         }
         // Where the curve touches the true shape, rounding noise makes regions that nobody sees.
-        let least = (self.unit / 1000.0).powi(2);
+        let least = power(self.unit / 1000.0, 2);
         let group = |class, paint, curves: Vec<Curve>| Group {
             class: Some(class),
             pen: Pen::filled(paint),

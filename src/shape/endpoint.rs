@@ -47,7 +47,7 @@ impl SvgArc {
             center: truth.center,
             radii: truth.radii,
             rotation: self.rotation,
-            start: Angle::from_radians(start.y.atan2(start.x)),
+            start: Angle::from_radians(libm::atan2(start.y, start.x)),
             sweep: Angle::from_degrees(chord.sweep),
             ends: Some([self.from, self.to]),
         }))
@@ -82,7 +82,7 @@ impl SvgArc {
             ((1.0 - size) * (1.0 + size)).sqrt()
         };
         // (5.5), (5.6): twice the angle whose sine is half the chord.
-        let short = 2.0 * size.min(1.0).atan2(depth).to_degrees();
+        let short = 2.0 * libm::atan2(size.min(1.0), depth).to_degrees();
         let sweep = match (too_small, self.large_arc) {
             (true, _) => 180.0,
             (false, true) => 360.0 - short,
@@ -255,7 +255,7 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
         return Ok(Shape::Line(Line { from, to }));
     }
     // The inscribed angle at `on` is half of what the arc leaves of the turn; the bulge is tan(sweep/4).
-    let bulge = (cross.abs().atan2(-dot) / 2.0).tan();
+    let bulge = libm::tan(libm::atan2(cross.abs(), -dot) / 2.0);
     from_bulge(from, to, if cross > 0.0 { -bulge } else { bulge })
 }
 
@@ -287,8 +287,8 @@ pub fn from_bulge(from: Point, to: Point, bulge: f64) -> Result<Shape> {
         center,
         radii: Vec2::new(finite("radius", radius)?, radius),
         rotation: Angle::ZERO,
-        start: Angle::from_radians(start.y.atan2(start.x)),
-        sweep: Angle::from_radians(4.0 * bulge.atan()),
+        start: Angle::from_radians(libm::atan2(start.y, start.x)),
+        sweep: Angle::from_radians(4.0 * libm::atan(bulge)),
         ends: Some([from, to]),
     }))
 }

@@ -6,6 +6,7 @@ use svg::node::{self, Node};
 
 use crate::angle::Angle;
 use crate::number::{Precision, text as digits};
+use crate::numeric::functions::angle_of;
 use crate::path;
 use crate::picture::paint::{Color, Paint};
 use crate::picture::scene::{Group, Mark, Pen, Scene};
@@ -125,7 +126,7 @@ fn arcs(outline: &Outline, scene: &Scene) -> String {
     let ellipse = [
         digits(truth.radii.x),
         digits(truth.radii.y),
-        digits(truth.axis.atan2().to_degrees()),
+        digits(angle_of(truth.axis).to_degrees()),
     ];
     let positive = (sweep > 0.0) == (outline.placement.determinant() > 0.0);
     let command = format!("A{} 0 {} ", ellipse.join(" "), u8::from(positive));

@@ -100,7 +100,7 @@ fn crossing(k: f64) -> f64 {
     let (h, g) = (6.0 - 6.0 * k - 9.0 * k * k, 8.0 - 24.0 * k + 18.0 * k * k);
     let t = (1.0 - (1.0 + 4.0 * h / g).sqrt()) / 2.0;
     let along = |t: f64| t * t * (3.0 - 2.0 * t) + 3.0 * k * t * (1.0 - t) * (1.0 - t);
-    along(t).atan2(along(1.0 - t)).to_degrees()
+    libm::atan2(along(t), along(1.0 - t)).to_degrees()
 }
 
 /// The handle of a quarter that crosses the circle at 30 degrees; the higher the handle, the later it does.
@@ -120,7 +120,7 @@ fn handle_crossing_at_30() -> f64 {
 /// (3/2)(cbrt(√2+1) - cbrt(√2-1)), from where the curve crosses the circle.
 fn goldapp_zero() -> f64 {
     let root2 = core::f64::consts::SQRT_2;
-    1.5 * ((root2 + 1.0).cbrt() - (root2 - 1.0).cbrt())
+    1.5 * (libm::cbrt(root2 + 1.0) - libm::cbrt(root2 - 1.0))
 }
 
 /// The curvature at the ends, (2/3) times the distance of the second inner control point from the tangent over k².

@@ -1,6 +1,7 @@
 //! Axes: from values to positions, and where the round numbers are.
 
 use crate::number::{Precision, decimals_of, text};
+use crate::numeric::functions::{self, power};
 
 /// Beyond this no axis goes, so that its steps stay finite; what is smaller than the other is 0.
 const LARGEST: f64 = 1e300;
@@ -67,7 +68,7 @@ impl Axis {
             Kind::Log => {
                 // A margin of a twentieth of a decade keeps marks off the frame.
                 (axis.low, axis.high) = (low / 1.2, high * 1.2);
-                axis.step = ((high / low).log10() / count).ceil().max(1.0);
+                axis.step = (libm::log10(high / low) / count).ceil().max(1.0);
             }
             Kind::Counts(_) => (axis.low, axis.high) = (low / 1.06, high * 1.06),
         }
@@ -82,7 +83,7 @@ impl Axis {
             (self.low, self.high) = (self.low - margin, self.high + margin);
         }
         let rough = (self.high - self.low) / count;
-        let power = 10_f64.powf(rough.log10().floor());
+        let power = functions::power(10.0, libm::log10(rough).floor() as i32);
         self.step = [1.0, 2.0, 2.5, 5.0, 10.0]
             .into_iter()
             .map(|digit| digit * power)
@@ -92,8 +93,7 @@ impl Axis {
         self.high = (self.high / self.step).ceil() * self.step;
         let largest = self.low.abs().max(self.high.abs());
         // The size of the data where it has one: the ends of the axis may be a digit longer.
-        let exponent = (if size > 0.0 { size } else { largest })
-            .log10()
+        let exponent = libm::log10(if size > 0.0 { size } else { largest })
             .floor()
             .clamp(-300.0, 300.0);
         if !(-2.0..=4.0).contains(&exponent) {
@@ -118,7 +118,7 @@ impl Axis {
     /// Where a value lies, from 0 at the low end to 1 at the high one.
     pub(super) fn position(&self, value: f64) -> f64 {
         if self.kind.is_log() {
-            (value / self.low).ln() / (self.high / self.low).ln()
+            libm::log(value / self.low) / libm::log(self.high / self.low)
         } else {
             (value - self.low) / (self.high - self.low)
         }
@@ -145,7 +145,7 @@ impl Axis {
     }
 
     fn even_ticks(&self) -> Vec<Tick> {
-        let unit = 10_f64.powi(self.exponent);
+        let unit = power(10.0, self.exponent);
         let first = (self.low / self.step - 1e-9).ceil() as i64;
         let last = (self.high / self.step + 1e-9).floor() as i64;
         // As many decimals as the step has, on every tick.
@@ -164,13 +164,13 @@ impl Axis {
     /// Each power of ten, with marks at its multiples where there is room.
     fn decades(&self) -> Vec<Tick> {
         let (first, last) = (
-            self.low.log10().floor() as i32,
-            self.high.log10().ceil() as i32,
+            libm::log10(self.low).floor() as i32,
+            libm::log10(self.high).ceil() as i32,
         );
         let every = self.step as i32;
         let mut ticks = Vec::new();
         for decade in first..=last {
-            let power = 10_f64.powi(decade);
+            let power = functions::power(10.0, decade);
             let label = if decade.rem_euclid(every) == 0 {
                 power_of_ten(decade)
             } else {
