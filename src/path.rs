@@ -1,9 +1,11 @@
-//! SVG path data: read as curves, and written.
+//! SVG path data: read as curves, and written; transforms read.
 
 mod read;
+mod transform;
 mod write;
 
 pub use read::curves;
 pub(crate) use read::shortened;
+pub use transform::transform;
 pub(crate) use write::push_rounding;
 pub use write::{data, push_curve};

@@ -173,7 +173,7 @@ impl Truth {
                 positive("scale of the transform", libm::hypot(a, b))?,
             ));
         }
-        let (radii, rotation) = kurbo::Ellipse::from_affine(placement).radii_and_rotation();
+        let radii = kurbo::Ellipse::from_affine(placement).radii();
         let larger = positive("scale of the transform", radii.x.max(radii.y))?;
         // By the area, because the singular values' own formula cancels for flat ellipses.
         let smaller = placement.determinant().abs() / larger;
@@ -185,7 +185,10 @@ impl Truth {
         Ok(Self {
             center,
             radii,
-            axis: unit_vector(rotation),
+            // The larger singular value's direction; kurbo has the same formula, but asks the platform.
+            axis: unit_vector(
+                libm::atan2(2.0 * (a * b + c * d), a * a - b * b + c * c - d * d) / 2.0,
+            ),
         })
     }
 }

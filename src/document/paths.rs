@@ -79,13 +79,13 @@ fn map_within(parent: Option<&Result<Affine>>, element: &BytesStart) -> Result<A
     let Some(text) = attribute(element, "transform") else {
         return Ok(parent);
     };
-    let own: svgtypes::Transform = text.parse().map_err(|error| {
+    let own = path::transform(&text).map_err(|error| {
         Error::Shape(format!(
             "cannot read the transform '{}': {error}",
             shortened(&text)
         ))
     })?;
-    let map = parent * Affine::new([own.a, own.b, own.c, own.d, own.e, own.f]);
+    let map = parent * own;
     for number in map.as_coeffs() {
         finite("number in the transform", number)?;
     }

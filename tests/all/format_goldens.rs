@@ -39,6 +39,19 @@ const CASES: [(&str, &str, &str); 7] = [
     ("sphere", "sphere 100", "pdf tikz canvas dxf"),
 ];
 
+fn words(words: &str, format: &str) -> Vec<String> {
+    let shape = words.split(' ').map(|word| word.replace('_', " "));
+    shape.chain(["-f".to_owned(), format.to_owned()]).collect()
+}
+
+/// The words of every golden file.
+pub(crate) fn commands() -> Vec<Vec<String>> {
+    let of = |(_, shape, formats): (_, &'static str, &'static str)| {
+        formats.split(' ').map(move |format| words(shape, format))
+    };
+    CASES.into_iter().flat_map(of).collect()
+}
+
 #[test]
 fn the_formats_for_other_programs_print_their_golden_files() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/golden");
@@ -46,8 +59,7 @@ fn the_formats_for_other_programs_print_their_golden_files() {
     for (name, words, formats) in CASES {
         for format in formats.split(' ') {
             let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-                .args(words.split(' ').map(|word| word.replace('_', " ")))
-                .args(["-f", format])
+                .args(self::words(words, format))
                 .output()
                 .unwrap();
             let message = String::from_utf8_lossy(&output.stderr);

@@ -175,15 +175,37 @@ fn compare(name: &str, arguments: &[&str], format: &str) -> Option<String> {
     })
 }
 
+/// The circle by every method, and the shapes: a name and the words.
+fn cases() -> Vec<(String, Vec<&'static str>)> {
+    let circles = Method::ALL.iter().map(|method| {
+        let words = vec!["circle", "50", "-m", method.id()];
+        (format!("circle-{method}"), words)
+    });
+    let shapes = SHAPES.map(|(name, words)| (name.to_owned(), words.to_vec()));
+    circles.chain(shapes).collect()
+}
+
+/// The words of every golden file.
+pub(crate) fn commands() -> Vec<Vec<String>> {
+    let with = |format: &str| {
+        let words = cases().into_iter().map(|(_, words)| words);
+        let format = ["-f".to_owned(), format.to_owned()];
+        words
+            .map(|words| {
+                words
+                    .into_iter()
+                    .map(str::to_owned)
+                    .chain(format.clone())
+                    .collect()
+            })
+            .collect::<Vec<_>>()
+    };
+    FORMATS.iter().flat_map(|format| with(format)).collect()
+}
+
 #[test]
 fn every_shape_method_and_format_prints_its_golden_file() {
-    let names = Method::ALL.map(|method| format!("circle-{method}"));
-    let methods = Method::ALL.map(|method| ["circle", "50", "-m", method.id()]);
-    let circles = names
-        .iter()
-        .zip(&methods)
-        .map(|(name, arguments)| (name.as_str(), &arguments[..]));
-    let cases: Vec<(&str, &[&str])> = circles.chain(SHAPES).collect();
+    let cases = cases();
     let wrong: Vec<String> = cases
         .iter()
         .flat_map(|(name, arguments)| {

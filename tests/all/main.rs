@@ -11,6 +11,8 @@ mod convert;
 mod convert_cli;
 mod corpora;
 mod dependencies;
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+mod determinism;
 mod documented_commands;
 mod every_method;
 mod exchange;

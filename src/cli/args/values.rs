@@ -140,13 +140,5 @@ pub(super) fn precision(text: &str) -> Read<PrecisionWord> {
 }
 
 pub(super) fn transform(text: &str) -> Read<Affine> {
-    let read: svgtypes::Transform = text
-        .parse()
-        .map_err(|error| format!("not an SVG transform list: {error}"))?;
-    let map = Affine::new([read.a, read.b, read.c, read.d, read.e, read.f]);
-    if map.is_finite() {
-        Ok(map)
-    } else {
-        Err("the transform is not finite".to_owned())
-    }
+    curveto::path::transform(text).map_err(|error| error.to_string())
 }
