@@ -19,7 +19,7 @@ use crate::radial_error::RadialError;
 use crate::shape::{Outline, Shape};
 
 /// The part of the peak error, or of the tolerance, that rounding for output may add.
-const ROUNDING_SHARE: f64 = 0.1;
+pub(crate) const ROUNDING_SHARE: f64 = 0.1;
 
 /// How to draw.
 #[derive(Debug, Clone, PartialEq)]

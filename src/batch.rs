@@ -68,6 +68,8 @@ pub enum OnError {
     Skip,
     /// Its answer is a blank line, so that the lines of output and input correspond.
     Blank,
+    /// Its answer is a JSON object with the line's `id` where it has one, its number `line` and the `error`.
+    Report,
 }
 
 /// How a run went.
@@ -84,6 +86,8 @@ pub struct Summary {
 pub struct Answers {
     /// As they are to be written.
     pub text: Vec<u8>,
+    /// How many lines of the input stand before the chunk; set by the caller, for [`OnError::Report`].
+    pub before: u64,
     /// How many lines were read.
     pub lines: u64,
     /// What could not be drawn, with its line counted from 1 within the chunk.
@@ -125,6 +129,7 @@ pub fn run(
         let mut worker = Worker::new(options.clone());
         let mut answers = Answers::default();
         while let Some(chunk) = chunks.next_chunk()? {
+            answers.before = writer.summary.lines;
             worker.answer(chunk, &mut answers);
             if !writer.write(&answers)? {
                 break;
@@ -136,6 +141,7 @@ pub fn run(
     // What was written goes back to the reader, so that memory is asked for once and not a chunk.
     let (done, free) = channel::<Job>();
     let reader = thread::spawn(move || {
+        let mut before = 0;
         for queue in jobs.iter().cycle() {
             let Some(chunk) = chunks.next_chunk()? else {
                 return Ok(());
@@ -143,6 +149,8 @@ pub fn run(
             let mut job = free.try_recv().unwrap_or_default();
             job.chunk.clear();
             job.chunk.extend_from_slice(chunk);
+            job.answers.before = before;
+            before += memchr::memchr_iter(b'\n', chunk).count() as u64;
             if queue.send(job).is_err() {
                 return Ok(());
             }
@@ -224,8 +232,12 @@ struct Chunks<R> {
     /// How much of the buffer is filled, and how much of that was handed out.
     filled: usize,
     taken: usize,
+    begun: bool,
     ended: bool,
 }
+
+/// What some programs begin a file of UTF-8 with.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 impl<R: Read> Chunks<R> {
     fn new(input: R) -> Self {
@@ -234,12 +246,24 @@ impl<R: Read> Chunks<R> {
             buffer: vec![0; 2 * CHUNK],
             filled: 0,
             taken: 0,
+            begun: false,
             ended: false,
         }
     }
 
-    /// The next whole lines; at the end a last one may lack its newline.
+    /// The next whole lines; at the end a last one may lack its newline. A byte order mark at the beginning is left out.
     fn next_chunk(&mut self) -> io::Result<Option<&[u8]>> {
+        let first = !core::mem::replace(&mut self.begun, true);
+        let chunk = self.whole_lines()?;
+        Ok(
+            chunk.map(|chunk| match chunk.strip_prefix(BYTE_ORDER_MARK) {
+                Some(rest) if first => rest,
+                _ => chunk,
+            }),
+        )
+    }
+
+    fn whole_lines(&mut self) -> io::Result<Option<&[u8]>> {
         self.buffer.copy_within(self.taken..self.filled, 0);
         self.filled -= self.taken;
         self.taken = 0;

@@ -7,9 +7,11 @@ mod convert;
 mod draw;
 mod failure;
 mod formats;
+mod input;
 mod measure;
 mod methods;
 mod output;
+mod path;
 mod procset;
 mod shell;
 mod sphere;
@@ -48,6 +50,7 @@ fn run(command: Command) -> Outcome {
         Command::Ellipse(args) => draw::ellipse(&args.0),
         Command::Arc(args) => draw::arc(&args.0),
         Command::Batch(args) => batch::run(&args.0),
+        Command::Path(args) => path::run(&args.0),
         Command::Spline(args) => spline::run(&args.0),
         Command::Sphere(args) => sphere::run(&args.0),
         Command::Procset(args) => procset::run(&args.0),

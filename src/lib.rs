@@ -25,6 +25,7 @@ pub mod approximate;
 pub mod batch;
 pub mod compare;
 pub mod continuity;
+pub mod contour;
 pub mod course;
 pub mod curve;
 pub mod document;

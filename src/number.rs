@@ -161,6 +161,25 @@ pub fn significant(x: f64, digits: u8) -> String {
     String::from_utf8_lossy(&out).into_owned()
 }
 
+/// The least number of so many significant digits that is not below `x`: what a bound is rounded to for people.
+#[must_use]
+pub fn rounded_up(x: f64, digits: u8) -> f64 {
+    let text = format!("{x:.*e}", usize::from(digits.max(1)) - 1);
+    let (Ok(nearest), Some((mantissa, exponent))) = (text.parse::<f64>(), text.split_once('e'))
+    else {
+        return x;
+    };
+    if nearest >= x || !x.is_finite() {
+        return nearest;
+    }
+    // The next number of as many digits: one more in the last of them.
+    let whole: String = mantissa.chars().filter(|&c| c != '.').collect();
+    let whole: i64 = whole.parse().unwrap_or_default();
+    let exponent: i32 = exponent.parse().unwrap_or_default();
+    let next = format!("{}e{}", whole + 1, exponent + 1 - i32::from(digits.max(1)));
+    next.parse().unwrap_or(x)
+}
+
 /// The number nearest to `x`, by ratio, that is a 1, 2 or 5 with zeros; 1 where `x` is not positive and finite.
 #[must_use]
 pub fn round_one_two_five(x: f64) -> f64 {

@@ -4,8 +4,7 @@ mod read;
 mod transform;
 mod write;
 
-pub use read::curves;
-pub(crate) use read::shortened;
+pub use read::{contours, curves, shortened};
 pub use transform::transform;
 pub(crate) use write::push_rounding;
 pub use write::{data, push_curve};

@@ -250,7 +250,7 @@ impl Ellipse {
 }
 
 impl Arc {
-    /// The arc in centre form.
+    /// The arc in centre form. A sweep within [`WHOLE_TURN`] of a whole turn is one, and the arc is closed.
     ///
     /// # Errors
     ///
@@ -265,7 +265,7 @@ impl Arc {
         let center = finite_point("centre", center.into())?;
         let radii = positive_radii(radii.into())?;
         finite("start angle", start.degrees())?;
-        finite("sweep", sweep.degrees())?;
+        let sweep = whole_turn(Angle::from_degrees(finite("sweep", sweep.degrees())?));
         if sweep.degrees().abs() > 360.0 {
             return Err(Error::Shape(format!(
                 "the sweep of an arc is at most one turn, 360 degrees, but it is {} degrees",
@@ -280,6 +280,35 @@ impl Arc {
             sweep,
             ends: None,
         })
+    }
+
+    /// Whether it ends where it starts.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.sweep.degrees().abs() == 360.0 && self.ends.is_none_or(|[from, to]| from == to)
+    }
+
+    /// The arc, or nothing where it has no sweep.
+    #[must_use]
+    pub fn shape(self) -> Shape {
+        if self.sweep == Angle::ZERO {
+            Shape::Empty
+        } else {
+            Shape::Arc(self)
+        }
+    }
+}
+
+/// By what part of a turn a sweep may differ from it and still mean it: angles come from sums of floats.
+pub const WHOLE_TURN: f64 = 1e-7;
+
+/// The sweep, or the whole turn that it means.
+fn whole_turn(sweep: Angle) -> Angle {
+    let turn = 360.0_f64.copysign(sweep.degrees());
+    if (sweep.degrees() - turn).abs() <= WHOLE_TURN * 360.0 {
+        Angle::from_degrees(turn)
+    } else {
+        sweep
     }
 }
 
@@ -318,7 +347,7 @@ impl Shape {
                 let unit = UnitArc {
                     start: a.start,
                     sweep: a.sweep,
-                    closed: false,
+                    closed: a.is_closed(),
                 };
                 (unit, a.center, a.radii, a.rotation, a.ends)
             }

@@ -11,6 +11,7 @@ pub mod gcode;
 pub mod glif;
 pub mod json;
 pub mod measurement;
+pub mod path;
 pub mod pdf;
 pub mod png;
 pub mod postscript;
@@ -24,7 +25,6 @@ pub use format::{Format, Image};
 use crate::course::Course;
 use crate::error::{Error, Result};
 use crate::number::Precision;
-use crate::path;
 use crate::picture::figure::Figure;
 use crate::picture::plot::Chart;
 use crate::picture::scene::Scene;
@@ -39,6 +39,11 @@ const SHARPNESS: f64 = 2.0;
 pub trait Writable {
     /// The curves, as they are written.
     fn figure(&self) -> Figure;
+
+    /// What was drawn and how closely, in a line.
+    fn summary(&self) -> String {
+        self.figure().description
+    }
 
     /// The JSON, without a line feed at its end.
     ///
@@ -82,7 +87,7 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
     let figure = || work.figure();
     let text = match format {
         Format::Json => work.json()? + "\n",
-        Format::Path => path::data(figure().curves(), options.relative) + "\n",
+        Format::Path => crate::path::data(figure().curves(), options.relative) + "\n",
         Format::Ps => postscript::operators(figure().curves()),
         Format::Tikz => tikz::commands(figure().curves())?,
         Format::Canvas => canvas::calls(figure().curves()),

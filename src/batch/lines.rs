@@ -1,16 +1,21 @@
 //! One line's answer.
 
 use kurbo::Affine;
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
 
 use super::{Answers, OnError, Options};
 use crate::angle::Angle;
 use crate::approximate::{self, approximate, sketch};
-use crate::batch::spec::Spec;
+use crate::batch::spec::{Spec, Subject};
+use crate::contour::{Contour, Target, draw};
+use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::path;
 use crate::shape::Shape;
+use crate::write::path::PathDocument;
 use crate::write::{Format, json, postscript};
 
 /// Answers lines, one at a time.
@@ -63,6 +68,7 @@ impl Worker {
                 OnError::Stop => return,
                 OnError::Skip => {}
                 OnError::Blank => answers.text.push(b'\n'),
+                OnError::Report => push_report(answers, line),
             }
         }
     }
@@ -81,48 +87,126 @@ impl Worker {
         })?;
         let spec = Spec::parse(line)?;
         if spec.method.is_none() && spec.cut.is_none() {
-            return push_shape(out, &spec, self.format, &self.options);
+            return push_spec(out, &spec, self.format, &self.options);
         }
         let options = approximate::Options {
             rule: spec.method.map_or(self.options.rule, Rule::Method),
             cut: spec.cut.clone().unwrap_or_else(|| self.options.cut.clone()),
             ..self.options
         };
-        push_shape(out, &spec, self.format, &options)
+        push_spec(out, &spec, self.format, &options)
     }
 }
 
-fn push_shape(
+fn push_spec(
     out: &mut Vec<u8>,
     spec: &Spec,
     format: Format,
     options: &approximate::Options,
 ) -> Result<()> {
+    match &spec.subject {
+        Subject::Shape(shape) => push_shape(out, shape, spec.id, format, options),
+        Subject::Path(contours) => push_path(out, contours, spec.id, format, options),
+    }
+}
+
+fn push_shape(
+    out: &mut Vec<u8>,
+    shape: &Shape,
+    id: Option<&str>,
+    format: Format,
+    options: &approximate::Options,
+) -> Result<()> {
     match format {
-        Format::Json => push_json(out, spec, options),
+        Format::Json => {
+            let document = json::DrawingDocument::from(&approximate(shape, options)?);
+            push_json(out, id, &document)
+        }
         Format::Ps => {
-            let start = out.len();
-            let curve = sketch(&as_drawellipse(spec.shape), options)?.rounded();
-            postscript::push_operators(out, &curve);
-            // One line an answer: PostScript takes any white space between its words.
-            for byte in &mut out[start..] {
-                if *byte == b'\n' {
-                    *byte = b' ';
-                }
-            }
-            if out.len() > start {
-                out.pop();
-            }
+            push_operators(out, &sketch(&as_drawellipse(*shape), options)?.rounded());
             Ok(())
         }
         _ => {
-            let sketch = sketch(&spec.shape, options)?;
+            let sketch = sketch(shape, options)?;
             if !path::push_rounding(out, &sketch.curve, sketch.precision, sketch.kept.is_some()) {
                 path::push_curve(out, &sketch.rounded(), false);
             }
             Ok(())
         }
     }
+}
+
+fn push_path(
+    out: &mut Vec<u8>,
+    contours: &[Contour],
+    id: Option<&str>,
+    format: Format,
+    options: &approximate::Options,
+) -> Result<()> {
+    let drawing = draw(contours, Target::Beziers, options)?;
+    match format {
+        Format::Json => return push_json(out, id, &PathDocument::from(&drawing)),
+        Format::Ps => {
+            for (i, curve) in drawing.curves().enumerate() {
+                if i > 0 {
+                    out.push(b' ');
+                }
+                push_operators(out, curve);
+            }
+        }
+        _ => {
+            for curve in drawing.curves() {
+                path::push_curve(out, curve, false);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Appends PostScript in one line: it takes any white space between its words.
+fn push_operators(out: &mut Vec<u8>, curve: &Curve) {
+    let start = out.len();
+    postscript::push_operators(out, curve);
+    for byte in &mut out[start..] {
+        if *byte == b'\n' {
+            *byte = b' ';
+        }
+    }
+    if out.len() > start {
+        out.pop();
+    }
+}
+
+/// The answer to a line that cannot be drawn.
+#[derive(Serialize)]
+struct Report<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<&'a RawValue>,
+    line: u64,
+    error: String,
+}
+
+/// What a bad line may still say of itself.
+#[derive(Deserialize)]
+struct Id<'a> {
+    #[serde(borrow)]
+    id: Option<&'a RawValue>,
+}
+
+/// Answers the last line, which failed.
+fn push_report(answers: &mut Answers, line: &[u8]) {
+    let Some((number, error)) = answers.failures.last() else {
+        return;
+    };
+    let report = Report {
+        id: serde_json::from_slice(line).ok().and_then(|Id { id }| id),
+        line: answers.before + number,
+        error: error.to_string(),
+    };
+    if let Ok(text) = json::to_line(&report) {
+        answers.text.extend_from_slice(text.as_bytes());
+    }
+    answers.text.push(b'\n');
 }
 
 /// Closed shapes start and run as Lancaster's `drawellipse` does, as everywhere in PostScript.
@@ -136,11 +220,9 @@ fn as_drawellipse(mut shape: Shape) -> Shape {
     shape
 }
 
-fn push_json(out: &mut Vec<u8>, spec: &Spec, options: &approximate::Options) -> Result<()> {
-    let drawing = approximate(&spec.shape, options)?;
-    let document = json::DrawingDocument::from(&drawing);
-    let text = json::to_line(&document)?;
-    match spec.id {
+fn push_json(out: &mut Vec<u8>, id: Option<&str>, document: &impl Serialize) -> Result<()> {
+    let text = json::to_line(document)?;
+    match id {
         Some(id) => {
             out.extend_from_slice(b"{\"id\":");
             out.extend_from_slice(id.as_bytes());

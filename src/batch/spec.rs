@@ -6,31 +6,46 @@
 //! arc CX CY R START SWEEP
 //! arc CX CY RX RY ROTATION START SWEEP
 //! svgarc X1 Y1 RX RY ROTATION LARGE SWEEP X2 Y2
+//! bulge X1 Y1 X2 Y2 B
+//! through X1 Y1 X2 Y2 X3 Y3
+//! polyline X Y B X Y B ... [close]
+//! path DATA
 //! ```
 
+mod json;
+
 use kurbo::{Point, Vec2};
-use serde::Deserialize;
-use serde_json::value::RawValue;
 
 use crate::angle::Angle;
+use crate::contour::{Contour, Step};
 use crate::error::{Error, Result};
-use crate::joints::{Cut, Tolerance};
+use crate::joints::Cut;
 use crate::method::Method;
 use crate::number::digits::EXACT_POWERS;
-use crate::shape::endpoint::SvgArc;
+use crate::path::contours;
+use crate::shape::endpoint::{SvgArc, from_bulge, through};
 use crate::shape::{Arc, Circle, Ellipse, Shape};
 
 /// What a line asks for: a shape, and with JSON what else it says about it.
 #[derive(Debug, Clone)]
 pub struct Spec<'a> {
-    /// The shape.
-    pub shape: Shape,
+    /// What is to be drawn.
+    pub subject: Subject,
     /// The value of the key `id`, as it stands there.
     pub id: Option<&'a str>,
     /// The method, where the line names one.
     pub method: Option<Method>,
     /// The number of segments or the tolerance, where the line gives one.
     pub cut: Option<Cut>,
+}
+
+/// What a line draws.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Subject {
+    /// A shape.
+    Shape(Shape),
+    /// A path: a polyline is one too.
+    Path(Vec<Contour>),
 }
 
 impl<'a> Spec<'a> {
@@ -44,15 +59,15 @@ impl<'a> Spec<'a> {
     /// use curveto::batch::spec::Spec;
     /// let text = Spec::parse("circle 0 0 50")?;
     /// let json = Spec::parse(r#"{"circle": {"center": [0,0], "radius": 50}}"#)?;
-    /// assert_eq!(text.shape, json.shape);
+    /// assert_eq!(text.subject, json.subject);
     /// # Ok::<(), curveto::Error>(())
     /// ```
     pub fn parse(line: &'a str) -> Result<Self> {
         if line.trim_start().starts_with('{') {
-            return from_json(line);
+            return json::from_json(line);
         }
         Ok(Self {
-            shape: from_text(line)?,
+            subject: from_text(line)?,
             id: None,
             method: None,
             cut: None,
@@ -95,11 +110,61 @@ impl<'a> Words<'a> {
     }
 }
 
-fn from_text(line: &str) -> Result<Shape> {
+fn from_text(line: &str) -> Result<Subject> {
     let mut words = Words { line, at: 0 };
     let Some((start, word)) = words.next() else {
         return Err(words.wrong(0, "there is no shape"));
     };
+    match word {
+        "path" => Ok(Subject::Path(contours(&line[words.at..])?)),
+        "polyline" => polyline_from_text(words).map(Subject::Path),
+        _ => shape_from_text(words, start, word).map(Subject::Shape),
+    }
+}
+
+/// The words of a polyline: triples of numbers, and `close`.
+fn polyline_from_text(mut words: Words) -> Result<Vec<Contour>> {
+    const FORM: &str = "polyline X Y B X Y B ... [close]";
+    let mut numbers = Vec::new();
+    let mut closed = false;
+    while let Some((at, word)) = words.next() {
+        if closed {
+            return Err(words.wrong(at, "nothing is expected after close"));
+        }
+        match (word, number(word)) {
+            ("close", _) => closed = true,
+            (_, Some(value)) => numbers.push(value),
+            (_, None) => return Err(words.wrong(at, format!("'{word}' is not a number"))),
+        }
+    }
+    let (vertices, rest) = numbers.as_chunks::<3>();
+    if !rest.is_empty() {
+        let end = words.line.trim_end().len();
+        let count = numbers.len();
+        return Err(words.wrong(end, format!("{count} numbers where {FORM} is expected")));
+    }
+    polyline(vertices, closed)
+}
+
+/// A polyline with bulges, as a DXF LWPOLYLINE: x, y and the bulge to the next vertex.
+fn polyline(vertices: &[[f64; 3]], closed: bool) -> Result<Vec<Contour>> {
+    let following = vertices.iter().cycle().skip(1);
+    let count = vertices.len().saturating_sub(usize::from(!closed));
+    let pairs = vertices.iter().zip(following).take(count);
+    let steps = pairs.map(|(&[x1, y1, bulge], &[x2, y2, _])| {
+        from_bulge(Point::new(x1, y1), Point::new(x2, y2), bulge)
+    });
+    let shapes: Vec<Shape> = steps.collect::<Result<_>>()?;
+    let steps: Vec<Step> = shapes.into_iter().filter_map(Step::of_shape).collect();
+    Ok(if steps.is_empty() {
+        Vec::new()
+    } else {
+        vec![Contour { steps, closed }]
+    })
+}
+
+fn shape_from_text(mut words: Words, start: usize, word: &str) -> Result<Shape> {
+    let line = words.line;
     let (form, counts): (_, &[usize]) = match word {
         "circle" => ("circle CX CY R", &[3]),
         "ellipse" => ("ellipse CX CY RX RY [ROTATION]", &[4, 5]),
@@ -108,10 +173,12 @@ fn from_text(line: &str) -> Result<Shape> {
             &[5, 7],
         ),
         "svgarc" => ("svgarc X1 Y1 RX RY ROTATION LARGE SWEEP X2 Y2", &[9]),
+        "bulge" => ("bulge X1 Y1 X2 Y2 B", &[5]),
+        "through" => ("through X1 Y1 X2 Y2 X3 Y3", &[6]),
         _ => {
             return Err(words.wrong(
                 start,
-                "a line begins with circle, ellipse, arc or svgarc, or is a JSON object",
+                "a line begins with circle, ellipse, arc, svgarc, bulge, through, polyline or path, or is a JSON object",
             ));
         }
     };
@@ -142,6 +209,12 @@ fn from_text(line: &str) -> Result<Shape> {
         ("arc", &[x, y, r, start, sweep]) => arc([x, y], [r, r], 0.0, start, sweep),
         ("arc", &[x, y, rx, ry, rotation, start, sweep]) => {
             arc([x, y], [rx, ry], rotation, start, sweep)
+        }
+        ("bulge", &[x1, y1, x2, y2, bulge]) => {
+            from_bulge(Point::new(x1, y1), Point::new(x2, y2), bulge)
+        }
+        ("through", &[x1, y1, x2, y2, x3, y3]) => {
+            through(Point::new(x1, y1), Point::new(x2, y2), Point::new(x3, y3))
         }
         (_, &[x1, y1, rx, ry, rotation, large, sweep, x2, y2]) => {
             let flag = |i: usize, value: f64| match value {
@@ -181,11 +254,7 @@ fn arc(center: [f64; 2], radii: [f64; 2], rotation: f64, start: f64, sweep: f64)
         Angle::from_degrees(start),
         Angle::from_degrees(sweep),
     )?;
-    Ok(if sweep == 0.0 {
-        Shape::Empty
-    } else {
-        Shape::Arc(arc)
-    })
+    Ok(arc.shape())
 }
 
 /// A decimal number. Up to 19 digits make a whole number and a power of ten that are both floats, whose quotient is the nearest
@@ -214,136 +283,10 @@ fn number(word: &str) -> Option<f64> {
     Some(if negative { -value } else { value })
 }
 
-/// The keys of a line of JSON.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Line<'a> {
-    #[serde(borrow)]
-    id: Option<&'a RawValue>,
-    circle: Option<CircleKeys>,
-    ellipse: Option<EllipseKeys>,
-    arc: Option<ArcKeys>,
-    svg_arc: Option<SvgArcKeys>,
-    #[serde(borrow)]
-    method: Option<std::borrow::Cow<'a, str>>,
-    segments: Option<usize>,
-    tolerance: Option<ToleranceValue<'a>>,
-}
-
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum ToleranceValue<'a> {
-    Number(f64),
-    #[serde(borrow)]
-    Text(std::borrow::Cow<'a, str>),
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CircleKeys {
-    #[serde(default)]
-    center: [f64; 2],
-    radius: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EllipseKeys {
-    #[serde(default)]
-    center: [f64; 2],
-    radii: [f64; 2],
-    #[serde(default)]
-    rotation: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ArcKeys {
-    #[serde(default)]
-    center: [f64; 2],
-    radius: Option<f64>,
-    radii: Option<[f64; 2]>,
-    #[serde(default)]
-    rotation: f64,
-    #[serde(default)]
-    start: f64,
-    sweep: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SvgArcKeys {
-    from: [f64; 2],
-    radii: [f64; 2],
-    #[serde(default)]
-    rotation: f64,
-    large_arc: bool,
-    sweep: bool,
-    to: [f64; 2],
-}
-
-fn from_json(line: &str) -> Result<Spec<'_>> {
-    let syntax = |column: usize, why: String| Error::Syntax {
-        what: "the shape",
-        text: line.trim().to_owned(),
-        column,
-        why,
-    };
-    let keys: Line<'_> = serde_json::from_str(line).map_err(|error| {
-        let text = error.to_string();
-        let why = text.split(" at line ").next().unwrap_or(&text).to_owned();
-        syntax(error.column().max(1), why)
-    })?;
-    let shape = match (keys.circle, keys.ellipse, keys.arc, keys.svg_arc) {
-        (Some(c), None, None, None) => Shape::Circle(Circle::new(point(c.center), c.radius)?),
-        (None, Some(e), None, None) => ellipse(e.center, e.radii, e.rotation)?,
-        (None, None, Some(a), None) => {
-            let radii = match (a.radius, a.radii) {
-                (Some(radius), None) => [radius, radius],
-                (None, Some(radii)) => radii,
-                _ => return Err(syntax(1, "an arc has a radius or radii".to_owned())),
-            };
-            arc(a.center, radii, a.rotation, a.start, a.sweep)?
-        }
-        (None, None, None, Some(s)) => SvgArc {
-            from: point(s.from),
-            radii: Vec2::new(s.radii[0], s.radii[1]),
-            rotation: Angle::from_degrees(s.rotation),
-            large_arc: s.large_arc,
-            sweep: s.sweep,
-            to: point(s.to),
-        }
-        .shape()?,
-        _ => {
-            let why = "one of circle, ellipse, arc and svg_arc is expected";
-            return Err(syntax(1, why.to_owned()));
-        }
-    };
-    let cut = match (keys.segments, keys.tolerance) {
-        (None, None) => None,
-        (Some(count), None) => Some(Cut::Count(count)),
-        (None, Some(ToleranceValue::Number(distance))) => {
-            Some(Cut::Tolerance(Tolerance::Absolute(distance)))
-        }
-        (None, Some(ToleranceValue::Text(text))) => Some(Cut::Tolerance(text.parse()?)),
-        _ => {
-            return Err(syntax(
-                1,
-                "segments and tolerance exclude each other".to_owned(),
-            ));
-        }
-    };
-    Ok(Spec {
-        shape,
-        id: keys.id.map(RawValue::get),
-        method: keys.method.map(|name| name.parse()).transpose()?,
-        cut,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::joints::Tolerance;
 
     #[test]
     fn both_forms_mean_the_same() {
@@ -369,10 +312,26 @@ mod tests {
                 "svgarc 0 0 25 25 -30 0 1 50 -25",
                 r#"{"svg_arc": {"from": [0,0], "radii": [25,25], "rotation": -30, "large_arc": false, "sweep": true, "to": [50,-25]}}"#,
             ),
+            (
+                "bulge 0 0 10 0 1",
+                r#"{"bulge": {"from": [0,0], "to": [10,0], "bulge": 1}}"#,
+            ),
+            (
+                "through 0 0 1 1 2 0",
+                r#"{"through": [[0,0], [1,1], [2,0]]}"#,
+            ),
+            (
+                "polyline 0 0 1 10 0 0 10 10 0 close",
+                r#"{"polyline": {"vertices": [[0,0,1], [10,0,0], [10,10,0]], "closed": true}}"#,
+            ),
+            (
+                "path M0 0L1 0A1 1 0 0 1 0 1Z",
+                r#"{"path": "M0 0L1 0A1 1 0 0 1 0 1Z"}"#,
+            ),
         ] {
             assert_eq!(
-                Spec::parse(text).unwrap().shape,
-                Spec::parse(json).unwrap().shape,
+                Spec::parse(text).unwrap().subject,
+                Spec::parse(json).unwrap().subject,
                 "{text}"
             );
         }

@@ -9,10 +9,12 @@ mod each;
 pub(crate) mod measure;
 pub(crate) mod methods;
 mod output;
+mod path;
 mod picture;
 pub(crate) mod shape;
 mod sphere;
 mod spline;
+mod talk;
 mod values;
 
 pub(crate) use approximation::ApproximationArgs;
@@ -23,9 +25,11 @@ pub(crate) use deferred::Deferred;
 pub(crate) use measure::MeasureArgs;
 pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
+pub(crate) use path::PathArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
 pub(crate) use sphere::SphereArgs;
 pub(crate) use spline::{SplineArgs, SplineSource};
+pub(crate) use talk::TalkArgs;
 pub(crate) use values::PrecisionWord;
 
 use std::path::PathBuf;
@@ -57,6 +61,8 @@ pub(crate) enum Command {
     Ellipse(Deferred<Draw<EllipseShape>>),
     /// Draw an arc of a circle or an ellipse
     Arc(Deferred<Draw<ArcShape>>),
+    /// Draw SVG path data: every arc becomes Béziers, all else stays as it is
+    Path(Deferred<PathArgs>),
     /// Draw the shapes of a stream, one a line in, one a line out
     Batch(Deferred<BatchArgs>),
     /// Draw a composite parametric cubic curve through points, after Chen
@@ -121,10 +127,11 @@ mod tests {
     use super::Cli;
 
     /// What takes all of its values when it is given several times: positional words, and lists.
-    const LISTS: [&str; 9] = [
+    const LISTS: [&str; 10] = [
         "circle show",
         "ellipse show",
         "arc show",
+        "path show",
         "spline show",
         "sphere show",
         "convert only",

@@ -31,5 +31,8 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
     };
     let summary = batch::run(input, io::stdout().lock(), &options, complain)
         .with_context(|| format!("cannot go on with {name}"))?;
-    Ok(ExitCode::from(u8::from(summary.failed > 0)))
+    let batch::Summary { lines, failed } = summary;
+    args.talk
+        .state(|| format!("{name}: {lines} lines read, {failed} could not be drawn"));
+    Ok(ExitCode::from(u8::from(failed > 0)))
 }

@@ -31,7 +31,7 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
     let options = args.options()?;
     let jobs = tree::jobs(&args.inputs, &args.destination)?;
     if jobs.is_empty() {
-        eprintln!("note: there is no .svg or .svgz file to convert");
+        args.talk.note("there is no .svg or .svgz file to convert");
     }
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(args.each.jobs.map_or(0, Into::into))
@@ -51,7 +51,7 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
     if reports.iter().any(FileReport::is_closed_pipe) {
         return Ok(ExitCode::SUCCESS);
     }
-    report::tell(&reports, args.report);
+    report::tell(&reports, args.report, args.talk);
     if args.destination.check {
         list_changed(&reports)?;
     }

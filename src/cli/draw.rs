@@ -47,7 +47,7 @@ fn draw(
     let mut manner = output.options(format)?;
     // Where nothing is said of how an arc is approximated, a format that has arcs gets the arc.
     manner.exact = approximation.is_silent() && matches!(drawing.shape, Shape::Arc(_));
-    write_drawn(&drawing, format, &manner, &output.target())?;
+    write_drawn(&drawing, format, &manner, output)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -2,11 +2,10 @@
 
 mod table;
 
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
-use anyhow::Context;
 use curveto::approximate::Options;
 use curveto::curve::Curve;
 use curveto::measure::{Quantity, Reference, fit, report};
@@ -24,6 +23,7 @@ use super::args::shape::{Direction, ShapeWords};
 use super::draw;
 use super::failure::Failure;
 use super::formats::{choose, of_plot};
+use super::input;
 use super::output::Target;
 
 /// What was measured, with what a plot needs of it.
@@ -80,7 +80,8 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
 /// Measures what someone else made.
 fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Failure> {
     if let Some(data) = &args.path {
-        let curves = path::curves(data)?;
+        let (data, _) = input::path_data(data)?;
+        let curves = path::curves(&data)?;
         return subjects("path", &curves, args, report);
     }
     let Some(file) = &args.file else {
@@ -89,7 +90,7 @@ fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Fail
             "for example: curveto measure circle 50, curveto measure --path 'M...', curveto measure --file drawing.svg",
         ));
     };
-    let (text, name) = read_text(file)?;
+    let (text, name) = input::text(file)?;
     let paths =
         document::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
     let mut found = Vec::new();
@@ -124,21 +125,6 @@ fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Fail
         ));
     }
     Ok(found)
-}
-
-/// The text of a file or of standard input, and what to call it.
-fn read_text(file: &Path) -> Result<(String, String), Failure> {
-    if file.as_os_str() == "-" {
-        let mut text = String::new();
-        std::io::stdin()
-            .lock()
-            .read_to_string(&mut text)
-            .context("cannot read standard input")?;
-        return Ok((text, "standard input".to_owned()));
-    }
-    let name = file.display().to_string();
-    let text = std::fs::read_to_string(file).with_context(|| format!("cannot read {name}"))?;
-    Ok((text, name))
 }
 
 /// Measures each of these curves.

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use curveto::write::{Format, Image, Options, Writable, write};
 
+use super::args::OutputArgs;
 use super::failure::Failure;
 
 /// Where output goes.
@@ -18,17 +19,20 @@ pub(crate) enum Target {
     File(PathBuf),
 }
 
-/// Writes what was drawn, in its format.
+/// Writes what was drawn, in its format, to where it was asked to go.
 pub(crate) fn write_drawn(
     work: &impl Writable,
     format: Format,
     options: &Options,
-    target: &Target,
+    words: &OutputArgs,
 ) -> Result<(), Failure> {
+    let target = words.target();
     if format == Format::Image(Image::Png) {
         target.refuse_terminal()?;
     }
-    target.write(&write(work, format, options)?)
+    target.write(&write(work, format, options)?)?;
+    words.talk.state(|| work.summary());
+    Ok(())
 }
 
 impl Target {

@@ -31,7 +31,7 @@ pub(super) fn run(args: &SphereArgs) -> Outcome {
         &SphereDrawing { picture, hidden },
         format,
         &args.output.options(format)?,
-        &args.output.target(),
+        &args.output,
     )?;
     Ok(ExitCode::SUCCESS)
 }

@@ -33,7 +33,7 @@ pub(super) fn run(args: &SplineArgs) -> Outcome {
         &drawing,
         format,
         &args.output.options(format)?,
-        &args.output.target(),
+        &args.output,
     )?;
     Ok(ExitCode::SUCCESS)
 }

@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::radial_error::RadialError;
 
-use super::{Degrees, Ends, Method, Piece, Span, chen, tangent};
+use super::{Degree, Degrees, Ends, Method, Piece, Span, chen, tangent};
 
 /// What gives the control points: a method of the catalogue or a number of the user's own.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,6 +29,13 @@ impl From<Method> for Rule {
 }
 
 impl Rule {
+    /// Whether it gives quadratics.
+    #[must_use]
+    pub fn is_quadratic(self) -> bool {
+        self.method()
+            .is_some_and(|method| method.card().degree == Degree::Quadratic)
+    }
+
     /// The name that output states: the method's id, or `handle`.
     #[must_use]
     pub fn id(self) -> &'static str {

@@ -1,10 +1,28 @@
-//! Curves that others made: SVG path data.
+//! SVG path data as contours and curves.
 
-use kurbo::{CubicBez, Line, PathSeg, Point, QuadBez, Vec2};
+use kurbo::{CubicBez, PathSeg, Point, QuadBez, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
-use crate::curve::{CLOSING_GAP, Curve, gap, size};
+use crate::angle::Angle;
+use crate::contour::{Contour, Step};
+use crate::curve::{CLOSING_GAP, Curve, size};
 use crate::error::{Error, Result, finite};
+use crate::shape::endpoint::{SvgArc, decimal_sum};
+
+/// The contours of path data, one for each subpath that draws something. A closing line is a step of its own.
+///
+/// # Errors
+///
+/// Where the data does not parse, or a number is not finite or beyond 1e150.
+pub fn contours(data: &str) -> Result<Vec<Contour>> {
+    let mut pen = Pen::default();
+    for segment in PathParser::from(data) {
+        let segment = segment.map_err(|error| syntax(data, &error.to_string()))?;
+        pen.take(segment)?;
+    }
+    pen.end();
+    Ok(pen.contours)
+}
 
 /// The curves of path data, one for each subpath. A closing line that is next to nothing, as rounding leaves one, is no segment.
 ///
@@ -13,13 +31,34 @@ use crate::error::{Error, Result, finite};
 /// Where the data does not parse, a coordinate is not finite or beyond 1e150, or an elliptical arc is among the segments: that
 /// one is no Bézier, and exact.
 pub fn curves(data: &str) -> Result<Vec<Curve>> {
-    let mut pen = Pen::default();
-    for segment in PathParser::from(data) {
-        let segment = segment.map_err(|error| syntax(data, &error.to_string()))?;
-        pen.take(segment)?;
+    contours(data)?.iter().filter_map(curve).collect()
+}
+
+/// The contour as a curve; `None` where it has no length.
+fn curve(contour: &Contour) -> Option<Result<Curve>> {
+    let mut segments = Vec::with_capacity(contour.steps.len());
+    for (i, step) in contour.steps.iter().enumerate() {
+        match step {
+            Step::Given(segment) => segments.push(*segment),
+            Step::Arc(_) => {
+                return Some(Err(Error::Shape(format!(
+                    "segment {} of the path is an elliptical arc (A): that one is exact and no Bézier, so that there is no error to measure",
+                    i + 1
+                ))));
+            }
+        }
     }
-    pen.end();
-    Ok(pen.curves)
+    let mut curve = Curve {
+        segments,
+        closed: contour.closed,
+    };
+    if let (true, Some(PathSeg::Line(line))) = (curve.closed, curve.segments.last()) {
+        // A closing line that is next to nothing is what rounding leaves, and a point alone has no length.
+        if line.p0.distance(line.p1) <= CLOSING_GAP * size(&curve) {
+            curve.segments.pop();
+        }
+    }
+    (!curve.segments.is_empty()).then_some(Ok(curve))
 }
 
 fn syntax(data: &str, why: &str) -> Error {
@@ -30,7 +69,8 @@ fn syntax(data: &str, why: &str) -> Error {
 }
 
 /// The first words of a text that may be long.
-pub(crate) fn shortened(text: &str) -> String {
+#[must_use]
+pub fn shortened(text: &str) -> String {
     match text.char_indices().nth(40) {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
@@ -40,8 +80,8 @@ pub(crate) fn shortened(text: &str) -> String {
 /// The current subpath.
 #[derive(Default)]
 struct Pen {
-    curves: Vec<Curve>,
-    segments: Vec<PathSeg>,
+    contours: Vec<Contour>,
+    steps: Vec<Step>,
     start: Point,
     here: Point,
     /// The last control point of the segment before, where the shorthands T and S reflect it.
@@ -59,12 +99,12 @@ enum Control {
 impl Pen {
     fn take(&mut self, segment: PathSegment) -> Result<()> {
         let here = self.here.to_vec2();
-        let origin = |abs: bool| if abs { Vec2::ZERO } else { here };
         let at = |abs: bool, x: f64, y: f64| -> Result<Point> {
-            let p = Point::new(x, y) + origin(abs);
+            let (x, y) = (finite("coordinate", x)?, finite("coordinate", y)?);
+            let Vec2 { x: dx, y: dy } = if abs { Vec2::ZERO } else { here };
             Ok(Point::new(
-                finite("coordinate", p.x)?,
-                finite("coordinate", p.y)?,
+                finite("coordinate", decimal_sum(dx, x))?,
+                finite("coordinate", decimal_sum(dy, y))?,
             ))
         };
         match segment {
@@ -110,11 +150,28 @@ impl Pen {
                 };
                 self.quadratic(control, at(abs, x, y)?);
             }
-            PathSegment::EllipticalArc { .. } => {
-                return Err(Error::Shape(format!(
-                    "segment {} of the path is an elliptical arc (A): that one is exact and no Bézier, so that there is no error to measure",
-                    self.segments.len() + 1
-                )));
+            PathSegment::EllipticalArc {
+                abs,
+                rx,
+                ry,
+                x_axis_rotation,
+                large_arc,
+                sweep,
+                x,
+                y,
+            } => {
+                let to = at(abs, x, y)?;
+                let arc = SvgArc {
+                    from: self.here,
+                    radii: Vec2::new(rx, ry),
+                    rotation: Angle::from_degrees(x_axis_rotation),
+                    large_arc,
+                    sweep,
+                    to,
+                };
+                self.steps.extend(Step::of_shape(arc.shape()?));
+                self.here = to;
+                self.control = Control::None;
             }
             PathSegment::ClosePath { .. } => self.close(),
         }
@@ -122,13 +179,15 @@ impl Pen {
     }
 
     fn push(&mut self, segment: PathSeg, end: Point, control: Control) {
-        self.segments.push(segment);
+        self.steps.push(Step::Given(segment));
         self.here = end;
         self.control = control;
     }
 
     fn line(&mut self, end: Point) {
-        self.push(PathSeg::Line(Line::new(self.here, end)), end, Control::None);
+        self.steps.push(Step::line(self.here, end));
+        self.here = end;
+        self.control = Control::None;
     }
 
     fn cubic(&mut self, p1: Point, p2: Point, end: Point) {
@@ -142,34 +201,27 @@ impl Pen {
     }
 
     fn close(&mut self) {
-        let mut curve = Curve {
-            segments: core::mem::take(&mut self.segments),
-            closed: true,
-        };
-        if gap(&curve) > CLOSING_GAP * size(&curve) {
-            curve
-                .segments
-                .push(PathSeg::Line(Line::new(self.here, self.start)));
+        // A point alone is a dot where lines have round ends.
+        if self.here != self.start || self.steps.is_empty() {
+            self.line(self.start);
         }
+        self.keep(true);
         self.here = self.start;
-        self.control = Control::None;
-        self.keep(curve);
     }
 
     /// Ends a subpath that was not closed.
     fn end(&mut self) {
-        let curve = Curve {
-            segments: core::mem::take(&mut self.segments),
-            closed: false,
-        };
-        self.control = Control::None;
-        self.keep(curve);
+        if !self.steps.is_empty() {
+            self.keep(false);
+        }
     }
 
-    fn keep(&mut self, curve: Curve) {
-        if !curve.segments.is_empty() {
-            self.curves.push(curve);
-        }
+    fn keep(&mut self, closed: bool) {
+        self.control = Control::None;
+        self.contours.push(Contour {
+            steps: core::mem::take(&mut self.steps),
+            closed,
+        });
     }
 }
 

@@ -22,7 +22,7 @@ pub fn push_curve(out: &mut Vec<u8>, curve: &Curve, relative: bool) {
     out.push(b'M');
     push_numbers(out, &[start.x, start.y]);
     let mut current = start;
-    for segment in &curve.segments {
+    for segment in without_closing_line(curve) {
         let (letter, points): (u8, &[Point]) = match segment {
             PathSeg::Line(l) => (b'L', &[l.p1]),
             PathSeg::Quad(q) => (b'Q', &[q.p1, q.p2]),
@@ -47,6 +47,18 @@ pub fn push_curve(out: &mut Vec<u8>, curve: &Curve, relative: bool) {
     }
     if curve.closed {
         out.push(if relative { b'z' } else { b'Z' });
+    }
+}
+
+/// The segments that are written: a closing operator draws the line to the start by itself.
+fn without_closing_line(curve: &Curve) -> &[PathSeg] {
+    match curve.segments.as_slice() {
+        [rest @ .., PathSeg::Line(last)]
+            if curve.closed && !rest.is_empty() && Some(last.p1) == curve.start() =>
+        {
+            rest
+        }
+        all => all,
     }
 }
 

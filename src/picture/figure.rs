@@ -4,8 +4,9 @@ use kurbo::Rect;
 
 use super::style::{Style, default_stroke_width};
 use crate::approximate::Drawing;
+use crate::contour::PathDrawing;
 use crate::curve::Curve;
-use crate::number::{significant, text};
+use crate::number::{compact, rounded_up, significant, text};
 use crate::shape::{Outline, Shape};
 use crate::sphere::{Part, Picture};
 use crate::spline::{Ends, Spline};
@@ -96,8 +97,8 @@ impl From<&Drawing> for Figure {
                     "s"
                 },
                 method = drawing.rule.id(),
-                peak = significant(drawing.error.peak(), 3),
-                relative = significant(drawing.relative_peak(), 3),
+                peak = significant(rounded_up(drawing.error.peak(), 3), 3),
+                relative = significant(rounded_up(drawing.relative_peak(), 3), 3),
             )
         } else {
             format!("{title}; exact")
@@ -113,6 +114,74 @@ impl From<&Drawing> for Figure {
             truths: drawing.outline.into_iter().collect(),
         }
     }
+}
+
+impl Figure {
+    /// The subpaths of a path.
+    #[must_use]
+    pub fn of_path(drawing: &PathDrawing) -> Self {
+        Self {
+            name: "path",
+            title: "Path".to_owned(),
+            description: sentence(&path_summary(drawing)),
+            layers: vec![Layer {
+                curves: drawing.curves().cloned().collect(),
+                ..Layer::default()
+            }],
+            truths: Vec::new(),
+        }
+    }
+}
+
+/// A path and how closely it was drawn, in a line; the figures are rounded up.
+pub(crate) fn path_summary(drawing: &PathDrawing) -> String {
+    let count = drawing.subpaths.len();
+    let segments: usize = drawing.curves().map(|curve| curve.segments.len()).sum();
+    let closeness = match drawing.error().peak() {
+        0.0 => "exact".to_owned(),
+        peak => format!(
+            "arcs by {}, within {}",
+            drawing.rule.id(),
+            significant(rounded_up(peak, 3), 3)
+        ),
+    };
+    format!(
+        "path of {count} subpath{}: {segments} segment{}, {closeness}",
+        plural(count),
+        plural(segments)
+    )
+}
+
+const fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+/// With a capital first letter.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|letter| letter.to_ascii_uppercase());
+    first.into_iter().chain(letters).collect()
+}
+
+/// What was drawn and how closely, in a line; the figures are rounded up.
+pub(crate) fn summary(drawing: &Drawing) -> String {
+    let title = describe(&drawing.shape);
+    let mut letters = title.chars();
+    let first = letters
+        .next()
+        .map_or_else(String::new, |c| c.to_lowercase().to_string());
+    let title = first + letters.as_str();
+    if drawing.outline.is_none() {
+        return format!("{title}: exact");
+    }
+    let count = drawing.curve.segments.len();
+    format!(
+        "{title}: {count} segment{} by {}, within {} ({} of the larger radius)",
+        plural(count),
+        drawing.rule.id(),
+        significant(rounded_up(drawing.error.peak(), 3), 3),
+        compact(rounded_up(drawing.relative_peak(), 3), 3),
+    )
 }
 
 /// A shape in a word.
@@ -204,8 +273,11 @@ fn describe_sphere(picture: &Picture, title: &str) -> String {
         meridians = picture.sphere.meridians,
         parallels = picture.sphere.parallels,
         method = picture.options.rule.id(),
-        peak = significant(picture.error.peak(), 3),
-        relative = significant(picture.error.peak() / picture.sphere.radius, 3),
+        peak = significant(rounded_up(picture.error.peak(), 3), 3),
+        relative = significant(
+            rounded_up(picture.error.peak() / picture.sphere.radius, 3),
+            3
+        ),
     )
 }
 

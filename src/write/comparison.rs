@@ -5,7 +5,7 @@ use core::fmt::Write;
 use quick_xml::escape::partial_escape;
 
 use crate::compare::{Comparison, NOISE, Row};
-use crate::number::{compact, text};
+use crate::number::{compact, rounded_up, text};
 
 /// How wide a table may be.
 const COLUMNS: usize = 80;
@@ -64,7 +64,7 @@ fn figure(value: Option<f64>, digits: u8) -> String {
     match value {
         None => "-".to_owned(),
         Some(value) if value <= NOISE => "<2e-15".to_owned(),
-        Some(value) => compact(value, digits),
+        Some(value) => compact(rounded_up(value, digits), digits),
     }
 }
 

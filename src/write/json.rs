@@ -14,7 +14,7 @@ use crate::error::{Error, Result};
 use crate::method::Rule;
 use crate::number::{decimals_of, push_shortest, round};
 use crate::path;
-use crate::picture::figure::Figure;
+use crate::picture::figure::{self, Figure};
 use crate::power;
 use crate::shape::Shape;
 use crate::write::Writable;
@@ -121,6 +121,10 @@ pub struct ErrorDocument {
 }
 
 impl Writable for Drawing {
+    fn summary(&self) -> String {
+        figure::summary(self)
+    }
+
     fn figure(&self) -> Figure {
         Figure::from(self)
     }

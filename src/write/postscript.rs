@@ -5,7 +5,7 @@ use kurbo::{PathSeg, Point, Rect};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::method::{Method, Rule, Span};
-use crate::number::{Precision, push_shortest, significant, text};
+use crate::number::{Precision, push_shortest, rounded_up, significant, text};
 use crate::picture::paint::{Color, Paint};
 use crate::picture::scene::{Group, Scene};
 use crate::picture::size::Size;
@@ -216,7 +216,7 @@ pub fn procset(rule: Rule) -> Result<String> {
     Ok(PROCSET
         .replace("@METHOD@", rule.id())
         .replace("@MAGIC@", &text(piece.handle.y))
-        .replace("@PEAK@", &significant(error.peak(), 4)))
+        .replace("@PEAK@", &significant(rounded_up(error.peak(), 4), 4)))
 }
 
 const PROCSET: &str = "\

@@ -5,6 +5,7 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
+use curveto::batch::spec::{Spec, Subject};
 use curveto::batch::{OnError, Options, run};
 use curveto::number::{Precision, text};
 use curveto::path;
@@ -115,7 +116,9 @@ proptest! {
     ) {
         let precision = decimals.map(Precision::Fixed);
         let options = Options { cut: cut.clone(), precision, on_error: OnError::Blank, ..Options::default() };
-        let shape = curveto::batch::spec::Spec::parse(&line).unwrap().shape;
+        let Subject::Shape(shape) = Spec::parse(&line).unwrap().subject else {
+            panic!("{line} is a path");
+        };
         let drawing = approximate(&shape, &curveto::Options { cut, precision, ..curveto::Options::default() });
         let expected = drawing.map_or_else(|_| String::new(), |drawing| path::data([&drawing.curve], false));
         prop_assert_eq!(answers(&(line + "\n"), &options).concat(), expected);
@@ -221,9 +224,9 @@ fn ids_pass_through() {
     assert!(answer.starts_with(r#"{"id":"a1","version":1,"#), "{answer}");
     let document: serde_json::Value = serde_json::from_str(&answer).unwrap();
     assert_eq!(document["segments"].as_array().unwrap().len(), 4);
-    let shape = curveto::batch::spec::Spec::parse("circle 0 0 50")
-        .unwrap()
-        .shape;
+    let Subject::Shape(shape) = Spec::parse("circle 0 0 50").unwrap().subject else {
+        panic!("a circle is a shape");
+    };
     let full = curveto::Options {
         precision: Some(Precision::Full),
         ..curveto::Options::default()

@@ -154,7 +154,7 @@ fn lines_and_what_is_no_arc() {
         "M0 0L3 4\n"
     );
     refused(&["arc", "--through", "1,1", "1,1", "1,1"]);
-    refused(&["arc", "--through", "1,1", "2,2", "1,1"]);
+    refused(&["arc", "--through", "1,1", "1,1", "2,2"]);
 }
 
 #[test]

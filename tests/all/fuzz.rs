@@ -4,6 +4,8 @@
 use crate::judges::independent;
 use crate::judges::random;
 
+use curveto::batch::spec::Subject;
+use curveto::contour::{Target, draw};
 use curveto::document::{self, Kind, Note, Only, Options};
 use curveto::{Cut, Method, Rule, Tolerance};
 use proptest::prelude::*;
@@ -171,10 +173,14 @@ fn read_all(text: &str) {
             cut: spec.cut.unwrap_or_default(),
             ..curveto::Options::default()
         };
-        if let Ok(drawing) = curveto::approximate(&spec.shape, &options) {
-            let data = curveto::path::data([&drawing.curve], false);
-            assert!(!data.contains("NaN") && !data.contains("inf"), "{data}");
-        }
+        let data = match &spec.subject {
+            Subject::Shape(shape) => curveto::approximate(shape, &options)
+                .map(|drawing| curveto::path::data([&drawing.curve], false)),
+            Subject::Path(contours) => draw(contours, Target::Quadratics, &options)
+                .map(|drawing| curveto::path::data(drawing.curves(), false)),
+        };
+        let data = data.unwrap_or_default();
+        assert!(!data.contains("NaN") && !data.contains("inf"), "{data}");
     }
     let _ = curveto::shape::endpoint::parse_svg_arc(text);
     let _ = curveto::spline::points::Points::parse(text);
@@ -188,7 +194,11 @@ fn read_all(text: &str) {
 }
 
 /// Lines of each form, to be damaged.
-const LINES: [&str; 16] = [
+const LINES: [&str; 20] = [
+    "bulge 0 0 10 0 1",
+    "through 0 0 1 1 2 0.5",
+    "polyline 0 0 1 10 0 -.5 10 10 0 close",
+    "path M1 1l2 3A5 4 30 0 1 9 9q1 2 3 4t1 1s4 5 6 7z",
     "circle 0 0 50",
     "ellipse 1 -2 30 20 15",
     "arc .5 0 5 10 -200",

@@ -15,6 +15,7 @@ mod dependencies;
 mod determinism;
 mod documented_commands;
 mod every_method;
+mod everyday;
 mod exchange;
 mod fewest_segments;
 mod format_goldens;

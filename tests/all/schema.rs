@@ -9,14 +9,16 @@ use curveto::compare::Comparison;
 use curveto::write::catalogue::{CatalogueDocument, MethodDocument};
 use curveto::write::json::DrawingDocument;
 use curveto::write::measurement::Measurement;
+use curveto::write::path::PathDocument;
 use curveto::write::sphere::SphereDocument;
 use curveto::write::spline::SplineDocument;
 use schemars::{Schema, schema_for};
 use serde_json::Value;
 
-fn published() -> [(&'static str, Schema); 7] {
+fn published() -> [(&'static str, Schema); 8] {
     [
         ("drawing", schema_for!(DrawingDocument)),
+        ("path", schema_for!(PathDocument)),
         ("measurement", schema_for!(Measurement)),
         ("comparison", schema_for!(Comparison)),
         ("spline", schema_for!(SplineDocument)),
@@ -177,7 +179,7 @@ fn flattened(schema: &Value, root: &Value) -> Value {
 const PATH: &str = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
 
 /// Each schema, and commands that print what it describes.
-const CASES: [(&str, &[&str]); 17] = [
+const CASES: [(&str, &[&str]); 18] = [
     ("drawing", &["circle", "50", "-f", "json"]),
     (
         "drawing",
@@ -212,6 +214,7 @@ const CASES: [(&str, &[&str]); 17] = [
         ],
     ),
     ("comparison", &["compare", "-f", "json"]),
+    ("path", &["path", "M0 0L5 0A5 5 0 0 1 0 5Z", "-f", "json"]),
     (
         "spline",
         &["spline", "--points", "0,0 1,2 3,1", "-f", "json"],

@@ -63,6 +63,14 @@ impl ApproximationArgs {
         }
     }
 
+    /// What gives the control points of a drawing, where it was asked for.
+    pub(crate) fn named_rule(&self) -> Result<Option<Rule>, Failure> {
+        if self.method.is_empty() && self.handle.is_none() {
+            return Ok(None);
+        }
+        self.rule().map(Some)
+    }
+
     /// What gives the control points, where several methods may be asked for.
     pub(crate) fn rules(&self) -> Result<Vec<Rule>, Failure> {
         if self.method.is_empty() {

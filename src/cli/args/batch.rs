@@ -6,10 +6,35 @@ use clap::{Args, ValueEnum};
 use curveto::batch::{OnError, Options};
 use curveto::write::Format;
 
+use super::TalkArgs;
 use super::each::EachArgs;
 use crate::cli::failure::Failure;
 
+/// The forms of a line, for `--help` and the manual page.
+const GRAMMAR: &str = "\
+A line is a JSON object or one of:
+  circle CX CY R
+  ellipse CX CY RX RY [ROTATION]
+  arc CX CY R START SWEEP
+  arc CX CY RX RY ROTATION START SWEEP
+  svgarc X1 Y1 RX RY ROTATION LARGE SWEEP X2 Y2
+  bulge X1 Y1 X2 Y2 B
+  through X1 Y1 X2 Y2 X3 Y3
+  polyline X Y B X Y B ... [close]      (a DXF LWPOLYLINE: B the bulge to the next vertex)
+  path DATA
+JSON, with id, method, segments or tolerance where a line needs its own:
+  {\"id\": \"a1\", \"circle\": {\"center\": [0,0], \"radius\": 50}, \"method\": \"minimax\", \"segments\": 4}
+  {\"ellipse\": {\"center\": [0,0], \"radii\": [30,20], \"rotation\": 15}, \"tolerance\": 0.001}
+  {\"arc\": {\"center\": [0,0], \"radius\": 50, \"start\": 0, \"sweep\": 90}}
+  {\"svg_arc\": {\"from\": [0,0], \"radii\": [25,25], \"rotation\": -30, \"large_arc\": false, \"sweep\": true, \"to\": [50,-25]}}
+  {\"bulge\": {\"from\": [0,0], \"to\": [10,0], \"bulge\": 1}}
+  {\"through\": [[0,0], [5,5], [10,0]]}
+  {\"polyline\": {\"vertices\": [[0,0,1], [10,0,0]], \"closed\": true}}
+  {\"path\": \"M0 0A5 5 0 0 1 10 0Z\"}
+Blank lines and lines that begin with # give a blank line.";
+
 #[derive(Debug, Args)]
+#[command(after_long_help = GRAMMAR)]
 pub(crate) struct BatchArgs {
     /// The lines, one shape each; what a line says of its method and segments wins; - is standard input [default: -]
     #[arg(value_name = "FILE")]
@@ -18,8 +43,11 @@ pub(crate) struct BatchArgs {
     #[arg(short, long, value_name = "F", value_enum, default_value_t)]
     format: BatchFormat,
     #[command(flatten)]
+    pub(crate) talk: TalkArgs,
+    #[command(flatten)]
     each: EachArgs,
-    /// What becomes of a line that cannot be drawn: it ends the run, has no answer, or a blank one
+    /// What becomes of a line that cannot be drawn: it ends the run, has no answer, a blank one, or with -f json an
+    /// object that says why
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
     on_error: OnErrorArg,
 }
@@ -38,6 +66,7 @@ enum OnErrorArg {
     Stop,
     Skip,
     Blank,
+    Report,
 }
 
 impl BatchArgs {
@@ -59,6 +88,13 @@ impl BatchArgs {
                 OnErrorArg::Stop => OnError::Stop,
                 OnErrorArg::Skip => OnError::Skip,
                 OnErrorArg::Blank => OnError::Blank,
+                OnErrorArg::Report if !matches!(self.format, BatchFormat::Json) => {
+                    return Err(Failure::request_with_hint(
+                        "--on-error report answers with JSON objects",
+                        "add -f json, or take --on-error blank",
+                    ));
+                }
+                OnErrorArg::Report => OnError::Report,
             },
             jobs,
         })

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use curveto::document::{self, Kind, Only};
 
+use super::TalkArgs;
 use super::each::EachArgs;
 use crate::cli::failure::Failure;
 
@@ -21,6 +22,8 @@ pub(crate) struct ConvertArgs {
     /// What was replaced and what was left, on standard error; without it, what was left
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub(crate) report: Option<Report>,
+    #[command(flatten)]
+    pub(crate) talk: TalkArgs,
     #[command(flatten)]
     pub(crate) each: EachArgs,
 }

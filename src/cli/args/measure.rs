@@ -62,8 +62,13 @@ pub(crate) struct Measured<S: Args> {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "A curve that someone else made")]
 pub(crate) struct ForeignArgs {
-    /// SVG path data
-    #[arg(long, value_name = "DATA", allow_hyphen_values = true, group = "curve")]
+    /// SVG path data, or a file that holds it; - is standard input
+    #[arg(
+        long,
+        value_name = "DATA|FILE|-",
+        allow_hyphen_values = true,
+        group = "curve"
+    )]
     pub(crate) path: Option<String>,
     /// Every path of an SVG file, its transforms applied; - is standard input
     #[arg(long, alias = "svg", value_name = "FILE", group = "curve")]

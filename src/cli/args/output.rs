@@ -7,6 +7,7 @@ use curveto::number::Precision;
 use curveto::write::{self, Format, Image};
 use kurbo::Affine;
 
+use super::TalkArgs;
 use super::picture::PictureArgs;
 use super::values::{self, PrecisionWord};
 use crate::cli::failure::Failure;
@@ -34,6 +35,8 @@ pub(crate) struct OutputArgs {
     /// How fast gcode moves, in units a minute
     #[arg(long, value_name = "F", value_parser = values::positive, allow_hyphen_values = true)]
     feed: Option<f64>,
+    #[command(flatten)]
+    pub(crate) talk: TalkArgs,
     #[command(flatten)]
     picture: PictureArgs,
 }

@@ -1,7 +1,7 @@
 //! The words for shapes, and the shapes that they ask for.
 
 use clap::{ArgAction, Args};
-use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
+use curveto::shape::endpoint::{about_center, from_bulge, from_radius, parse_svg_arc, through};
 use curveto::{Angle, Arc, Circle, Ellipse, Shape};
 use kurbo::{Point, Vec2};
 
@@ -56,17 +56,18 @@ pub(crate) struct ArcShape {
     /// Where the arc starts
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii")]
     start: Option<Angle>,
-    /// Where the arc ends
+    /// Where the arc ends, as PostScript's arc and arcn take it: raised by whole turns until it is not below the start; with --reverse
+    /// lowered until it is not above
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with = "sweep")]
     end: Option<Angle>,
-    /// How far the arc runs, at most one turn
+    /// How far the arc runs, with its sign, at most one turn
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii")]
     sweep: Option<Angle>,
     /// The angle from the x axis to the axis of the first radius
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii")]
     rotation: Option<Angle>,
-    /// The centre [default: 0,0]
-    #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, requires = "radii")]
+    /// The centre [default: 0,0]; with --from and --to that of the circle, as G2 and G3 with I and J
+    #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, conflicts_with_all = ["svg", "through"])]
     center: Option<Point>,
     /// SVG path data 'M x y A rx ry rotation large sweep x y', compact forms too
     #[arg(long, value_name = "PATH", allow_hyphen_values = true, group = "form")]
@@ -74,15 +75,27 @@ pub(crate) struct ArcShape {
     /// Start, a point on the arc, end
     #[arg(long, value_names = ["X,Y", "X,Y", "X,Y"], num_args = 3, value_parser = values::point, allow_hyphen_values = true, group = "form", action = ArgAction::Set)]
     through: Vec<Point>,
-    /// The first point of an arc with a bulge
-    #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, requires_all = ["to", "bulge"], group = "form")]
+    /// The first point, with --to and one of --bulge, --radius and --center
+    #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, requires = "to", group = "form")]
     from: Option<Point>,
-    /// The last point of an arc with a bulge
+    /// The last point
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, requires = "from")]
     to: Option<Point>,
     /// The DXF bulge, tan(sweep/4)
-    #[arg(long, value_name = "B", value_parser = values::number, allow_hyphen_values = true, requires = "from")]
+    #[arg(long, value_name = "B", value_parser = values::number, allow_hyphen_values = true, requires = "from", conflicts_with_all = ["radius", "center"])]
     bulge: Option<f64>,
+    /// The radius, as G2 and G3 with R
+    #[arg(long, value_name = "R", value_parser = values::number, allow_hyphen_values = true, requires = "from", conflicts_with = "center")]
+    radius: Option<f64>,
+    /// With --radius: the longer way round
+    #[arg(long, requires = "radius")]
+    large: bool,
+    /// Run against growing angles (with --end, --radius or --center)
+    #[arg(long, conflicts_with_all = ["sweep", "svg", "through", "bulge"])]
+    reverse: bool,
+    /// Leave out the closing operator of a whole turn
+    #[arg(long)]
+    open: bool,
 }
 
 #[derive(Debug, Args)]
@@ -182,14 +195,14 @@ impl ShapeWords for ArcShape {
         if let &[from, on, to] = self.through.as_slice() {
             return Ok(through(from, on, to)?);
         }
-        if let (Some(from), Some(to), Some(bulge)) = (self.from, self.to, self.bulge) {
-            return Ok(from_bulge(from, to, bulge)?);
+        match (self.from, self.to) {
+            (Some(from), Some(to)) => self.between(from, to),
+            _ => self.centre_form(),
         }
-        self.centre_form()
     }
 
     fn open(&self) -> bool {
-        true
+        self.open
     }
 
     fn start(&self) -> Option<Angle> {
@@ -198,6 +211,33 @@ impl ShapeWords for ArcShape {
 }
 
 impl ArcShape {
+    fn between(&self, from: Point, to: Point) -> Result<Shape, Failure> {
+        Ok(match (self.bulge, self.radius, self.center) {
+            (Some(bulge), ..) => from_bulge(from, to, bulge)?,
+            (None, Some(radius), _) => from_radius(from, to, radius, self.large, self.reverse)?,
+            (None, None, Some(center)) => about_center(from, to, center, self.reverse)?,
+            (None, None, None) => {
+                return Err(Failure::request_with_hint(
+                    "two ends determine no arc",
+                    "add one of --bulge B, --radius R and --center X,Y",
+                ));
+            }
+        })
+    }
+
+    /// The sweep from the start to --end: that of PostScript's `arc`, or with --reverse of its `arcn`.
+    fn sweep_to(&self, start: Angle, end: Angle) -> Angle {
+        let sign = if self.reverse { -1.0 } else { 1.0 };
+        let sweep = sign * (end.degrees() - start.degrees());
+        Angle::from_degrees(
+            sign * if sweep < 0.0 {
+                sweep.rem_euclid(360.0)
+            } else {
+                sweep
+            },
+        )
+    }
+
     fn centre_form(&self) -> Result<Shape, Failure> {
         let radii = match *self.radii.as_slice() {
             [radius] => Vec2::new(radius, radius),
@@ -212,7 +252,7 @@ impl ArcShape {
         let start = self.start.unwrap_or_default();
         let sweep = match (self.sweep, self.end) {
             (Some(sweep), _) => sweep,
-            (None, Some(end)) => Angle::from_degrees(end.degrees() - start.degrees()),
+            (None, Some(end)) => self.sweep_to(start, end),
             (None, None) => {
                 return Err(Failure::request_with_hint(
                     "an arc needs --end or --sweep",
@@ -227,10 +267,6 @@ impl ArcShape {
             start,
             sweep,
         )?;
-        Ok(if sweep.degrees() == 0.0 {
-            Shape::Empty
-        } else {
-            Shape::Arc(arc)
-        })
+        Ok(arc.shape())
     }
 }

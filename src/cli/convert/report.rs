@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::Trouble;
 use super::tree::Job;
-use crate::cli::args::Report;
+use crate::cli::args::{Report, TalkArgs};
 use crate::cli::failure::Failure;
 
 /// What became of one file.
@@ -75,14 +75,19 @@ impl FileReport {
     }
 }
 
-/// Tells about all files: errors and what was left, and with `--report` the counts.
-pub(super) fn tell(reports: &[FileReport], form: Option<Report>) {
+/// Tells about all files: errors and what was left, and with `--report` or `--verbose` the counts.
+pub(super) fn tell(reports: &[FileReport], form: Option<Report>, talk: TalkArgs) {
     let mut out = BufWriter::new(io::stderr().lock());
     // Where standard error is gone, nobody is left to tell.
     let _ = if form == Some(Report::Json) {
         json(reports, &mut out)
     } else {
-        text(reports, form.is_some(), &mut out)
+        text(
+            reports,
+            form.is_some() || talk.verbose,
+            !talk.quiet,
+            &mut out,
+        )
     };
 }
 
@@ -108,7 +113,7 @@ fn json(reports: &[FileReport], out: &mut impl Write) -> io::Result<()> {
     writeln!(out)
 }
 
-fn text(reports: &[FileReport], counts: bool, out: &mut impl Write) -> io::Result<()> {
+fn text(reports: &[FileReport], counts: bool, notes: bool, out: &mut impl Write) -> io::Result<()> {
     for report in reports {
         let file = &report.file;
         if let Some(error) = &report.error {
@@ -117,7 +122,7 @@ fn text(reports: &[FileReport], counts: bool, out: &mut impl Write) -> io::Resul
         if let Some(hint) = &report.hint {
             writeln!(out, "hint: {hint}")?;
         }
-        for note in &report.notes {
+        for note in report.notes.iter().filter(|_| notes) {
             let Note {
                 line,
                 column,

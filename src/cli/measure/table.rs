@@ -10,7 +10,7 @@ use curveto::measure::fit::FitTo;
 use curveto::measure::report::{
     ContinuityReport, CurvatureReport, ErrorReport, Extent, Extreme, Place, ReferenceReport,
 };
-use curveto::number::{compact, significant};
+use curveto::number::{compact, rounded_up, significant};
 use curveto::write::measurement::Measurement;
 
 /// How many joints are listed; beyond, most are alike, and JSON lists them all.
@@ -54,11 +54,14 @@ fn line(name: &str, value: String, note: String) -> Line {
 }
 
 fn error(error: &ErrorReport) -> [Line; 6] {
-    let share = format!("{} of the larger radius", compact(error.relative_peak, 6));
+    let share = format!(
+        "{} of the larger radius",
+        compact(rounded_up(error.relative_peak, 6), 6)
+    );
     [
-        line("outward", number(error.outward), place(error.outward_at)),
-        line("inward", number(error.inward), place(error.inward_at)),
-        line("peak", number(error.peak), share),
+        line("outward", bound(error.outward), place(error.outward_at)),
+        line("inward", bound(error.inward), place(error.inward_at)),
+        line("peak", bound(error.peak), share),
         line("mean (t)", number(error.mean), String::new()),
         line("mean (angle)", number(error.mean_angle), String::new()),
         line("rms (t)", number(error.rms), String::new()),
@@ -125,6 +128,11 @@ fn lines(table: &Table) -> String {
     table
         .lines()
         .fold(String::new(), |text, line| text + line.trim_end() + "\n")
+}
+
+/// A bound, rounded up.
+fn bound(x: f64) -> String {
+    number(rounded_up(x, 7))
 }
 
 fn number(x: f64) -> String {

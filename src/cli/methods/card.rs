@@ -3,7 +3,7 @@
 use comfy_table::{CellAlignment, Table};
 use curveto::continuity::Continuity;
 use curveto::method::{Ends, Span};
-use curveto::number::{significant, text};
+use curveto::number::{rounded_up, significant, text};
 use curveto::write::catalogue::{MethodDocument, corner};
 use curveto::{Method, Result};
 
@@ -121,8 +121,8 @@ fn quarter(entry: &MethodDocument) -> Vec<(&'static str, String)> {
         "error",
         format!(
             "{} outside, {} inside",
-            significant(error.outward, 6),
-            significant(error.inward, 6)
+            bound(error.outward),
+            bound(error.inward)
         ),
     ));
     if quarter.corner != 0.0 {
@@ -153,8 +153,8 @@ fn counts(method: Method) -> Result<Table> {
             count.to_string(),
             format!("{}°", significant(span.degrees(), 4)),
             significant(piece.handle_length(), 10),
-            significant(error.outward, 6),
-            significant(error.inward, 6),
+            bound(error.outward),
+            bound(error.inward),
         ];
         if corners {
             row.push(format!("{}°", significant(corner(method, &span)?, 4)));
@@ -167,4 +167,9 @@ fn counts(method: Method) -> Result<Table> {
         }
     }
     Ok(table)
+}
+
+/// An error to six digits, rounded up.
+fn bound(error: f64) -> String {
+    significant(rounded_up(error, 6), 6)
 }

@@ -3,7 +3,7 @@
 use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
 use curveto::continuity::Continuity;
 use curveto::method::Ends;
-use curveto::number::significant;
+use curveto::number::{rounded_up, significant};
 use curveto::write::catalogue::MethodDocument;
 
 /// Wider lines are no joy to read, and a pipe has no width of its own.
@@ -104,7 +104,7 @@ fn row(entry: &MethodDocument) -> [String; 7] {
         id,
         joints,
         entry.order.map_or_else(String::new, |o| o.to_string()),
-        significant(entry.quarter.error.peak, 3),
+        significant(rounded_up(entry.quarter.error.peak, 3), 3),
         format!("{}°", entry.largest_angle),
         entry.criterion.to_owned(),
         entry.origin.to_owned(),

@@ -1,0 +1,35 @@
+//! The words for how much is said on standard error.
+
+use clap::Args;
+
+#[derive(Debug, Clone, Copy, Default, Args)]
+pub(crate) struct TalkArgs {
+    /// State on standard error what was done and how closely
+    #[arg(short, long)]
+    pub(crate) verbose: bool,
+    /// Keep notes to yourself; errors are still told
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+impl TalkArgs {
+    /// States what was done, where that was asked for.
+    pub(crate) fn state(self, what_was_done: impl FnOnce() -> String) {
+        if self.verbose {
+            tell(&what_was_done());
+        }
+    }
+
+    /// Gives a note, unless it is not wanted.
+    pub(crate) fn note(self, note: &str) {
+        if !self.quiet {
+            tell(&format!("note: {note}"));
+        }
+    }
+}
+
+/// Writes a line to standard error. Where that is gone, nobody is left to tell.
+fn tell(line: &str) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr().lock(), "{line}");
+}

@@ -1,0 +1,66 @@
+//! Where input comes from: a word on the command line, a file, or standard input.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use anyhow::Context;
+
+use super::failure::Failure;
+
+/// The most that a command reads at once.
+const MOST_BYTES: u64 = 1 << 28;
+
+/// The text of a file, or of standard input for `-`, and what messages call it. A byte order mark is left out.
+///
+/// # Errors
+///
+/// Where it cannot be read, is no UTF-8, or is larger than 256 MiB.
+pub(crate) fn text(file: &Path) -> Result<(String, String), Failure> {
+    if file.as_os_str() == "-" {
+        let name = "standard input".to_owned();
+        return Ok((read(io::stdin().lock(), &name)?, name));
+    }
+    let name = file.display().to_string();
+    let input = File::open(file).with_context(|| format!("cannot read {name}"))?;
+    Ok((read(input, &name)?, name))
+}
+
+/// Path data: what stands in `words` itself where that begins with a moveto, else in the file of that name or on standard input.
+pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
+    let trimmed = words.trim_start();
+    let after = trimmed.strip_prefix(['M', 'm']);
+    let is_data = after.is_some_and(|rest| {
+        !rest.starts_with(|c: char| c.is_alphabetic() || c == '_' || c == '/')
+            && !Path::new(words).is_file()
+    });
+    if is_data || trimmed.is_empty() {
+        return Ok((words.to_owned(), "the path".to_owned()));
+    }
+    if words != "-" && !Path::new(words).exists() {
+        return Err(Failure::request_with_hint(
+            format!(
+                "'{}' is neither path data nor a file",
+                curveto::path::shortened(words)
+            ),
+            "path data begins with a moveto, such as M0 0; - reads standard input",
+        ));
+    }
+    text(Path::new(words))
+}
+
+fn read(input: impl Read, name: &str) -> Result<String, Failure> {
+    let mut bytes = Vec::new();
+    input
+        .take(MOST_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .with_context(|| format!("cannot read {name}"))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(anyhow::anyhow!("{name} is larger than 256 MiB").into());
+    }
+    let text = String::from_utf8(bytes).with_context(|| format!("cannot read {name}"))?;
+    Ok(match text.strip_prefix('\u{feff}') {
+        Some(rest) => rest.to_owned(),
+        None => text,
+    })
+}

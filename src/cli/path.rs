@@ -1,0 +1,31 @@
+//! `path`.
+
+use std::process::ExitCode;
+
+use curveto::approximate::Options;
+use curveto::contour::draw;
+use curveto::path::contours;
+
+use super::args::PathArgs;
+use super::output::write_drawn;
+use super::{Outcome, input};
+
+pub(super) fn run(args: &PathArgs) -> Outcome {
+    let format = args.output.format()?;
+    let (data, _) = input::path_data(&args.source)?;
+    let options = Options {
+        rule: args.rule()?,
+        cut: args.approximation.cut(),
+        precision: args.output.rounding(format),
+        transform: args.output.transform(),
+    };
+    let mut drawing = draw(&contours(&data)?, args.target(), &options)?;
+    if args.open {
+        for subpath in &mut drawing.subpaths {
+            subpath.curve.closed = false;
+        }
+    }
+    let manner = args.output.options(format)?;
+    write_drawn(&drawing, format, &manner, &args.output)?;
+    Ok(ExitCode::SUCCESS)
+}

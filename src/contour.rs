@@ -1,0 +1,346 @@
+//! Contours: lines and Béziers as they were given, and arcs that become Béziers, joined at shared points.
+
+use kurbo::{CubicBez, Line, PathSeg, Point, QuadBez, Rect};
+
+use crate::approximate::{self, ROUNDING_SHARE, Sketch, automatic_precision, sketch};
+use crate::curve::Curve;
+use crate::error::{Error, Result, positive};
+use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
+use crate::measure::radial;
+use crate::method::Rule;
+use crate::number::Precision;
+use crate::radial_error::RadialError;
+use crate::shape::{Arc, Shape};
+
+/// A chain of steps, each of which starts where the one before it ends.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Contour {
+    /// The steps in their order.
+    pub steps: Vec<Step>,
+    /// Whether the last point is the first and the contour is to be closed.
+    pub closed: bool,
+}
+
+/// A part of a contour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Step {
+    /// A line or a Bézier.
+    Given(PathSeg),
+    /// An arc, with its end points.
+    Arc(Arc),
+}
+
+impl Step {
+    /// A straight line.
+    #[must_use]
+    pub fn line(from: Point, to: Point) -> Self {
+        Self::Given(PathSeg::Line(Line::new(from, to)))
+    }
+
+    /// What a shape between two points is as a step; `None` for nothing.
+    #[must_use]
+    pub fn of_shape(shape: Shape) -> Option<Self> {
+        match shape {
+            Shape::Arc(arc) => Some(Self::Arc(arc)),
+            Shape::Line(line) => Some(Self::line(line.from, line.to)),
+            Shape::Circle(_) | Shape::Ellipse(_) | Shape::Empty => None,
+        }
+    }
+}
+
+/// What becomes of the Béziers that were given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Target {
+    /// They stay as they are.
+    #[default]
+    Beziers,
+    /// Cubics become quadratics.
+    Quadratics,
+}
+
+/// A finished path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathDrawing {
+    /// Its subpaths, in their order.
+    pub subpaths: Vec<Subpath>,
+    /// What gave the control points of the arcs.
+    pub rule: Rule,
+}
+
+/// A finished subpath.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Subpath {
+    /// Its curve, rounded.
+    pub curve: Curve,
+    /// How far it strays from what was given. Where cubics became quadratics, both sides hold the bound of their distance.
+    pub error: RadialError,
+    /// What its error is compared with: the largest radius of its arcs, or half the larger side of its box where it has none.
+    pub radius: f64,
+}
+
+impl PathDrawing {
+    /// The largest error of all subpaths.
+    #[must_use]
+    pub fn error(&self) -> RadialError {
+        let errors = self.subpaths.iter().map(|subpath| subpath.error);
+        errors.fold(RadialError::default(), RadialError::with)
+    }
+
+    /// The largest of the subpaths' [`Subpath::relative_peak`].
+    #[must_use]
+    pub fn relative_peak(&self) -> f64 {
+        let peaks = self.subpaths.iter().map(Subpath::relative_peak);
+        peaks.fold(0.0, f64::max)
+    }
+
+    /// The curves of the subpaths.
+    pub fn curves(&self) -> impl Iterator<Item = &Curve> {
+        self.subpaths.iter().map(|subpath| &subpath.curve)
+    }
+}
+
+impl Subpath {
+    /// The peak error over [`Subpath::radius`].
+    #[must_use]
+    pub fn relative_peak(&self) -> f64 {
+        if self.radius > 0.0 {
+            self.error.peak() / self.radius
+        } else {
+            0.0
+        }
+    }
+}
+
+/// Draws contours. The points that were given stay as they are unless a precision is asked for; what is computed is rounded as
+/// the arc with the smallest peak error needs it, so that one precision holds for the whole path.
+///
+/// # Errors
+///
+/// As [`approximate`](crate::approximate()), and where a cubic would take more quadratics than a curve may have segments.
+///
+/// ```
+/// use curveto::contour::{Target, draw};
+/// use curveto::path;
+/// let pie = path::contours("M0 0L50 0A50 50 0 0 1 0 50Z")?;
+/// let drawing = draw(&pie, Target::Beziers, &curveto::Options::default())?;
+/// assert_eq!(path::data(drawing.curves(), false), "M0 0L50 0C50 27.596 27.596 50 0 50Z");
+/// # Ok::<(), curveto::Error>(())
+/// ```
+pub fn draw(
+    contours: &[Contour],
+    target: Target,
+    options: &approximate::Options,
+) -> Result<PathDrawing> {
+    let sketches: Vec<Vec<Option<Sketch>>> = contours
+        .iter()
+        .map(|contour| {
+            contour
+                .steps
+                .iter()
+                .map(|step| arc(step, options))
+                .collect()
+        })
+        .collect::<Result<_>>()?;
+    let precision = options.precision.unwrap_or_else(|| {
+        let arcs = sketches.iter().flatten().flatten();
+        let given = contours.iter().flat_map(|contour| &contour.steps);
+        let given = given.filter_map(|step| target.precision(step, options));
+        finest(arcs.map(|sketch| sketch.precision).chain(given))
+    });
+    let finish = |precision| {
+        let pairs = contours.iter().zip(&sketches);
+        let subpaths = pairs.map(|(contour, arcs)| {
+            let finisher = Finisher {
+                target,
+                options,
+                precision,
+            };
+            finisher.subpath(contour, arcs)
+        });
+        Ok(PathDrawing {
+            subpaths: subpaths.collect::<Result<_>>()?,
+            rule: options.rule,
+        })
+    };
+    let drawing: PathDrawing = finish(precision)?;
+    // Each arc keeps its tolerance at its own precision; that of another may, by chance, round it worse.
+    if options.precision.is_none()
+        && let Cut::Tolerance(Tolerance::Absolute(tolerance)) = options.cut
+        && drawing.error().peak() > tolerance
+    {
+        return finish(Precision::Full);
+    }
+    Ok(drawing)
+}
+
+fn arc(step: &Step, options: &approximate::Options) -> Result<Option<Sketch>> {
+    match step {
+        Step::Given(_) => Ok(None),
+        Step::Arc(arc) => sketch(&Shape::Arc(*arc), options).map(Some),
+    }
+}
+
+/// The precision with the most digits; full where there is none.
+fn finest(precisions: impl Iterator<Item = Precision>) -> Precision {
+    let finer = |a, b| match (a, b) {
+        (Precision::Fixed(a), Precision::Fixed(b)) => Precision::Fixed(a.max(b)),
+        _ => Precision::Full,
+    };
+    precisions.reduce(finer).unwrap_or(Precision::Full)
+}
+
+/// Turns steps into segments that are written alike.
+struct Finisher<'a> {
+    target: Target,
+    options: &'a approximate::Options,
+    precision: Precision,
+}
+
+impl Finisher<'_> {
+    fn subpath(&self, contour: &Contour, arcs: &[Option<Sketch>]) -> Result<Subpath> {
+        let mut segments = Vec::new();
+        let mut error = RadialError::default();
+        let mut radius = 0.0_f64;
+        for (step, sketch) in contour.steps.iter().zip(arcs) {
+            match (step, sketch) {
+                (Step::Arc(arc), Some(sketch)) => {
+                    let kept = sketch.kept.as_ref().map_or(&[][..], |ends| &ends[..]);
+                    let curve = sketch.curve.rounded(self.precision, kept);
+                    let outline = Shape::Arc(*arc).outline();
+                    if let Some(outline) = outline {
+                        let truth = outline.transformed(self.options.transform)?.truth;
+                        error = error.with(radial::error(&curve.segments, &truth));
+                        radius = radius.max(truth.larger_radius());
+                    }
+                    segments.extend(curve.segments);
+                }
+                (Step::Given(segment), _) => {
+                    let moved = self.given(self.options.transform * *segment, &mut segments)?;
+                    error = error.with(RadialError::balanced(moved));
+                }
+                (Step::Arc(_), None) => {}
+            }
+        }
+        let curve = Curve {
+            segments,
+            closed: contour.closed,
+        };
+        if radius == 0.0 {
+            let bounds = curve.bounding_box().unwrap_or(Rect::ZERO);
+            radius = bounds.width().max(bounds.height()) / 2.0;
+        }
+        Ok(Subpath {
+            curve,
+            error,
+            radius,
+        })
+    }
+
+    /// Appends a segment that was given, and tells how far it was moved at most.
+    fn given(&self, segment: PathSeg, segments: &mut Vec<PathSeg>) -> Result<f64> {
+        let before = segments.len();
+        let (moved, kept) =
+            if let (PathSeg::Cubic(cubic), Target::Quadratics) = (segment, self.target) {
+                let count = count_of_quadratics(&cubic, &self.options.cut)?;
+                segments.extend(quadratics(&cubic, count).map(PathSeg::Quad));
+                let distance = distance_of_quadratics(&cubic, count);
+                (distance, vec![cubic.p0, cubic.p3])
+            } else {
+                segments.push(segment);
+                (0.0, crate::curve::control_points(&segment))
+            };
+        let curve = Curve {
+            segments: segments.split_off(before),
+            closed: false,
+        };
+        let kept = if self.options.precision.is_some() {
+            vec![]
+        } else {
+            kept
+        };
+        let rounded = curve.rounded(self.precision, &kept);
+        // A point of a Bézier moves no farther than its control points do.
+        let rounding = largest_move(&curve, &rounded);
+        segments.extend(rounded.segments);
+        Ok(moved + rounding)
+    }
+}
+
+impl Target {
+    /// The precision that a given segment asks for, where it is not written as it is.
+    fn precision(self, step: &Step, options: &approximate::Options) -> Option<Precision> {
+        let (Step::Given(segment), Self::Quadratics) = (step, self) else {
+            return None;
+        };
+        let PathSeg::Cubic(cubic) = options.transform * *segment else {
+            return None;
+        };
+        let count = count_of_quadratics(&cubic, &options.cut).ok()?;
+        let distance = distance_of_quadratics(&cubic, count);
+        (distance > 0.0).then(|| automatic_precision(distance, [&PathSeg::Cubic(cubic)]))
+    }
+}
+
+/// How many quadratics a cubic becomes: the fewest of equal parameter length that stay, with the tenth that rounding may add,
+/// within the tolerance, or within a thousandth of the larger side of its control points' box.
+fn count_of_quadratics(cubic: &CubicBez, cut: &Cut) -> Result<usize> {
+    let bounds = Rect::from_points(cubic.p0, cubic.p3)
+        .union_pt(cubic.p1)
+        .union_pt(cubic.p2);
+    let size = bounds.width().max(bounds.height());
+    let tolerance = match *cut {
+        Cut::Tolerance(Tolerance::Absolute(distance)) => positive("tolerance", distance)?,
+        Cut::Tolerance(Tolerance::Relative(share)) => share * size / 2.0,
+        _ => size / 1000.0,
+    };
+    let whole = (1.0 + ROUNDING_SHARE) * distance_of_quadratics(cubic, 1);
+    if whole == 0.0 {
+        return Ok(1);
+    }
+    // The distance falls with the third power of the count.
+    let count = libm::cbrt(whole / tolerance).ceil().max(1.0);
+    if count >= MOST_SEGMENTS as f64 {
+        return Err(Error::Count {
+            count: count as usize,
+            most: MOST_SEGMENTS,
+        });
+    }
+    // The rounding of the root may have cost one.
+    let count = count as usize;
+    let short = (1.0 + ROUNDING_SHARE) * distance_of_quadratics(cubic, count) > tolerance;
+    Ok(count + usize::from(short))
+}
+
+/// How far control points moved at most.
+fn largest_move(before: &Curve, after: &Curve) -> f64 {
+    let points = |curve: &Curve| -> Vec<Point> {
+        let segments = curve.segments.iter();
+        segments.flat_map(crate::curve::control_points).collect()
+    };
+    let moved = points(before).into_iter().zip(points(after));
+    moved.map(|(p, q)| p.distance(q)).fold(0.0, f64::max)
+}
+
+/// A cubic cut into parts of equal parameter length, each of them as the quadratic that meets its ends and lies nearest to it in
+/// the middle: P1 = (3(p1 + p2) - p0 - p3)/4.
+fn quadratics(cubic: &CubicBez, count: usize) -> impl Iterator<Item = QuadBez> {
+    let mut last = cubic.p0;
+    (0..count).map(move |i| {
+        let part = |k: usize| k as f64 / count as f64;
+        let piece = kurbo::ParamCurve::subsegment(cubic, part(i)..part(i + 1));
+        let end = if i + 1 == count { cubic.p3 } else { piece.p3 };
+        let [p0, p1, p2, p3] = [last, piece.p1, piece.p2, end].map(Point::to_vec2);
+        last = end;
+        let control = (3.0 * (p1 + p2) - p0 - p3) / 4.0;
+        QuadBez::new(p0.to_point(), control.to_point(), end)
+    })
+}
+
+/// How far those quadratics lie from the cubic at most: the difference is |p3 - 3p2 + 3p1 - p0|/n³ times t(1-t)|1-2t|/2, whose
+/// largest value is sqrt(3)/36.
+fn distance_of_quadratics(cubic: &CubicBez, count: usize) -> f64 {
+    let [p0, p1, p2, p3] = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(Point::to_vec2);
+    let third = (p3 - 3.0 * p2 + 3.0 * p1 - p0).length();
+    let count = count as f64;
+    3.0_f64.sqrt() / 36.0 * third / (count * count * count)
+}

@@ -1,0 +1,293 @@
+//! Arcs as machines and CAD say them, paths, the forms of a line of `batch`, and what is said on standard error.
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+use curveto::contour::{Target, draw};
+use curveto::{Cut, Options, Tolerance, path};
+use kurbo::{ParamCurve, PathSeg, Point};
+use proptest::prelude::*;
+
+use crate::judges::program::{json, printed, refused, run};
+
+/// What the program prints for this input, and on standard error.
+fn piped(arguments: &[&str], input: &[u8]) -> [String; 2] {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_curveto"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(input).unwrap();
+    let output = child.wait_with_output().unwrap();
+    [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap())
+}
+
+#[test]
+fn a_sweep_that_misses_a_turn_by_rounding_is_a_turn() {
+    let circle = printed(&["circle", "10"]);
+    assert_eq!(
+        printed(&["arc", "10", "--sweep", "6.283185307179587rad"]),
+        circle
+    );
+    assert_eq!(printed(&["arc", "10", "--sweep", "359.99998"]), circle);
+    let between = [
+        "arc",
+        "10",
+        "--start",
+        "4.9774927157884115rad",
+        "--end",
+        "11.260678022967998rad",
+    ];
+    assert!(printed(&between).ends_with("Z\n"));
+    assert_eq!(piped(&["batch"], b"arc 0 0 10 0 360.0000001\n")[0], circle);
+    assert!(!printed(&["arc", "10", "--sweep", "359.9999"]).contains('Z'));
+    refused(&["arc", "10", "--sweep", "360.0001"]);
+    assert_eq!(
+        printed(&["arc", "10", "--sweep", "360", "--open"]),
+        circle.replace('Z', "")
+    );
+}
+
+#[test]
+fn an_end_is_read_as_postscript_reads_it() {
+    for (ends, sweep) in [
+        (["350", "10"], "20"),
+        (["10", "350"], "340"),
+        (["-90", "-180"], "270"),
+        (["0", "360"], "360"),
+    ] {
+        let by_end = printed(&["arc", "10", "--start", ends[0], "--end", ends[1]]);
+        assert_eq!(
+            by_end,
+            printed(&["arc", "10", "--start", ends[0], "--sweep", sweep])
+        );
+        let back = printed(&[
+            "arc",
+            "10",
+            "--start",
+            ends[1],
+            "--end",
+            ends[0],
+            "--reverse",
+        ]);
+        let lowered = format!("-{sweep}");
+        assert_eq!(
+            back,
+            printed(&["arc", "10", "--start", ends[1], "--sweep", &lowered])
+        );
+    }
+}
+
+#[test]
+fn machines_arcs_are_those_of_the_other_forms() {
+    let bulge = |to: &str, b: &str| printed(&["arc", "--from", "10,0", "--to", to, "--bulge", b]);
+    let machine =
+        |rest: &[&str]| printed(&[&["arc", "--from", "10,0", "--to", "-10,0"], rest].concat());
+    assert_eq!(machine(&["--radius", "10"]), bulge("-10,0", "1"));
+    assert_eq!(
+        machine(&["--radius", "9.9995", "--reverse"]),
+        bulge("-10,0", "-1")
+    );
+    assert_eq!(machine(&["--center", "0,0"]), bulge("-10,0", "1"));
+    // A centre that was rounded moves to where both ends are met.
+    let met = machine(&["--center", "0,0.0005", "--reverse"]);
+    assert!(
+        met.starts_with("M10 0C") && met.ends_with(" -10 0\n".trim_start()),
+        "{met}"
+    );
+    let quarter = [
+        "arc", "--from", "10,0", "--to", "0,10", "--radius", "10", "-p", "6",
+    ];
+    assert_eq!(
+        printed(&quarter),
+        printed(&["arc", "10", "--start", "0", "--sweep", "90", "-p", "6"])
+    );
+    let long = [
+        "arc", "--from", "0,10", "--to", "10,0", "--center", "0,0", "-p", "6",
+    ];
+    assert_eq!(
+        printed(&long),
+        printed(&["arc", "10", "--start", "90", "--sweep", "270", "-p", "6"])
+    );
+    let whole = ["arc", "--from", "10,0", "--to", "10,0", "--center", "0,0"];
+    assert_eq!(printed(&whole), printed(&["circle", "10"]));
+    let three = ["arc", "--through", "10,0", "-10,0", "10,0"];
+    assert_eq!(printed(&three), printed(&["circle", "10"]));
+    refused(&["arc", "--from", "0,0", "--to", "10,0", "--radius", "4"]);
+    refused(&["arc", "--from", "0,0", "--to", "0,0", "--radius", "4"]);
+    refused(&["arc", "--from", "10,0", "--to", "0,11", "--center", "0,0"]);
+    refused(&["arc", "--from", "10,0", "--to", "0,11", "--center", "10,0"]);
+    refused(&["arc", "--from", "10,0", "--to", "0,11"]);
+    refused(&[
+        "arc", "--from", "10,0", "--to", "0,11", "--bulge", "1", "--center", "0,0",
+    ]);
+}
+
+#[test]
+fn verbose_states_what_was_done_and_quiet_keeps_notes() {
+    let told = |arguments: &[&str]| String::from_utf8(run(arguments).stderr).unwrap();
+    assert_eq!(
+        told(&["circle", "50", "-v"]),
+        "circle of radius 50: 4 segments by minimax, within 0.00985 (1.97e-4 of the larger radius)\n"
+    );
+    assert_eq!(told(&["circle", "50"]), "");
+    let svg = br#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="50%"/></svg>"#;
+    assert!(piped(&["convert"], svg)[1].starts_with("note: "));
+    assert_eq!(piped(&["convert", "-q"], svg)[1], "");
+    let svg = br#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/></svg>"#;
+    assert!(piped(&["convert", "-v"], svg)[1].contains("1 circle replaced"));
+}
+
+#[test]
+fn a_stated_figure_is_rounded_up() {
+    let svg = printed(&["circle", "50", "-t", "0.1", "-f", "svg"]);
+    let stated = svg
+        .split("within ")
+        .nth(1)
+        .unwrap()
+        .split(' ')
+        .next()
+        .unwrap();
+    let peak =
+        json(&["circle", "50", "-t", "0.1", "-f", "json", "-p", "auto"])["error"]["peak"].as_f64();
+    let stated: f64 = stated.parse().unwrap();
+    assert!(stated >= peak.unwrap() && stated < 1.01 * peak.unwrap());
+}
+
+#[test]
+fn every_form_of_a_line_is_read() {
+    let forms = "\u{feff}bulge 10 0 -10 0 1\nthrough 10 0 0 10 -10 0\npolyline 10 0 1 -10 0 1 close\npath M10 0A10 10 0 0 1-10 0\n";
+    let [text, _] = piped(&["batch"], forms.as_bytes());
+    let lines: Vec<&str> = text.lines().collect();
+    let half = "M10 0C10 5.5192 5.5192 10 0 10C-5.5192 10-10 5.5192-10 0";
+    assert_eq!(lines[..2], [half, half]);
+    assert_eq!(lines[2], printed(&["circle", "10"]).trim_end());
+    assert_eq!(lines[3], half);
+    for bad in [
+        "polyline 0 0",
+        "polyline 0 0 1 close 3",
+        "through 0 0 1 1",
+        "path M0 0L",
+        "polyline a b c",
+    ] {
+        assert!(
+            piped(&["batch"], format!("{bad}\n").as_bytes())[1].starts_with("error: <stdin>:1:"),
+            "{bad}"
+        );
+    }
+}
+
+#[test]
+fn a_bad_line_is_reported_by_its_id_and_number() {
+    let lines = "circle 0 0 1\n{\"id\":[7],\"circle\":{\"radius\":-1}}\nsquare\n";
+    for jobs in ["1", "3"] {
+        let [text, _] = piped(
+            &["batch", "-f", "json", "--on-error", "report", "-j", jobs],
+            lines.as_bytes(),
+        );
+        let answers: Vec<serde_json::Value> = text
+            .lines()
+            .map(|line| serde_json::from_str(line).unwrap())
+            .collect();
+        assert_eq!(answers[1]["id"][0], 7);
+        assert_eq!([&answers[1]["line"], &answers[2]["line"]], [2, 3]);
+        assert!(answers[1]["error"].as_str().unwrap().contains("radius"));
+    }
+    refused(&["batch", "--on-error", "report"]);
+}
+
+#[test]
+fn a_path_keeps_what_is_given() {
+    assert_eq!(
+        printed(&["path", "M0 0L50 0A50 50 0 0 1 0 50Z"]),
+        "M0 0L50 0C50 27.596 27.596 50 0 50Z\n"
+    );
+    assert_eq!(
+        printed(&["path", "m.1.1l.2 0q1 1 2 0t2 0zM1 1z"]),
+        "M0.1 0.1L0.3 0.1Q1.3 1.1 2.3 0.1Q3.3-0.9 4.3 0.1ZM1 1L1 1Z\n"
+    );
+    // Radii of zero make a line, equal ends make nothing.
+    assert_eq!(
+        printed(&["path", "M0 0A0 5 0 0 1 3 0A5 5 0 0 1 3 0L4 0"]),
+        "M0 0L3 0L4 0\n"
+    );
+    assert_eq!(
+        piped(&["path", "-"], b"\xef\xbb\xbfM0 0H5")[0],
+        "M0 0L5 0\n"
+    );
+    refused(&["path", "no-such-file"]);
+    refused(&["path", "M0 0L5"]);
+    refused(&[
+        "path",
+        "M0 0A5 5 0 0 1 9 0",
+        "--to",
+        "quadratics",
+        "-m",
+        "minimax",
+    ]);
+    let document = json(&["path", "M0 0A5 5 0 0 1 10 0M0 0L1 1", "-f", "json"]);
+    assert_eq!(document["subpaths"].as_array().unwrap().len(), 2);
+    assert_eq!(document["subpaths"][1]["error"]["peak"], 0.0);
+    assert_eq!(document["error"], document["subpaths"][0]["error"]);
+}
+
+#[test]
+fn every_format_takes_a_path() {
+    for format in [
+        "path", "svg", "ps", "eps", "json", "png", "pdf", "tikz", "canvas", "glif", "dxf",
+    ] {
+        let output = run(&["path", "M0 0L50 0A50 50 0 0 1 0 50ZM5 5h9", "-f", format]);
+        assert!(
+            output.status.success() && !output.stdout.is_empty(),
+            "{format}"
+        );
+    }
+}
+
+fn distance(segments: &[PathSeg], p: Point) -> f64 {
+    let points = segments
+        .iter()
+        .flat_map(|segment| (0..=400).map(move |i| segment.eval(f64::from(i) / 400.0)));
+    points.map(|q| q.distance(p)).fold(f64::INFINITY, f64::min)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn quadratics_stay_within_the_tolerance(
+        points in prop::array::uniform3((-100.0_f64..100.0, -100.0_f64..100.0)),
+        tolerance in 0.05_f64..5.0,
+    ) {
+        let [(a, b), (c, d), (e, f)] = points;
+        let data = format!("M0 0C{a} {b} {c} {d} {e} {f}");
+        let options = Options { cut: Cut::Tolerance(Tolerance::Absolute(tolerance)), ..Options::default() };
+        let contours = path::contours(&data).unwrap();
+        let drawing = draw(&contours, Target::Quadratics, &options).unwrap();
+        prop_assert!(drawing.error().peak() <= tolerance);
+        let given = path::curves(&data).unwrap();
+        let drawn = &drawing.subpaths[0].curve.segments;
+        prop_assert_eq!(drawn.last().unwrap().end(), Point::new(e, f));
+        for i in 0..=40 {
+            let p = given[0].segments[0].eval(f64::from(i) / 40.0);
+            // Sampling finds no nearer point than there is.
+            prop_assert!(distance(drawn, p) <= drawing.error().peak() + 2.0);
+        }
+    }
+
+    #[test]
+    fn neighbouring_arcs_share_their_points(
+        radii in prop::collection::vec(1.0_f64..80.0, 2..5),
+        precision in prop::option::of(0_u8..6),
+    ) {
+        let arcs: Vec<String> = radii.iter().map(|r| format!("a{r} {r} 0 0 1 {} 3", r / 2.0)).collect();
+        let options = Options { precision: precision.map(curveto::number::Precision::Fixed), ..Options::default() };
+        let drawing = draw(&path::contours(&format!("M1 2{}", arcs.concat())).unwrap(), Target::Beziers, &options).unwrap();
+        let segments = &drawing.subpaths[0].curve.segments;
+        for pair in segments.windows(2) {
+            prop_assert_eq!(pair[0].end(), pair[1].start());
+        }
+    }
+}
