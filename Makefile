@@ -29,9 +29,16 @@ test-tex: ## Compile our TikZ by LaTeX (Debian: texlive-latex-base and texlive-p
 	@command -v pdflatex >/dev/null || apt-get install -yq --no-install-recommends texlive-latex-base texlive-pictures
 	$(CARGO) test --locked --test exchange -- --ignored latex
 
-lint: ## Check formatting and lints
+FEATURES = document batch png pdf plot serde schema cli
+
+lint: ## Check formatting, lints, each feature alone, and the documentation of the library
 	$(CARGO) fmt --all -- --check
 	$(CARGO) clippy --all-targets --all-features --locked -- -D warnings
+	for feature in '' $(FEATURES); do \
+		$(CARGO) clippy --lib --locked --no-default-features --features "$$feature" -- -D warnings || exit 1; \
+	done
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --all-features
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --no-default-features
 
 golden: ## Write the golden files in fixtures/ anew
 	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden format_goldens schema peers measure_cli documented_commands convert::

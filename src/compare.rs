@@ -4,9 +4,6 @@ use core::f64::consts::{PI, TAU};
 use core::fmt;
 use core::str::FromStr;
 
-use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
-
 use crate::approximate::{Drawing, Options, approximate};
 use crate::error::{Error, Result};
 use crate::joints::Cut;
@@ -17,8 +14,10 @@ use crate::number::Precision;
 use crate::shape::{Circle, Shape, Truth};
 
 /// What methods are compared by. All are relative to the true circle of radius 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Criterion {
     /// The largest distance from the circle.
     #[default]
@@ -132,7 +131,9 @@ impl FromStr for Criterion {
 pub const NOISE: f64 = 2e-15;
 
 /// Methods by numbers of segments.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Comparison {
     /// The version of this form.
     pub version: u32,
@@ -141,16 +142,18 @@ pub struct Comparison {
     /// The numbers of segments of the full circle.
     pub counts: Vec<usize>,
     /// A row for each method.
-    #[serde(rename = "methods")]
+    #[cfg_attr(feature = "serde", serde(rename = "methods"))]
     pub rows: Vec<Row>,
 }
 
 /// One method.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Row {
     /// Its id.
-    #[serde(rename = "method", serialize_with = "id")]
-    #[schemars(with = "String")]
+    #[cfg_attr(feature = "serde", serde(rename = "method", serialize_with = "id"))]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub rule: Rule,
     /// Its figure at each number of segments; `null` where it cannot draw the circle with so many.
     pub values: Vec<Option<f64>>,
@@ -159,7 +162,8 @@ pub struct Row {
     pub order: Option<f64>,
 }
 
-fn id<S: Serializer>(rule: &Rule, serializer: S) -> Result<S::Ok, S::Error> {
+#[cfg(feature = "serde")]
+fn id<S: serde::Serializer>(rule: &Rule, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(rule.id())
 }
 

@@ -2,14 +2,13 @@
 
 use core::fmt;
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
 /// How two pieces join.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Continuity {
     /// They do not meet, or there is no such pair.
-    #[serde(rename = "none")]
+    #[cfg_attr(feature = "serde", serde(rename = "none"))]
     Apart,
     /// They meet at an angle.
     G0,

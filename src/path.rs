@@ -6,5 +6,6 @@ mod write;
 
 pub use read::{contours, curves, shortened};
 pub use transform::transform;
+#[cfg(feature = "batch")]
 pub(crate) use write::push_rounding;
 pub use write::{data, push_curve};

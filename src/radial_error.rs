@@ -1,9 +1,8 @@
 //! How far a curve strays from the true shape, outside and inside.
 
-use serde::Serialize;
-
 /// The largest distances of a curve from the true shape, both at least 0.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RadialError {
     /// The largest distance outside.
     pub outward: f64,

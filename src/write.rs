@@ -3,16 +3,21 @@
 //! A writer sees a [`Figure`] or a [`Scene`], whose points are already rounded, and knows no method.
 
 pub mod canvas;
+#[cfg(feature = "serde")]
 pub mod catalogue;
 pub mod comparison;
 pub mod dxf;
 mod format;
 pub mod gcode;
 pub mod glif;
+#[cfg(feature = "serde")]
 pub mod json;
+#[cfg(feature = "serde")]
 pub mod measurement;
 pub mod path;
+#[cfg(feature = "pdf")]
 pub mod pdf;
+#[cfg(feature = "png")]
 pub mod png;
 pub mod postscript;
 pub mod sphere;
@@ -22,17 +27,21 @@ pub mod tikz;
 
 pub use format::{Format, Image};
 
+use crate::approximate::Drawing;
 use crate::course::Course;
 use crate::error::{Error, Result};
 use crate::number::Precision;
-use crate::picture::figure::Figure;
+use crate::picture::figure::{self, Figure};
+#[cfg(feature = "plot")]
 use crate::picture::plot::Chart;
 use crate::picture::scene::Scene;
+#[cfg(feature = "plot")]
 use crate::picture::size::Size;
 use crate::picture::style::Style;
 use dxf::Trace;
 
 /// How much larger than its layout a PNG of a plot is where no size was asked for, so that it can be printed.
+#[cfg(all(feature = "plot", feature = "png"))]
 const SHARPNESS: f64 = 2.0;
 
 /// What every format can hold: something drawn, of which JSON states what was asked for too.
@@ -50,7 +59,23 @@ pub trait Writable {
     /// # Errors
     ///
     /// Where the values cannot be JSON ([`Error::Json`]).
+    #[cfg(feature = "serde")]
     fn json(&self) -> Result<String>;
+}
+
+impl Writable for Drawing {
+    fn figure(&self) -> Figure {
+        Figure::from(self)
+    }
+
+    fn summary(&self) -> String {
+        figure::summary(self)
+    }
+
+    #[cfg(feature = "serde")]
+    fn json(&self) -> Result<String> {
+        json::to_string(&json::DrawingDocument::from(self))
+    }
 }
 
 /// How it is written.
@@ -86,6 +111,7 @@ pub struct Options {
 pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<Vec<u8>> {
     let figure = || work.figure();
     let text = match format {
+        #[cfg(feature = "serde")]
         Format::Json => work.json()? + "\n",
         Format::Path => crate::path::data(figure().curves(), options.relative) + "\n",
         Format::Ps => postscript::operators(figure().curves()),
@@ -144,36 +170,51 @@ fn courses(figure: &Figure) -> Result<Vec<Course>> {
 /// # Errors
 ///
 /// Where the picture is too large to be made ([`Error::Picture`]).
+#[cfg(feature = "plot")]
 pub fn plot(chart: &Chart, image: Image, size: Option<Size>) -> Result<Vec<u8>> {
-    let default = chart.default_size();
-    let layout = match (image, size) {
-        (Image::Eps | Image::Pdf, Some(size)) => size.points(),
-        (Image::Svg, Some(size)) => size.pixels(),
-        (Image::Svg | Image::Eps | Image::Pdf, None) => default,
-        (Image::Png, size) => {
-            let [width, height] = size.map_or(default.map(|side| side * SHARPNESS), Size::pixels);
-            // The words of a large one grow with it.
-            let scale = (width / default[0]).min(height / default[1]).max(1.0);
-            let mut scene = chart.scene([width / scale, height / scale]);
-            scene.size = Some(Size::plain([width, height]));
-            return picture(&scene, image, false);
-        }
+    #[cfg(feature = "png")]
+    if image == Image::Png {
+        return pixels(chart, size);
+    }
+    let layout = match size {
+        None => chart.default_size(),
+        Some(size) if image == Image::Svg => size.pixels(),
+        Some(size) => size.points(),
     };
     let mut scene = chart.scene(layout);
     scene.size = size.or(scene.size);
     picture(&scene, image, false)
 }
 
+/// A plot as pixels, whose words grow where it is large.
+#[cfg(all(feature = "plot", feature = "png"))]
+fn pixels(chart: &Chart, size: Option<Size>) -> Result<Vec<u8>> {
+    let default = chart.default_size();
+    let [width, height] = size.map_or(default.map(|side| side * SHARPNESS), Size::pixels);
+    let scale = (width / default[0]).min(height / default[1]).max(1.0);
+    let mut scene = chart.scene([width / scale, height / scale]);
+    scene.size = Some(Size::plain([width, height]));
+    png::encode(&scene)
+}
+
 fn picture(scene: &Scene, image: Image, relative: bool) -> Result<Vec<u8>> {
     Ok(match image {
         Image::Svg => svg::document(scene, relative).into_bytes(),
         Image::Eps => postscript::encapsulated(scene)?.into_bytes(),
+        #[cfg(feature = "png")]
         Image::Png => png::encode(scene)?,
+        #[cfg(feature = "pdf")]
         Image::Pdf => pdf::document(scene)?,
     })
 }
 
-#[cfg(test)]
+/// A text between the tags of XML or HTML.
+fn escaped(text: &str) -> String {
+    let text = text.replace('&', "&amp;");
+    text.replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(all(test, feature = "cli"))]
 mod tests {
     use super::*;
     use crate::compare::{Comparison, Criterion};

@@ -5,15 +5,15 @@
 //! coordinate| times δ. So one δ, stated in the report, decides at every scale and every angle.
 
 use kurbo::{PathSeg, Point};
-use schemars::JsonSchema;
-use serde::Serialize;
 
 use super::curvature::{self, Curvature};
 use crate::continuity::Continuity;
 use crate::curve::{control_points, first_direction, turn};
 
 /// One joint.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Joint {
     /// The point where the segment before it ends.
     pub point: [f64; 2],
@@ -35,7 +35,9 @@ pub struct Joint {
 }
 
 /// The largest jumps that a rounding of the coordinates explains.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct JointTolerance {
     /// Of the gap.
     pub gap: f64,

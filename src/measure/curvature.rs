@@ -12,14 +12,14 @@
 //! roots of n' w - (3/2) n w', a polynomial of degree 6 in the form in which it is used here.
 
 use kurbo::{PathSeg, Point, Vec2};
-use schemars::JsonSchema;
-use serde::Serialize;
 
 use crate::curve::control_points;
 use crate::numeric::bernstein::{Parameters, Polynomial};
 
 /// The curvature at a point and its derivatives by arc length, per unit of length, of its square and of its cube.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Curvature {
     /// The curvature, 1/radius.
     pub value: f64,

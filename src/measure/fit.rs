@@ -5,8 +5,6 @@
 //! from the centre to the points, the step solves Σ (g - ḡ)(g - ḡ)ᵀ δ = Σ (g - ḡ)(|p - c| - r).
 
 use kurbo::{ParamCurve, Point, Vec2};
-use schemars::JsonSchema;
-use serde::Serialize;
 
 use crate::curve::Curve;
 use crate::error::{Error, Result};
@@ -20,8 +18,10 @@ const POINTS: u32 = 64;
 const MOST_STEPS: usize = 50;
 
 /// What the circle is fitted to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum FitTo {
     /// The ends of the segments, which most programs place on the circle.
     Joints,
@@ -30,7 +30,9 @@ pub enum FitTo {
 }
 
 /// A fitted circle and how well it fits.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Fit {
     /// What it was fitted to.
     pub to: FitTo,

@@ -1,14 +1,13 @@
 //! The report: everything that is measured of one curve.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
 use super::continuity::Joint;
 use super::fit::Fit;
 use crate::numeric::functions::power;
 
 /// Everything that is measured of one curve. Lengths are in user units, angles in degrees, parametric on an ellipse.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report {
     /// What it was measured against.
     pub reference: ReferenceReport,
@@ -31,7 +30,9 @@ pub struct Report {
 }
 
 /// The true shape.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReferenceReport {
     /// Its centre.
     pub center: [f64; 2],
@@ -44,12 +45,14 @@ pub struct ReferenceReport {
     /// How far it runs.
     pub sweep: f64,
     /// How well it fits, where it was fitted to the curve.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub fit: Option<Fit>,
 }
 
 /// A place on the curve.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Place {
     /// The number of the segment, from 1.
     pub segment: usize,
@@ -60,7 +63,9 @@ pub struct Place {
 }
 
 /// A value and where it is taken.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Extreme {
     /// The value.
     pub value: f64,
@@ -69,7 +74,9 @@ pub struct Extreme {
 }
 
 /// Distances from the true shape along its normal.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ErrorReport {
     /// The largest outside it, at least 0.
     pub outward: f64,
@@ -92,12 +99,14 @@ pub struct ErrorReport {
 }
 
 /// A length or an area beside the true one.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Extent {
     /// Of the curve.
     pub curve: f64,
     /// Of the true shape.
-    #[serde(rename = "true")]
+    #[cfg_attr(feature = "serde", serde(rename = "true"))]
     pub truth: f64,
     /// The curve's less the true one.
     pub difference: f64,
@@ -118,7 +127,9 @@ impl Extent {
 }
 
 /// The range of the curvature.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CurvatureReport {
     /// The least; `null` where the curve has none anywhere.
     pub least: Option<Extreme>,
@@ -131,7 +142,9 @@ pub struct CurvatureReport {
 }
 
 /// How the segments join.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ContinuityReport {
     /// The lowest order of all joints; `null` where there are none.
     pub order: Option<String>,
@@ -144,7 +157,9 @@ pub struct ContinuityReport {
 }
 
 /// The largest angle lag.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LagReport {
     /// In degrees, positive where the angle is ahead.
     pub largest: f64,

@@ -1,14 +1,12 @@
 //! The catalogue: what is known of each method, in one table.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-
 use super::Method;
 use crate::continuity::Continuity;
 
 /// The degree of a method's curves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Degree {
     /// Three control points a piece.
     Quadratic,
@@ -17,8 +15,10 @@ pub enum Degree {
 }
 
 /// Where the ends of each piece lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Ends {
     /// On the circle.
     OnCircle,
@@ -108,6 +108,7 @@ impl Method {
 }
 
 /// The ids of the catalogue nearest to a name that it lacks, best first; none where nothing is near.
+#[cfg(feature = "cli")]
 pub(super) fn nearest(name: &str) -> Vec<&'static str> {
     let mut scored: Vec<(f64, &str)> = Method::ALL
         .into_iter()
@@ -121,6 +122,12 @@ pub(super) fn nearest(name: &str) -> Vec<&'static str> {
         .collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0));
     scored.into_iter().take(3).map(|(_, id)| id).collect()
+}
+
+/// Only people misspell.
+#[cfg(not(feature = "cli"))]
+pub(super) fn nearest(_name: &str) -> Vec<&'static str> {
+    Vec::new()
 }
 
 /// In the order of [`Method`].

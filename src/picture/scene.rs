@@ -6,6 +6,7 @@ use kurbo::{Circle, Rect};
 
 use super::paint::{Color, Paint};
 use super::size::Size;
+#[cfg(feature = "plot")]
 use super::text::Text;
 use crate::curve::Curve;
 use crate::error::Result;
@@ -73,6 +74,7 @@ pub enum Mark {
     /// A dot.
     Dot(Circle),
     /// A line of words.
+    #[cfg(feature = "plot")]
     Text(Text),
 }
 
@@ -116,6 +118,7 @@ impl Mark {
                 let outline = crate::Shape::Circle(circle).outline();
                 Cow::Owned(outline.iter().map(finely).collect::<Result<_>>()?)
             }
+            #[cfg(feature = "plot")]
             Self::Text(text) => Cow::Owned(text.outlines()),
         })
     }

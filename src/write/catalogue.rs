@@ -1,6 +1,5 @@
 //! The catalogue of methods as JSON and CSV.
 
-use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::approximate::{Options, approximate};
@@ -11,7 +10,8 @@ use crate::number::{Precision, text};
 use crate::{Circle, Cut, RadialError, Result, Shape};
 
 /// The whole catalogue.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CatalogueDocument {
     /// The version of this form.
     pub version: u32,
@@ -20,7 +20,8 @@ pub struct CatalogueDocument {
 }
 
 /// A method, with its figures at a quarter of the unit circle.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MethodDocument {
     /// The name that `-m` takes.
     pub id: &'static str,
@@ -61,7 +62,8 @@ pub struct MethodDocument {
 }
 
 /// How segments join.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct JoiningDocument {
     /// Where all have the same angle.
     pub equal: Continuity,
@@ -70,7 +72,8 @@ pub struct JoiningDocument {
 }
 
 /// The segment from (1, 0) to (0, 1), one of four of a circle.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct QuarterDocument {
     /// Its control points.
     pub points: Vec<[f64; 2]>,
@@ -85,7 +88,8 @@ pub struct QuarterDocument {
 }
 
 /// The largest distances from the unit circle, both at least 0.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct QuarterErrorDocument {
     /// Outside the circle.
     pub outward: f64,

@@ -2,10 +2,9 @@
 
 use core::fmt::Write;
 
-use quick_xml::escape::partial_escape;
-
 use crate::compare::{Comparison, NOISE, Row};
 use crate::number::{compact, rounded_up, text};
+use crate::write::escaped;
 
 /// How wide a table may be.
 const COLUMNS: usize = 80;
@@ -122,7 +121,7 @@ pub fn html(comparison: &Comparison, svg: &str) -> String {
         let tag = if i == 0 { "th scope=\"col\"" } else { "td" };
         rows += "<tr>";
         for (j, cell) in row.into_iter().enumerate() {
-            let cell = partial_escape(cell);
+            let cell = escaped(&cell);
             let tag = if i > 0 && j == 0 {
                 "th scope=\"row\""
             } else {
@@ -133,7 +132,7 @@ pub fn html(comparison: &Comparison, svg: &str) -> String {
         rows += "</tr>\n";
     }
     let notes = notes(comparison);
-    let notes = partial_escape(notes.as_str());
+    let notes = escaped(&notes);
     let lines = notes.lines().filter(|line| !line.is_empty());
     let notes = lines.fold(String::new(), |page, line| page + "<p>" + line + "</p>\n");
     format!(

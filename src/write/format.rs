@@ -12,6 +12,7 @@ pub enum Format {
     #[default]
     Path,
     /// JSON.
+    #[cfg(feature = "serde")]
     Json,
     /// PostScript path operators, one a line.
     Ps,
@@ -38,14 +39,23 @@ pub enum Image {
     /// An Encapsulated PostScript file.
     Eps,
     /// Pixels.
+    #[cfg(feature = "png")]
     Png,
     /// A PDF file of one page.
+    #[cfg(feature = "pdf")]
     Pdf,
 }
 
 impl Image {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Svg, Self::Eps, Self::Png, Self::Pdf];
+    pub const ALL: &[Self] = &[
+        Self::Svg,
+        Self::Eps,
+        #[cfg(feature = "png")]
+        Self::Png,
+        #[cfg(feature = "pdf")]
+        Self::Pdf,
+    ];
 
     /// The name.
     #[must_use]
@@ -53,7 +63,9 @@ impl Image {
         match self {
             Self::Svg => "svg",
             Self::Eps => "eps",
+            #[cfg(feature = "png")]
             Self::Png => "png",
+            #[cfg(feature = "pdf")]
             Self::Pdf => "pdf",
         }
     }
@@ -64,7 +76,9 @@ impl Image {
         match self {
             Self::Svg => &["svg"],
             Self::Eps => &["eps"],
+            #[cfg(feature = "png")]
             Self::Png => &["png"],
+            #[cfg(feature = "pdf")]
             Self::Pdf => &["pdf"],
         }
     }
@@ -75,7 +89,9 @@ impl Image {
         match self {
             Self::Svg => "An SVG document",
             Self::Eps => "Encapsulated PostScript",
+            #[cfg(feature = "png")]
             Self::Png => "Pixels",
+            #[cfg(feature = "pdf")]
             Self::Pdf => "A PDF file of one page",
         }
     }
@@ -83,13 +99,16 @@ impl Image {
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: &[Self] = &[
         Self::Path,
         Self::Image(Image::Svg),
         Self::Ps,
         Self::Image(Image::Eps),
+        #[cfg(feature = "serde")]
         Self::Json,
+        #[cfg(feature = "png")]
         Self::Image(Image::Png),
+        #[cfg(feature = "pdf")]
         Self::Image(Image::Pdf),
         Self::Tikz,
         Self::Canvas,
@@ -103,6 +122,7 @@ impl Format {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Path => "path",
+            #[cfg(feature = "serde")]
             Self::Json => "json",
             Self::Ps => "ps",
             Self::Tikz => "tikz",
@@ -119,6 +139,7 @@ impl Format {
     pub const fn extensions(self) -> &'static [&'static str] {
         match self {
             Self::Path => &["path", "txt"],
+            #[cfg(feature = "serde")]
             Self::Json => &["json"],
             Self::Ps => &["ps"],
             Self::Tikz => &["tikz", "tex"],
@@ -134,13 +155,19 @@ impl Format {
     #[must_use]
     pub const fn has_y_up(self) -> bool {
         match self {
-            Self::Path | Self::Json | Self::Canvas | Self::Image(Image::Svg | Image::Png) => false,
+            Self::Path | Self::Canvas | Self::Image(Image::Svg) => false,
+            #[cfg(feature = "serde")]
+            Self::Json => false,
+            #[cfg(feature = "png")]
+            Self::Image(Image::Png) => false,
+            #[cfg(feature = "pdf")]
+            Self::Image(Image::Pdf) => true,
             Self::Ps
             | Self::Tikz
             | Self::Glif
             | Self::Dxf
             | Self::Gcode
-            | Self::Image(Image::Eps | Image::Pdf) => true,
+            | Self::Image(Image::Eps) => true,
         }
     }
 
@@ -160,6 +187,7 @@ impl Format {
     #[must_use]
     pub const fn precision(self) -> Option<Precision> {
         match self {
+            #[cfg(feature = "serde")]
             Self::Json => Some(Precision::Full),
             // The grid of an em square.
             Self::Glif => Some(Precision::Fixed(0)),
@@ -183,12 +211,13 @@ mod cli {
 
     impl ValueEnum for Format {
         fn value_variants<'a>() -> &'a [Self] {
-            &Self::ALL
+            Self::ALL
         }
 
         fn to_possible_value(&self) -> Option<PossibleValue> {
             let about = match self {
                 Self::Path => "SVG path data, one line",
+                #[cfg(feature = "serde")]
                 Self::Json => "The shape, the segments and the error; docs/schema describes it",
                 Self::Ps => "PostScript path operators, one a line",
                 Self::Tikz => "\\draw commands for a tikzpicture",
@@ -208,7 +237,7 @@ mod cli {
 
     impl ValueEnum for Image {
         fn value_variants<'a>() -> &'a [Self] {
-            &Self::ALL
+            Self::ALL
         }
 
         fn to_possible_value(&self) -> Option<PossibleValue> {

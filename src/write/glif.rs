@@ -6,11 +6,11 @@
 use core::fmt::Write as _;
 
 use kurbo::{ParamCurve as _, PathSeg, Point};
-use quick_xml::escape::partial_escape;
 
 use crate::curve::{Curve, control_points, turn};
 use crate::number::text;
 use crate::picture::figure::Figure;
+use crate::write::escaped;
 
 /// A joint that turns by less, in degrees, is smooth: the grid turns it more than most methods do.
 const SMOOTH: f64 = 1.0;
@@ -21,7 +21,7 @@ pub fn glyph(figure: &Figure) -> String {
     let mut out = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<glyph name=\"{}\" format=\"2\">\n  <note>{}</note>\n  <outline>\n",
         figure.name,
-        partial_escape(&figure.description)
+        escaped(&figure.description)
     );
     for curve in figure.curves() {
         push_contour(&mut out, curve);

@@ -3,7 +3,6 @@
 use std::io::{self, Write};
 
 use kurbo::{Affine, PathSeg, Point};
-use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
@@ -14,13 +13,12 @@ use crate::error::{Error, Result};
 use crate::method::Rule;
 use crate::number::{decimals_of, push_shortest, round};
 use crate::path;
-use crate::picture::figure::{self, Figure};
 use crate::power;
 use crate::shape::Shape;
-use crate::write::Writable;
 
 /// The JSON of a drawing.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DrawingDocument {
     /// The version of this form.
     pub version: u32,
@@ -48,7 +46,8 @@ pub struct DrawingDocument {
 }
 
 /// The shape of a drawing.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum ShapeDocument {
     /// A whole circle.
@@ -69,7 +68,8 @@ pub enum ShapeDocument {
 }
 
 /// A circle, an ellipse or an arc; angles in degrees.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RoundDocument {
     /// The centre.
     pub center: [f64; 2],
@@ -87,7 +87,8 @@ pub struct RoundDocument {
 }
 
 /// One segment.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SegmentDocument {
     /// Its control points: two of a line, three of a quadratic, four of a cubic.
     pub points: Vec<[f64; 2]>,
@@ -99,7 +100,8 @@ pub struct SegmentDocument {
 }
 
 /// Lancaster's equation-space coefficients: x = At³+Bt²+Ct+D and y = Et³+Ft²+Gt+H.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PowerDocument {
     /// [A, B, C, D].
     pub x: [f64; 4],
@@ -108,7 +110,8 @@ pub struct PowerDocument {
 }
 
 /// The largest distances from the true shape, in user units, both at least 0.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ErrorDocument {
     /// Outside the true shape.
     pub outward: f64,
@@ -118,20 +121,6 @@ pub struct ErrorDocument {
     pub peak: f64,
     /// The larger of the two over the larger radius.
     pub relative_peak: f64,
-}
-
-impl Writable for Drawing {
-    fn summary(&self) -> String {
-        figure::summary(self)
-    }
-
-    fn figure(&self) -> Figure {
-        Figure::from(self)
-    }
-
-    fn json(&self) -> Result<String> {
-        to_string(&DrawingDocument::from(self))
-    }
 }
 
 impl From<&Drawing> for DrawingDocument {

@@ -1,6 +1,5 @@
 //! The JSON and the CSV of what was measured.
 
-use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::json::{ShapeDocument, shape_document};
@@ -12,7 +11,8 @@ use crate::number::text;
 use crate::picture::figure::describe;
 
 /// A report with what it is about.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Measurement {
     /// The version of this form.
     pub version: u32,
@@ -24,7 +24,8 @@ pub struct Measurement {
 }
 
 /// What was measured: a drawing of our own, or a curve that someone else made.
-#[derive(Debug, Default, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Subject {
     /// The shape that was drawn.
     #[serde(skip_serializing_if = "Option::is_none")]

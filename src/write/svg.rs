@@ -1,7 +1,7 @@
 //! SVG documents.
 
 use kurbo::Rect;
-use svg::node::element::{self, Circle, Description, Element, Path, Rectangle, Title};
+use svg::node::element::{Circle, Description, Element, Path, Rectangle, Title};
 use svg::node::{self, Node};
 
 use crate::angle::Angle;
@@ -10,6 +10,7 @@ use crate::numeric::functions::angle_of;
 use crate::path;
 use crate::picture::paint::{Color, Paint};
 use crate::picture::scene::{Group, Mark, Pen, Scene};
+#[cfg(feature = "plot")]
 use crate::picture::text::{Anchor, FAMILY, Text};
 use crate::shape::Outline;
 
@@ -69,6 +70,7 @@ fn add_group(document: &mut svg::Document, group: &Group, scene: &Scene, relativ
         let mut parent = Element::new("g");
         parent.assign("class", class);
         set_pen(&mut parent, &group.pen);
+        #[cfg(feature = "plot")]
         if group.marks.iter().any(|mark| matches!(mark, Mark::Text(_))) {
             parent.assign("font-family", FAMILY);
         }
@@ -91,13 +93,15 @@ fn shape(mark: &Mark, scene: &Scene, relative: bool) -> Element {
             .set("cy", digits(dot.center.y))
             .set("r", digits(dot.radius))
             .into(),
+        #[cfg(feature = "plot")]
         Mark::Text(text) => words(text, scene),
     }
 }
 
+#[cfg(feature = "plot")]
 fn words(text: &Text, scene: &Scene) -> Element {
     let [x, y] = [text.at.x, text.at.y].map(|x| scene.text(x));
-    let mut element: Element = element::Text::new(text.words.as_str())
+    let mut element: Element = svg::node::element::Text::new(text.words.as_str())
         .set("font-size", digits(text.size))
         .into();
     match text.anchor {

@@ -1,55 +1,55 @@
-//! The library alone pulls in no crate of the command line.
+//! What a user of the library alone compiles.
 
+use std::collections::BTreeSet;
 use std::process::Command;
 
+/// The names of the crates that are compiled with these features.
+fn crates(features: &[&str]) -> BTreeSet<String> {
+    let words = "tree --edges normal,build --prefix none --offline --locked";
+    let output = Command::new(env!("CARGO"))
+        .args(words.split(' '))
+        .args(features)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    let tree = String::from_utf8(output.stdout).unwrap();
+    let names = tree.lines().filter_map(|line| line.split(' ').next());
+    names.map(str::to_owned).collect()
+}
+
 #[test]
-fn the_library_compiles_no_crate_of_the_command_line() {
-    let tree = |features: &[&str]| {
-        let output = Command::new(env!("CARGO"))
-            .args([
-                "tree",
-                "--edges",
-                "normal",
-                "--prefix",
-                "none",
-                "--offline",
-                "--locked",
-            ])
-            .args(features)
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .output()
-            .unwrap();
-        assert!(
-            output.status.success(),
-            "{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
-        String::from_utf8(output.stdout).unwrap()
-    };
-    let names = |tree: &str| -> Vec<String> {
-        tree.lines()
-            .filter_map(|line| line.split(' ').next().map(str::to_owned))
-            .collect()
-    };
-    let library = names(&tree(&["--no-default-features"]));
-    let program = names(&tree(&[]));
-    for name in [
-        "anyhow",
-        "clap",
-        "clap_builder",
-        "clap_complete",
-        "clap_mangen",
-        "comfy-table",
-        "indicatif",
-        "tempfile",
+fn the_library_alone_compiles_fewer_than_20_crates() {
+    let library = crates(&["--no-default-features"]);
+    assert!(library.len() < 20, "{}: {library:?}", library.len());
+}
+
+#[test]
+fn each_feature_brings_its_own_crates_and_the_command_line_has_all() {
+    let program = crates(&[]);
+    let library = crates(&["--no-default-features"]);
+    for (feature, names) in [
+        ("document", "quick-xml"),
+        ("batch", "serde_json"),
+        ("png", "tiny-skia"),
+        ("pdf", "pdf-writer"),
+        ("plot", "skrifa"),
+        ("serde", "serde"),
+        ("schema", "schemars"),
+        (
+            "cli",
+            "anyhow clap clap_builder clap_complete clap_mangen comfy-table flate2 indicatif rayon strsim tempfile",
+        ),
     ] {
-        assert!(
-            program.iter().any(|other| other == name),
-            "{name} is not in the program"
-        );
-        assert!(
-            !library.iter().any(|other| other == name),
-            "{name} is in the library"
-        );
+        let with = crates(&["--no-default-features", "--features", feature]);
+        for name in names.split(' ') {
+            assert!(program.contains(name), "{name} is not in the program");
+            assert!(with.contains(name), "{name} is not in {feature}");
+            assert!(!library.contains(name), "{name} is in the library");
+        }
+        if feature != "cli" {
+            assert!(!with.contains("clap"), "{feature} brings the command line");
+        }
     }
 }
