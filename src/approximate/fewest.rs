@@ -1,5 +1,7 @@
 //! The fewest segments within a tolerance.
 
+use core::ops::RangeInclusive;
+
 use super::{ROUNDING_SHARE, Request, Sketch};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
@@ -7,6 +9,9 @@ use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
+
+/// From this many segments on, counts are halved and not tried one by one.
+const MANY: usize = 1000;
 
 /// How many counts beyond the estimate are tried.
 const MOST_TRIES: usize = 64;
@@ -22,8 +27,14 @@ impl Request<'_> {
         {
             return Ok(sketch);
         }
+        let counts = self.counts(tolerance);
+        if *counts.start() > MANY {
+            return self
+                .fewest_of_many(counts, tolerance)?
+                .ok_or_else(|| self.refusal(tolerance, None));
+        }
         let mut last_refusal = None;
-        for count in self.counts(tolerance) {
+        for count in counts {
             match self.equal(count, Some(tolerance)) {
                 Ok(sketch) if self.is_within(&sketch, tolerance) => return Ok(sketch),
                 Ok(_) => {}
@@ -32,6 +43,31 @@ impl Request<'_> {
             }
         }
         Err(self.refusal(tolerance, last_refusal))
+    }
+
+    /// The fewest of many: halving, since trying one after the other would take as long as the square of their number.
+    fn fewest_of_many(
+        &self,
+        counts: RangeInclusive<usize>,
+        tolerance: f64,
+    ) -> Result<Option<Sketch>> {
+        let within = |count| {
+            self.equal(count, Some(tolerance))
+                .map(|sketch| self.is_within(&sketch, tolerance).then_some(sketch))
+        };
+        let (mut low, mut high) = counts.into_inner();
+        if low > high {
+            return Ok(None);
+        }
+        let mut found = within(high)?;
+        while found.is_some() && low < high {
+            let middle = usize::midpoint(low, high);
+            match within(middle)? {
+                Some(fewer) => (found, high) = (Some(fewer), middle),
+                None => low = middle + 1,
+            }
+        }
+        Ok(found)
     }
 
     /// Refuses tolerances that no curve could meet.
@@ -118,7 +154,7 @@ impl Request<'_> {
     }
 
     /// The counts that may be the fewest, ascending.
-    fn counts(&self, tolerance: f64) -> impl Iterator<Item = usize> + use<> {
+    fn counts(&self, tolerance: f64) -> RangeInclusive<usize> {
         let sweep = self.outline.unit.sweep.degrees().abs();
         let rule = self.options.rule;
         let (first, last) = match rule {
@@ -150,7 +186,8 @@ impl Request<'_> {
         }
     }
 
-    /// A count below which even the flattest place of the shape would be beyond the tolerance.
+    /// A count below which even the flattest place of the shape would be beyond the tolerance; more than the most where that
+    /// one is not enough.
     fn least_count(&self, tolerance: f64) -> usize {
         let truth = &self.outline.truth;
         let sweep = self.outline.unit.sweep.degrees().abs();
@@ -173,6 +210,9 @@ impl Request<'_> {
             } else {
                 high = middle;
             }
+        }
+        if high >= MOST_SEGMENTS && beyond(MOST_SEGMENTS) {
+            return MOST_SEGMENTS + 1;
         }
         high.clamp(1, MOST_SEGMENTS)
     }

@@ -3,9 +3,13 @@
 mod report;
 mod tree;
 
+use std::fs::{File, Metadata};
 use std::io::{self, IsTerminal, Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::SystemTime;
 
 use anyhow::Context;
 use curveto::document::{self, Counts, Note, Options};
@@ -18,28 +22,34 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use self::report::FileReport;
 use self::tree::{Destination, Input, Job};
 use super::Outcome;
-use super::args::ConvertArgs;
+use super::args::{ConvertArgs, DestinationArgs};
 use super::failure::Failure;
-use super::output::{Target, write_file};
+use super::output::{Durability, Target, write_file, write_file_unless};
 
-/// A compressed file may not unfold to more than this.
-const MOST_BYTES: u64 = 1 << 30;
+/// The largest file, packed or unpacked.
+const MOST_BYTES: u64 = 1 << 28;
+/// The most threads.
+const MOST_THREADS: usize = 256;
 /// From this many files on, a terminal sees how far it is.
 const MANY_FILES: usize = 50;
 
 pub(super) fn run(args: &ConvertArgs) -> Outcome {
     let options = args.options()?;
-    let jobs = tree::jobs(&args.inputs, &args.destination)?;
+    let jobs = tree::jobs(&args.inputs, &args.destination, args.hidden, args.talk)?;
     if jobs.is_empty() {
         args.talk.note("there is no .svg or .svgz file to convert");
     }
+    // More threads than files, or than any machine has processors, would only take time to start.
+    let threads = args.each.jobs.map_or(0, Into::into);
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.each.jobs.map_or(0, Into::into))
+        .num_threads(threads.min(jobs.len().clamp(1, MOST_THREADS)))
         .build()
         .context("cannot start threads")?;
+    let interrupt = Interrupt::new(&args.destination)?;
     let bar = progress(jobs.len());
     let reports: Vec<FileReport> = pool.install(|| {
         jobs.par_iter()
+            .filter(|_| interrupt.signal().is_none())
             .map(|job| {
                 let report = FileReport::of(job, process(job, &options));
                 bar.inc(1);
@@ -52,6 +62,11 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     report::tell(&reports, args.report, args.talk);
+    if let Some(signal) = interrupt.signal() {
+        let (done, all) = (reports.len(), jobs.len());
+        eprintln!("error: interrupted after {done} of {all} files; each is whole, old or new");
+        return Ok(ExitCode::from(128 + signal));
+    }
     if args.destination.check {
         list_changed(&reports)?;
     }
@@ -95,6 +110,7 @@ impl<E: Into<Failure>> From<E> for Trouble {
 
 /// Converts one file: what was replaced, and what was left.
 fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble> {
+    let seen = job.input.stamp();
     let raw = read(&job.input)?;
     let compressed = raw.starts_with(&[0x1f, 0x8b]);
     let bytes = if compressed {
@@ -110,10 +126,9 @@ fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble>
     let target = match &job.destination {
         Destination::Nowhere => return Ok(done),
         Destination::InPlace(_) if !changed => return Ok(done),
-        Destination::InPlace(path) | Destination::OutDir(path) | Destination::File(path) => {
-            Target::File(path.clone())
-        }
-        Destination::Stdout => Target::Stdout,
+        Destination::InPlace(path) => Place::Input(path, seen),
+        Destination::OutDir(path) | Destination::File(path) => Place::New(path),
+        Destination::Stdout => Place::Stdout,
     };
     let compress = match &job.destination {
         // The name tells: `-o icon.svgz`.
@@ -122,11 +137,11 @@ fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble>
     };
     let text = converted.text.as_bytes();
     if !changed && compress == compressed {
-        write(&target, &raw)?;
+        target.write(&raw)?;
     } else if compress {
-        write(&target, &deflate(text)?)?;
+        target.write(&deflate(text)?)?;
     } else {
-        write(&target, text)?;
+        target.write(text)?;
     }
     Ok(done)
 }
@@ -138,41 +153,117 @@ fn is_svgz(path: &Path) -> bool {
 
 fn read(input: &Input) -> Result<Vec<u8>, Trouble> {
     match input {
-        Input::File(path) => Ok(std::fs::read(path).context("cannot read it")?),
-        Input::Stdin => {
-            let mut bytes = Vec::new();
-            io::stdin()
-                .lock()
-                .read_to_end(&mut bytes)
-                .context("cannot read it")?;
-            Ok(bytes)
-        }
+        Input::File(path) => read_limited(File::open(path).context("cannot read it")?),
+        Input::Stdin => read_limited(io::stdin().lock()),
         Input::Unreadable(_, why) => Err(anyhow::anyhow!("{why}").into()),
     }
 }
 
-fn write(target: &Target, bytes: &[u8]) -> Result<(), Trouble> {
-    if let Target::File(path) = target {
-        if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder)
-                .with_context(|| format!("cannot make {}", folder.display()))?;
+/// Where one result goes.
+enum Place<'a> {
+    Stdout,
+    New(&'a Path),
+    /// The input itself, and what it was like before it was read.
+    Input(&'a Path, Option<Stamp>),
+}
+
+impl Place<'_> {
+    fn write(&self, bytes: &[u8]) -> Result<(), Trouble> {
+        let named = |path: &Path| format!("cannot write {}", path.display());
+        match self {
+            Self::Stdout => Ok(Target::Stdout.write(bytes)?),
+            Self::New(path) => {
+                if let Some(folder) = path.parent() {
+                    std::fs::create_dir_all(folder)
+                        .with_context(|| format!("cannot make {}", folder.display()))?;
+                }
+                Ok(write_file(path, bytes).with_context(|| named(path))?)
+            }
+            Self::Input(path, seen) => {
+                let changed = |now: &Metadata| Stamp::of(now) != *seen;
+                let written = write_file_unless(path, bytes, Durability::Synced, changed);
+                if !written.with_context(|| named(path))? {
+                    let why =
+                        "it was changed by someone else while it was read, and is left as it is";
+                    return Err(anyhow::anyhow!(why).into());
+                }
+                Ok(())
+            }
         }
-        write_file(path, bytes).with_context(|| format!("cannot write {}", path.display()))?;
-        return Ok(());
     }
-    Ok(target.write(bytes)?)
+}
+
+/// What tells whether a file is still the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Stamp {
+    size: u64,
+    modified: SystemTime,
+    inode: u64,
+}
+
+impl Stamp {
+    fn of(data: &Metadata) -> Option<Self> {
+        #[cfg(unix)]
+        let inode = std::os::unix::fs::MetadataExt::ino(data);
+        #[cfg(not(unix))]
+        let inode = 0;
+        Some(Self {
+            size: data.len(),
+            modified: data.modified().ok()?,
+            inode,
+        })
+    }
+}
+
+impl Input {
+    /// What the file is like now.
+    fn stamp(&self) -> Option<Stamp> {
+        match self {
+            Self::File(path) => Stamp::of(&std::fs::metadata(path).ok()?),
+            Self::Stdin | Self::Unreadable(..) => None,
+        }
+    }
+}
+
+/// Whether a signal asked for an end, where files are written: the one at hand is finished, and no other is begun.
+struct Interrupt(Arc<AtomicUsize>);
+
+impl Interrupt {
+    fn new(destination: &DestinationArgs) -> Result<Self, Failure> {
+        let seen = Arc::new(AtomicUsize::new(0));
+        #[cfg(unix)]
+        if destination.in_place || destination.out_dir.is_some() {
+            use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+            for signal in [SIGINT, SIGTERM, SIGHUP] {
+                let number = signal.unsigned_abs() as usize;
+                signal_hook::flag::register_usize(signal, Arc::clone(&seen), number)?;
+            }
+        }
+        #[cfg(not(unix))]
+        let _ = destination;
+        Ok(Self(seen))
+    }
+
+    fn signal(&self) -> Option<u8> {
+        let seen = self.0.load(Ordering::Relaxed);
+        u8::try_from(seen).ok().filter(|&signal| signal > 0)
+    }
 }
 
 fn inflate(bytes: &[u8]) -> Result<Vec<u8>, Trouble> {
-    let mut out = Vec::new();
-    MultiGzDecoder::new(bytes)
+    read_limited(MultiGzDecoder::new(bytes))
+}
+
+fn read_limited(input: impl Read) -> Result<Vec<u8>, Trouble> {
+    let mut bytes = Vec::new();
+    input
         .take(MOST_BYTES + 1)
-        .read_to_end(&mut out)
-        .context("cannot unpack it")?;
-    if out.len() as u64 > MOST_BYTES {
-        return Err(anyhow::anyhow!("it unpacks to more than a gibibyte").into());
+        .read_to_end(&mut bytes)
+        .context("cannot read it")?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(anyhow::anyhow!("it is larger than 256 MiB").into());
     }
-    Ok(out)
+    Ok(bytes)
 }
 
 fn deflate(bytes: &[u8]) -> Result<Vec<u8>, Trouble> {

@@ -39,7 +39,7 @@ impl Target {
     /// The target of `-o`: a file, or standard output for `-` and without it.
     pub(crate) fn new(output: Option<&Path>) -> Self {
         match output {
-            Some(path) if path.as_os_str() != "-" => Self::File(path.to_owned()),
+            Some(path) if !is_stdout(path) => Self::File(path.to_owned()),
             _ => Self::Stdout,
         }
     }
@@ -71,29 +71,82 @@ impl Target {
     }
 }
 
-/// Writes a file atomically: it is made beside its place and moved there when it is whole. The mode of a file that was there is
-/// kept; a link is followed; what is no plain file, such as a device or a pipe, is written to directly.
+/// Whether a path names standard output, which is written through and never replaced, whatever it leads to.
+fn is_stdout(path: &Path) -> bool {
+    ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]
+        .iter()
+        .any(|name| path.as_os_str() == *name)
+}
+
+/// Writes a file atomically: it is made beside its place and moved there when it is whole. The mode and the owner of a file that
+/// was there are kept; a link is followed; what is no plain file, such as a device or a pipe, is written to directly, and so is
+/// what the process has open already.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    write_file_unless(path, bytes, Durability::System, |_| false).map(drop)
+}
+
+/// Whether a file is to be on its disk when the call ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Durability {
+    /// When the system sees fit.
+    System,
+    /// Before it takes the place of the old one.
+    Synced,
+}
+
+/// As [`write_file`], but where `changed` says of the file that was there that it is another by now, it stays and the answer is no.
+pub(crate) fn write_file_unless(
+    path: &Path,
+    bytes: &[u8],
+    durability: Durability,
+    changed: impl Fn(&fs::Metadata) -> bool,
+) -> io::Result<bool> {
+    let open_already = path.starts_with("/dev") || path.starts_with("/proc");
     let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let existing = fs::metadata(path).ok();
-    if existing.as_ref().is_some_and(|data| !data.is_file()) {
-        return File::options().write(true).open(path)?.write_all(bytes);
+    if open_already || existing.as_ref().is_some_and(|data| !data.is_file()) {
+        File::options().append(true).open(path)?.write_all(bytes)?;
+        return Ok(true);
     }
     let folder = path
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
-    let mode = existing.map(|data| data.permissions());
+    let mode = existing.as_ref().map(fs::Metadata::permissions);
     // Opened here and not by tempfile, whose errors name a file that nobody knows.
     let mut file = tempfile::Builder::new()
         .prefix(".curveto-")
         .make_in(folder, |path| create(path, mode.as_ref()))?;
     file.write_all(bytes)?;
-    if let Some(mode) = mode {
-        // The mask of the process does not apply to a mode that was there.
-        file.as_file().set_permissions(mode)?;
+    if let Some(existing) = &existing {
+        keep_owner(file.as_file(), existing)?;
+        // The mask of the process does not apply to a mode that was there; a change of owner takes bits away, so that this comes last.
+        file.as_file().set_permissions(existing.permissions())?;
+    }
+    if durability == Durability::Synced {
+        file.as_file().sync_all()?;
+    }
+    if fs::metadata(path).is_ok_and(|now| changed(&now)) {
+        return Ok(false);
     }
     file.persist(path).map_err(|error| error.error)?;
+    Ok(true)
+}
+
+/// Gives a new file the owner and the group of the old one, where they differ.
+#[cfg(unix)]
+fn keep_owner(file: &File, old: &fs::Metadata) -> io::Result<()> {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    let new = file.metadata()?;
+    if (new.uid(), new.gid()) == (old.uid(), old.gid()) {
+        return Ok(());
+    }
+    fchown(file, Some(old.uid()), Some(old.gid()))
+        .map_err(|error| io::Error::new(error.kind(), format!("its owner cannot be kept: {error}")))
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &File, _: &fs::Metadata) -> io::Result<()> {
     Ok(())
 }
 

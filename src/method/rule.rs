@@ -97,7 +97,14 @@ impl Rule {
         if let Some(method) = self.method() {
             method.check_chain(spans, equal, closed)?;
             if method == Method::Chen1 && !(closed && equal) {
-                spans.iter().try_for_each(check_half_turn_of_chen_1)?;
+                // Unequal arcs have no angle of their own at which the system fails.
+                spans.iter().try_for_each(|span| {
+                    if equal {
+                        method.check_angle(span)
+                    } else {
+                        check_half_turn_of_chen_1(span)
+                    }
+                })?;
                 return Ok(chen::chain(spans, closed));
             }
         }
@@ -162,7 +169,7 @@ impl Method {
     }
 }
 
-/// Unequal arcs of Formulation I have no angle of their own at which the system fails, but more than half a turn is no arc any more.
+/// More than half a turn is no arc any more.
 fn check_half_turn_of_chen_1(span: &Span) -> Result<()> {
     if !span.exceeds(180.0) {
         return Ok(());

@@ -35,6 +35,9 @@ pub enum ReadError {
     },
 }
 
+/// The longest line: two numbers take no more.
+const LONGEST_LINE: u64 = 1 << 16;
+
 impl Points {
     /// Reads one pair a line: two numbers with a comma, a semicolon, spaces or tabs between them.
     ///
@@ -58,8 +61,16 @@ impl Points {
         let mut header_may_come = true;
         for line in 1.. {
             bytes.clear();
-            if reader.read_until(b'\n', &mut bytes)? == 0 {
+            if std::io::Read::take(&mut reader, LONGEST_LINE).read_until(b'\n', &mut bytes)? == 0 {
                 break;
+            }
+            if bytes.len() as u64 == LONGEST_LINE {
+                let why = format!("the line is longer than {} KiB", LONGEST_LINE >> 10);
+                return Err(ReadError::Syntax {
+                    line,
+                    column: 1,
+                    why,
+                });
             }
             let text = String::from_utf8_lossy(&bytes);
             let text = if line == 1 {

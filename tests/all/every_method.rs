@@ -186,6 +186,7 @@ const REQUESTS: [Request; 9] = [
     (
         "arc 5 --end 180 -n 1",
         &[
+            "chen-1",
             "apprich",
             "apprich-plus",
             "apprich-scaled",

@@ -18,6 +18,8 @@ mod every_method;
 mod everyday;
 mod exchange;
 mod fewest_segments;
+#[cfg(unix)]
+mod files;
 mod format_goldens;
 mod formats;
 mod fuzz;

@@ -51,6 +51,9 @@ pub(crate) struct ApproximationArgs {
     quadrature: Quadrature,
 }
 
+/// Far more than any curve could use; the measure stays finite below it.
+const LARGEST_HANDLE: f64 = 1e9;
+
 impl ApproximationArgs {
     /// What gives the control points of a drawing.
     pub(crate) fn rule(&self) -> Result<Rule, Failure> {
@@ -84,11 +87,11 @@ impl ApproximationArgs {
 
     fn rule_of(&self, method: Method) -> Result<Rule, Failure> {
         if let Some(k) = self.handle {
-            return if k.is_finite() {
+            return if k.abs() <= LARGEST_HANDLE {
                 Ok(Rule::Handle(k))
             } else {
                 Err(Failure::request(format!(
-                    "a handle is a finite number, not {k}"
+                    "a handle is a length on the unit circle, at most {LARGEST_HANDLE:e}, not {k:e}"
                 )))
             };
         }

@@ -16,6 +16,9 @@ pub(crate) struct ConvertArgs {
     pub(crate) inputs: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) destination: DestinationArgs,
+    /// In folders, take hidden files and folders too
+    #[arg(long)]
+    pub(crate) hidden: bool,
     /// Replace only these
     #[arg(long, value_enum, value_name = "KIND,...", value_delimiter = ',')]
     only: Vec<KindArg>,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::cli::args::DestinationArgs;
+use crate::cli::args::{DestinationArgs, TalkArgs};
 use crate::cli::failure::Failure;
 
 /// What is read.
@@ -54,13 +54,29 @@ struct Found {
 }
 
 /// The jobs for these words; refuses what cannot be meant.
-pub(super) fn jobs(inputs: &[PathBuf], destination: &DestinationArgs) -> Result<Vec<Job>, Failure> {
+pub(super) fn jobs(
+    inputs: &[PathBuf],
+    destination: &DestinationArgs,
+    hidden: bool,
+    talk: TalkArgs,
+) -> Result<Vec<Job>, Failure> {
     let stdin = [PathBuf::from("-")];
     let inputs = if inputs.is_empty() { &stdin } else { inputs };
     check(inputs, destination)?;
     let mut found = Vec::new();
+    let walk = Walk {
+        hidden,
+        left_out: destination
+            .out_dir
+            .as_ref()
+            .and_then(|dir| fs::canonicalize(dir).ok()),
+        talk,
+    };
     for input in inputs {
-        find(input, &mut found);
+        walk.find(input, &mut found);
+    }
+    if let Some(dir) = &destination.out_dir {
+        refuse_own_folder(inputs, dir)?;
     }
     let jobs = found
         .into_iter()
@@ -129,61 +145,128 @@ fn check(inputs: &[PathBuf], destination: &DestinationArgs) -> Result<(), Failur
     Ok(())
 }
 
-/// Adds a file, or all SVG files of a folder in the order of their names. Links to folders are not followed.
-fn find(input: &Path, found: &mut Vec<Found>) {
-    if input.as_os_str() == "-" {
-        return found.push(Found {
-            input: Input::Stdin,
-            below: PathBuf::new(),
-        });
+/// Refuses to write results over the files that they are made from.
+fn refuse_own_folder(inputs: &[PathBuf], dir: &Path) -> Result<(), Failure> {
+    let Ok(dir) = fs::canonicalize(dir) else {
+        return Ok(());
+    };
+    let own = |input: &PathBuf| {
+        let folder = if input.is_dir() {
+            input.as_path()
+        } else {
+            input
+                .parent()
+                .filter(|p| !p.as_os_str().is_empty())
+                .unwrap_or(Path::new("."))
+        };
+        fs::canonicalize(folder).is_ok_and(|folder| folder == dir)
+    };
+    match inputs.iter().find(|input| own(input)) {
+        Some(input) => Err(Failure::request_with_hint(
+            format!("--out-dir is the folder of {} itself", input.display()),
+            "--in-place replaces files where they are",
+        )),
+        None => Ok(()),
     }
-    if !input.is_dir() {
-        let below = input.file_name().map(PathBuf::from).unwrap_or_default();
-        return found.push(Found {
-            input: Input::File(input.to_owned()),
-            below,
-        });
-    }
-    let mut folders = vec![input.to_owned()];
-    let mut files = Vec::new();
-    while let Some(folder) = folders.pop() {
-        match entries(&folder) {
-            Ok(entries) => {
-                for (path, is_folder) in entries {
-                    if is_folder {
-                        folders.push(path);
-                    } else if is_svg(&path) {
-                        files.push(path);
-                    }
-                }
-            }
-            Err(error) => {
-                let why = format!("cannot read it: {error}");
-                found.push(Found {
-                    input: Input::Unreadable(folder, why),
-                    below: PathBuf::new(),
-                });
-            }
-        }
-    }
-    files.sort();
-    found.extend(files.into_iter().map(|path| {
-        let below = path.strip_prefix(input).unwrap_or(&path).to_owned();
-        Found {
-            input: Input::File(path),
-            below,
-        }
-    }));
 }
 
-/// What a folder holds, and whether each is a folder itself.
-fn entries(folder: &Path) -> std::io::Result<Vec<(PathBuf, bool)>> {
-    fs::read_dir(folder)?
-        .map(|entry| {
+/// How folders are walked.
+struct Walk {
+    /// Whether hidden files and folders are taken too.
+    hidden: bool,
+    /// The folder of results, which is not walked.
+    left_out: Option<PathBuf>,
+    talk: TalkArgs,
+}
+
+impl Walk {
+    /// Adds a file, or all SVG files of a folder in the order of their names. Links to folders are not followed, nor links to
+    /// files outside of the folder; what is no plain file is left out.
+    fn find(&self, input: &Path, found: &mut Vec<Found>) {
+        if input.as_os_str() == "-" {
+            return found.push(Found {
+                input: Input::Stdin,
+                below: PathBuf::new(),
+            });
+        }
+        if !input.is_dir() {
+            let below = input.file_name().map(PathBuf::from).unwrap_or_default();
+            return found.push(Found {
+                input: Input::File(input.to_owned()),
+                below,
+            });
+        }
+        let root = fs::canonicalize(input).unwrap_or_else(|_| input.to_owned());
+        let mut folders = vec![input.to_owned()];
+        let mut files = Vec::new();
+        while let Some(folder) = folders.pop() {
+            match self.entries(&folder) {
+                Ok(entries) => {
+                    for (path, is_folder) in entries {
+                        if is_folder {
+                            folders.push(path);
+                        } else if is_svg(&path) && self.is_ours(&path, &root) {
+                            files.push(path);
+                        }
+                    }
+                }
+                Err(error) => {
+                    let why = format!("cannot read it: {error}");
+                    found.push(Found {
+                        input: Input::Unreadable(folder, why),
+                        below: PathBuf::new(),
+                    });
+                }
+            }
+        }
+        files.sort();
+        found.extend(files.into_iter().map(|path| {
+            let below = path.strip_prefix(input).unwrap_or(&path).to_owned();
+            Found {
+                input: Input::File(path),
+                below,
+            }
+        }));
+    }
+
+    /// What a folder holds, and whether each is a folder itself.
+    fn entries(&self, folder: &Path) -> std::io::Result<Vec<(PathBuf, bool)>> {
+        let mut entries = Vec::new();
+        for entry in fs::read_dir(folder)? {
             let entry = entry?;
-            Ok((entry.path(), entry.file_type()?.is_dir()))
-        })
-        .collect()
+            if !self.hidden && entry.file_name().as_encoded_bytes().starts_with(b".") {
+                continue;
+            }
+            let (path, is_folder) = (entry.path(), entry.file_type()?.is_dir());
+            let is_left_out = is_folder
+                && self.left_out.is_some()
+                && fs::canonicalize(&path).ok() == self.left_out;
+            if !is_left_out {
+                entries.push((path, is_folder));
+            }
+        }
+        Ok(entries)
+    }
+
+    /// Whether a name leads to a plain file of the folder. A link that leads nowhere is kept, to be told as what cannot be read.
+    fn is_ours(&self, path: &Path, root: &Path) -> bool {
+        let Ok(data) = fs::metadata(path) else {
+            return true;
+        };
+        let left = |why: &str| {
+            self.talk
+                .note(&format!("{}: is left: {why}", path.display()));
+            false
+        };
+        if !data.is_file() {
+            return left("it is no plain file");
+        }
+        let is_link = fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
+        if is_link && !fs::canonicalize(path).is_ok_and(|target| target.starts_with(root)) {
+            return left("the link leads out of the folder; name the file itself to convert it");
+        }
+        true
+    }
 }
 
 fn is_svg(path: &Path) -> bool {
@@ -201,7 +284,10 @@ fn without_clashes(jobs: Vec<Job>) -> Result<Vec<Job>, Failure> {
     let mut kept = Vec::with_capacity(jobs.len());
     for job in jobs {
         let place = match &job.destination {
-            Destination::OutDir(path) | Destination::File(path) => path.clone(),
+            Destination::OutDir(path) | Destination::File(path) => {
+                // A link below the folder of results may lead two of them to one file.
+                fs::canonicalize(path).unwrap_or_else(|_| path.clone())
+            }
             // One file by two names is one file.
             Destination::InPlace(path) => fs::canonicalize(path).unwrap_or_else(|_| path.clone()),
             Destination::Stdout | Destination::Nowhere => {

@@ -1,0 +1,204 @@
+//! What happens to files: docs/files.md, sentence by sentence.
+
+use std::fs;
+use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, chown, symlink};
+use std::path::Path;
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+
+const SVG: &str = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/></svg>"#;
+
+fn curveto(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_curveto"))
+        .current_dir(folder)
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A folder with one file in it.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.svg"), SVG).unwrap();
+    folder
+}
+
+#[test]
+fn mode_and_owner_are_kept() {
+    let folder = folder();
+    let file = folder.path().join("a.svg");
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
+    // Only root may give a file away.
+    let owner = chown(&file, Some(1000), Some(1000))
+        .map_or_else(|_| fs::metadata(&file).unwrap().uid(), |()| 1000);
+    assert!(
+        curveto(folder.path(), &["convert", "--in-place", "a.svg"])
+            .status
+            .success()
+    );
+    let data = fs::metadata(&file).unwrap();
+    assert_eq!((data.uid(), data.mode() & 0o777), (owner, 0o640));
+    assert!(fs::read_to_string(&file).unwrap().contains("<path"));
+}
+
+#[test]
+fn only_plain_files_of_the_folder_are_taken() {
+    let outer = folder();
+    let inner = outer.path().join("in");
+    fs::create_dir_all(inner.join(".hidden")).unwrap();
+    fs::write(inner.join("b.svg"), SVG).unwrap();
+    fs::write(inner.join(".hidden/c.svg"), SVG).unwrap();
+    fs::write(inner.join(".d.svg"), SVG).unwrap();
+    symlink("../a.svg", inner.join("out.svg")).unwrap();
+    symlink("/dev/zero", inner.join("zero.svg")).unwrap();
+    let fifo = inner.join("fifo.svg");
+    assert!(
+        Command::new("mkfifo")
+            .arg(&fifo)
+            .status()
+            .unwrap()
+            .success()
+    );
+    let output = curveto(outer.path(), &["convert", "--in-place", "in"]);
+    assert!(output.status.success(), "{}", said(&output));
+    for name in ["out.svg", "zero.svg", "fifo.svg"] {
+        assert!(
+            said(&output).contains(&format!("note: in/{name}: is left")),
+            "{}",
+            said(&output)
+        );
+    }
+    assert_eq!(fs::read_to_string(outer.path().join("a.svg")).unwrap(), SVG);
+    assert_eq!(fs::read_to_string(inner.join(".d.svg")).unwrap(), SVG);
+    assert!(
+        fs::read_to_string(inner.join("b.svg"))
+            .unwrap()
+            .contains("<path")
+    );
+    assert!(fs::metadata(&fifo).unwrap().file_type().is_fifo());
+    assert!(
+        curveto(outer.path(), &["convert", "--in-place", "--hidden", "in"])
+            .status
+            .success()
+    );
+    assert!(
+        fs::read_to_string(inner.join(".hidden/c.svg"))
+            .unwrap()
+            .contains("<path")
+    );
+}
+
+#[test]
+fn a_folder_of_results_is_not_walked_and_not_the_input() {
+    let folder = folder();
+    for _ in 0..2 {
+        assert!(
+            curveto(folder.path(), &["convert", ".", "--out-dir", "out"])
+                .status
+                .success()
+        );
+    }
+    assert!(folder.path().join("out/a.svg").is_file());
+    assert!(!folder.path().join("out/out").exists());
+    let output = curveto(folder.path(), &["convert", "a.svg", "--out-dir", "."]);
+    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+    assert_eq!(
+        fs::read_to_string(folder.path().join("a.svg")).unwrap(),
+        SVG
+    );
+}
+
+#[test]
+fn standard_output_is_written_through() {
+    let folder = folder();
+    let script = format!(
+        "{{ echo a; '{}' circle 3 -p 0 -o /dev/stdout; echo b; }} > f",
+        env!("CARGO_BIN_EXE_curveto")
+    );
+    let status = Command::new("sh")
+        .current_dir(folder.path())
+        .args(["-c", &script])
+        .status();
+    assert!(status.unwrap().success());
+    let text = fs::read_to_string(folder.path().join("f")).unwrap();
+    assert!(
+        text.starts_with("a\nM3 0") && text.ends_with("\nb\n"),
+        "{text}"
+    );
+}
+
+#[test]
+fn endless_input_is_refused() {
+    let folder = folder();
+    for arguments in [
+        ["spline", "--points-file", "/dev/zero"],
+        ["measure", "--file", "/dev/zero"],
+        ["convert", "/dev/zero", "--check"],
+    ] {
+        let output = curveto(folder.path(), &arguments);
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{arguments:?}");
+        assert!(
+            said(&output).starts_with("error: /dev/zero"),
+            "{}",
+            said(&output)
+        );
+    }
+}
+
+#[test]
+fn a_signal_ends_between_files_and_says_how_far_it_came() {
+    let folder = tempfile::tempdir().unwrap();
+    let body = r#"<circle r="5" cx="1.5"/>"#.repeat(20_000);
+    for i in 0..60 {
+        let text = format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{body}</svg>");
+        fs::write(folder.path().join(format!("{i}.svg")), text).unwrap();
+    }
+    let child = Command::new(env!("CARGO_BIN_EXE_curveto"))
+        .current_dir(folder.path())
+        .args(["convert", "--in-place", "-j", "1", "."])
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    // As soon as one file is done.
+    let done = || {
+        fs::read_dir(folder.path()).unwrap().any(|entry| {
+            let path = entry.unwrap().path();
+            path.extension().is_some_and(|e| e == "svg")
+                && fs::read(&path).is_ok_and(|b| b.windows(5).take(80).any(|w| w == b"<path"))
+        })
+    };
+    let start = Instant::now();
+    while !done() && start.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let pid = child.id().to_string();
+    assert!(
+        Command::new("kill")
+            .args(["-TERM", &pid])
+            .status()
+            .unwrap()
+            .success()
+    );
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(143), "{}", said(&output));
+    assert!(
+        said(&output).contains("interrupted after"),
+        "{}",
+        said(&output)
+    );
+    for entry in fs::read_dir(folder.path()).unwrap() {
+        let path = entry.unwrap().path();
+        assert!(
+            !path
+                .file_name()
+                .unwrap()
+                .to_string_lossy()
+                .starts_with(".curveto-")
+        );
+        assert!(fs::read_to_string(&path).unwrap().ends_with("</svg>"));
+    }
+}
