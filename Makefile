@@ -9,56 +9,18 @@ BASHDIR = $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
-.PHONY: help build test test-readers test-tex lint golden install uninstall clean judges pictures
+.PHONY: help build install uninstall clean
+.PHONY: test judges test-readers test-tex corpora test-corpora fuzz numbers lint
+.PHONY: golden pictures
+.PHONY: bench bench-startup bench-convert growth-convert scale
+
+# ---- Build
 
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | sort | expand -t 18
 
 build: ## Build the optimised program, target/release/curveto
 	$(CARGO) build --release --locked
-
-test: judges ## Run all tests; Ghostscript and Poppler are among the judges and are installed where that is possible
-	$(CARGO) test --locked
-
-test-readers: build ## Read our DXF files by ezdxf and our glyphs by fontTools, which come from PyPI
-	python3 -m venv target/readers
-	target/readers/bin/pip install --quiet ezdxf==1.4.5 fonttools==4.68.0
-	target/readers/bin/python tests/readers.py target/release/curveto
-
-test-tex: ## Compile our TikZ by LaTeX (Debian: texlive-latex-base and texlive-pictures)
-	@command -v pdflatex >/dev/null || apt-get install -yq --no-install-recommends texlive-latex-base texlive-pictures
-	$(CARGO) test --locked --test exchange -- --ignored latex
-
-FEATURES = document batch png pdf plot serde schema cli
-
-lint: ## Check formatting, lints, each feature alone, and the documentation of the library
-	$(CARGO) fmt --all -- --check
-	$(CARGO) clippy --all-targets --all-features --locked -- -D warnings
-	for feature in '' $(FEATURES); do \
-		$(CARGO) clippy --lib --locked --no-default-features --features "$$feature" -- -D warnings || exit 1; \
-	done
-	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --all-features
-	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --no-default-features
-
-golden: ## Write the golden files in fixtures/ anew
-	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden format_goldens schema peers measure_cli documented_commands convert::
-
-pictures: build ## Draw the pictures of the documentation anew, with the program itself
-	$(MAKE) --no-print-directory -f Makefile.picture images
-	sh docs/pictures-chen.sh
-
-# The tests run Ghostscript on our PostScript and Poppler on our PDF. Debian's packages come by themselves; elsewhere this says what to do.
-judges:
-	@command -v gs >/dev/null && command -v pdftoppm >/dev/null || { \
-		echo 'Ghostscript (gs) or Poppler (pdftoppm) is missing'; \
-		if command -v apt-get >/dev/null && [ "$$(id -u)" = 0 ]; then \
-			apt-get update -q && DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends ghostscript poppler-utils; \
-		elif command -v apt-get >/dev/null && command -v sudo >/dev/null; then \
-			sudo apt-get update -q && sudo DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends ghostscript poppler-utils; \
-		else \
-			echo 'install them first: brew install ghostscript poppler, dnf install ghostscript poppler-utils, pacman -S ghostscript poppler, apk add ghostscript poppler-utils'; \
-			exit 1; \
-		fi; }
 
 install: build ## Install the program, its man pages and its shell completions below $(DESTDIR)$(PREFIX)
 	install -d '$(BINDIR)' '$(MANDIR)' '$(BASHDIR)' '$(ZSHDIR)' '$(FISHDIR)'
@@ -75,5 +37,113 @@ uninstall: ## Remove what install installed
 clean: ## Remove everything that was built
 	$(CARGO) clean
 
-# `convert` on real icon sets, and speed.
-include Makefile.convert Makefile.engine
+# ---- Test
+
+test: judges ## Run all tests; Ghostscript and Poppler are among the judges and are installed where that is possible
+	$(CARGO) test --locked
+
+# The tests run Ghostscript on our PostScript and Poppler on our PDF. Debian's packages come by themselves; elsewhere this says what to do.
+judges:
+	@command -v gs >/dev/null && command -v pdftoppm >/dev/null || { \
+		echo 'Ghostscript (gs) or Poppler (pdftoppm) is missing'; \
+		if command -v apt-get >/dev/null && [ "$$(id -u)" = 0 ]; then \
+			apt-get update -q && DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends ghostscript poppler-utils; \
+		elif command -v apt-get >/dev/null && command -v sudo >/dev/null; then \
+			sudo apt-get update -q && sudo DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends ghostscript poppler-utils; \
+		else \
+			echo 'install them first: brew install ghostscript poppler, dnf install ghostscript poppler-utils, pacman -S ghostscript poppler, apk add ghostscript poppler-utils'; \
+			exit 1; \
+		fi; }
+
+test-readers: build ## Read our DXF files by ezdxf and our glyphs by fontTools, which come from PyPI
+	python3 -m venv target/readers
+	target/readers/bin/pip install --quiet ezdxf==1.4.5 fonttools==4.68.0
+	target/readers/bin/python tests/readers.py target/release/curveto
+
+test-tex: ## Compile our TikZ by LaTeX (Debian: texlive-latex-base and texlive-pictures)
+	@command -v pdflatex >/dev/null || apt-get install -yq --no-install-recommends texlive-latex-base texlive-pictures
+	$(CARGO) test --locked --test all -- --ignored latex
+
+# The icon sets that `convert` is tried on; they are fetched, never committed.
+CORPORA = lucide-static-1.62.0 bootstrap-icons-1.13.2
+
+corpora: $(CORPORA:%=corpora/%/package/package.json) ## Fetch the icon sets for test-corpora and bench-convert
+
+corpora/%/package/package.json:
+	@mkdir -p corpora/$*
+	name='$*'; cd corpora && npm pack --silent "$${name%-*}@$${name##*-}" > /dev/null
+	tar -xzf corpora/$*.tgz -C corpora/$*
+	@touch $@
+
+test-corpora: corpora ## Convert the icon sets and judge every file
+	$(CARGO) test --locked --test all corpora:: -- --ignored --nocapture
+
+FUZZ ?= 50
+
+fuzz: ## Feed random and damaged input to all that reads, 50 times as many cases as make test (FUZZ=1000: for hours)
+	CURVETO_FUZZ=$(FUZZ) $(CARGO) test --locked --test all fuzz::
+
+numbers: ## Hold a billion printed numbers against the standard library
+	$(CARGO) test --release --locked --lib -- --ignored a_billion_mixed_numbers
+
+FEATURES = document batch png pdf plot serde schema cli
+
+lint: ## Check formatting, lints, each feature alone, and the documentation of the library
+	$(CARGO) fmt --all -- --check
+	$(CARGO) clippy --all-targets --all-features --locked -- -D warnings
+	for feature in '' $(FEATURES); do \
+		$(CARGO) clippy --lib --locked --no-default-features --features "$$feature" -- -D warnings || exit 1; \
+	done
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --all-features
+	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --no-default-features
+
+# ---- Golden files and pictures
+
+golden: ## Write the golden files in fixtures/ anew
+	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden format_goldens schema peers measure_cli documented_commands convert::
+
+CURVETO ?= target/release/curveto
+IMAGES = docs/images
+
+pictures: build $(addprefix $(IMAGES)/,circle.png midpoint.png curvature.png quadratic.png ellipse.png arc.svg) ## Draw the pictures of the documentation anew, with the program itself
+	sh docs/pictures-chen.sh
+
+$(IMAGES)/%: Makefile build
+	@mkdir -p $(@D)
+	$(CURVETO) $(words_$*) -o $@
+
+everything = --show joints,handles,truth,error
+words_circle.png    = circle 50 $(everything)=500
+words_midpoint.png  = circle 50 -m midpoint $(everything)=500 --size 320x320
+words_curvature.png = circle 50 -m curvature $(everything)=60 --size 320x320
+words_quadratic.png = circle 50 -m quadratic-minimax $(everything)=12 --size 320x320
+words_ellipse.png   = ellipse 120 50 --rotation 20 $(everything)=500 --size 640x400
+words_arc.svg       = arc --svg 'M10 80a25,25-30 0150-25' $(everything)=300 --background white
+
+# ---- Measure
+
+bench: ## Print one table: ours, kurbo, lyon_geom, usvg
+	$(CARGO) bench --locked --bench table
+
+bench-startup: build ## Compare the start of the program with that of an empty one
+	mkdir -p target/startup
+	printf 'fn main() {}\n' > target/startup/empty.rs
+	rustc -O -C panic=abort -o target/startup/empty target/startup/empty.rs
+	hyperfine --shell=none --warmup 50 --runs 1000 target/startup/empty 'target/release/curveto circle 50'
+
+bench-convert: corpora ## Measure convert beside usvg on the icon sets
+	$(CARGO) bench --locked --bench convert
+
+# Nested drawings are SVG too, so all icons ten or twenty times over make one large file.
+corpora/large-%.svg: | corpora
+	{ printf '<svg xmlns="http://www.w3.org/2000/svg">\n'; for i in $$(seq $*); do cat corpora/*/package/icons/*.svg; done; printf '</svg>\n'; } > $@
+
+growth-convert: build corpora/large-10.svg corpora/large-20.svg ## Show how memory and time of convert grow with the file
+	@for size in 10 20; do for where in '' --check --in-place; do \
+		cp corpora/large-$$size.svg corpora/large.svg; \
+		printf '%s bytes, convert %s: ' "$$(wc -c < corpora/large.svg)" "$$where"; \
+		/usr/bin/time -qf '%M KiB, %e s' target/release/curveto convert corpora/large.svg $$where 2>&1 > /dev/null || test $$? = 1; \
+	done; done
+
+scale: build ## Run batch on 10 M lines alone, under GNU parallel and under Apache Spark, and compare the outputs
+	docs/scale/run

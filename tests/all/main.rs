@@ -16,6 +16,7 @@ mod determinism;
 mod documented_commands;
 mod every_method;
 mod everyday;
+mod examples;
 mod exchange;
 mod fewest_segments;
 #[cfg(unix)]
