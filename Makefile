@@ -122,7 +122,7 @@ words_arc.svg       = arc --svg 'M10 80a25,25-30 0150-25' $(everything)=300 --ba
 
 # ---- Measure
 
-bench: ## Print one table: ours, kurbo, lyon_geom, usvg
+bench: corpora ## Print one table: ours, kurbo, lyon_geom, usvg
 	$(CARGO) bench --locked --bench table
 
 bench-startup: build ## Compare the start of the program with that of an empty one

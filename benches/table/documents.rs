@@ -1,47 +1,36 @@
-//! Documents for the table: icons as sets of them have, made up so that the row needs no download.
+//! Icons for the table: the sets of `make corpora`, as a user meets them, once.
 
-use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::thread;
 
 use curveto::document::{self, Options};
 use resvg::usvg;
 
-use super::Numbers;
-
-const ICONS: usize = 2000;
-
-/// Icons of circles, ellipses, rounded rectangles, lines and a path with arcs.
-pub(crate) fn icons() -> Vec<String> {
-    let mut numbers = Numbers(11);
-    (0..ICONS).map(|_| icon(&mut numbers)).collect()
+/// The sets that were fetched, each with its name.
+pub(crate) fn sets() -> Vec<(&'static str, Vec<String>)> {
+    let names = ["lucide-static-1.62.0", "bootstrap-icons-1.13.2"];
+    let sets = names.map(|name| (name, icons(name)));
+    sets.into_iter()
+        .filter(|(_, set)| !set.is_empty())
+        .collect()
 }
 
-fn icon(numbers: &mut Numbers) -> String {
-    let mut n = |low: f64, high: f64| (numbers.uniform(low, high) * 4.0).round() / 4.0;
-    let mut text = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"24\" height=\"24\" viewBox=\"0 0 24 24\" fill=\"none\" \
-         stroke=\"black\" stroke-width=\"2\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-    );
-    // Writing to a string cannot fail.
-    let _ = writeln!(
-        text,
-        "  <circle cx=\"{}\" cy=\"{}\" r=\"{}\" />\n  <ellipse cx=\"12\" cy=\"{}\" rx=\"9\" ry=\"{}\" />\n  \
-         <rect width=\"{}\" height=\"{}\" x=\"3\" y=\"2\" rx=\"2\" />\n  \
-         <path d=\"M{} 12a2 2 0 0 1-2 {}h-.5a{} 2.5 0 0 0-1 1.25V20a2 2 0 0 1-4 0M4 {}l3 2.5c1 1 2 1.5 4 1\" />\n  \
-         <path d=\"m{} 7 3.25-3.5 3.75 4.25\" />\n</svg>",
-        n(4.0, 20.0),
-        n(4.0, 20.0),
-        n(1.0, 10.0),
-        n(4.0, 20.0),
-        n(1.0, 4.0),
-        n(8.0, 18.0),
-        n(8.0, 18.0),
-        n(14.0, 20.0),
-        n(1.0, 3.0),
-        n(2.0, 3.0),
-        n(3.0, 12.0),
-        n(3.0, 12.0),
-    );
-    text
+fn icons(name: &str) -> Vec<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpora");
+    let folder = root.join(name).join("package/icons");
+    let files = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut paths: Vec<_> = files.map(|file| file.path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "svg"));
+    paths.sort();
+    let texts = paths.into_iter().map(fs::read_to_string);
+    texts.filter_map(Result::ok).collect()
+}
+
+/// One pass in a thread of its own, which has met none of the icons before.
+pub(crate) fn pass(set: &[String], convert: fn(&str) -> usize) -> usize {
+    let all = || set.iter().map(|icon| convert(icon)).sum();
+    thread::scope(|scope| scope.spawn(all).join().unwrap_or(0))
 }
 
 pub(crate) fn ours(text: &str) -> usize {

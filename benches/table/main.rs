@@ -1,6 +1,6 @@
 //! One table of ours and the peers, in one process on the same inputs: `make bench`.
 //!
-//! Random elliptical arcs as cubics beside kurbo and `lyon_geom`, and SVG icons beside usvg. The peers take turns, and the best of
+//! Random elliptical arcs as cubics beside kurbo and `lyon_geom`, and real SVG icons beside usvg. The peers take turns, and the best of
 //! many rounds counts, which a busy machine disturbs least. The ratio is to kurbo, and to usvg on documents.
 
 // A benchmark may ask the platform's functions.
@@ -189,29 +189,35 @@ fn rows(form: &str, tolerance: f64, peers: [Box<dyn FnMut() -> (f64, f64) + '_>;
     println!("| {form}, {tolerance:e}: segments an arc | {a} | {b} | {c} | - | {ratio:.2} |");
 }
 
-/// What a byte of SVG costs and what becomes of it, parsed and written again.
+/// What a byte of SVG costs and what becomes of it, parsed and written again, in one pass over each set of icons.
 fn documents_rows() {
-    let icons = documents::icons();
-    let bytes: usize = icons.iter().map(String::len).sum();
-    let run = |convert: fn(&str) -> usize| {
-        let clock = Instant::now();
-        let written: usize = icons.iter().map(|icon| convert(black_box(icon))).sum();
-        let elapsed = clock.elapsed().as_secs_f64() * 1e9;
-        (elapsed / bytes as f64, written as f64 / bytes as f64)
-    };
-    let [a, b] = best([
-        Box::new(|| run(documents::ours)),
-        Box::new(|| run(documents::usvgs)),
-    ]);
-    let (time, size) = (a.0 / b.0, a.1 / b.1);
-    println!(
-        "| icons: ns a byte | {:.2} | - | - | {:.2} | {time:.2} |",
-        a.0, b.0
-    );
-    println!(
-        "| icons: bytes out a byte in | {:.2} | - | - | {:.2} | {size:.2} |",
-        a.1, b.1
-    );
+    let sets = documents::sets();
+    if sets.is_empty() {
+        println!("\nNo icons: `make corpora` fetches them.");
+    }
+    for (name, set) in sets {
+        let bytes: usize = set.iter().map(String::len).sum();
+        let run = |convert: fn(&str) -> usize| {
+            let clock = Instant::now();
+            let written = documents::pass(black_box(&set), convert);
+            let elapsed = clock.elapsed().as_secs_f64() * 1e9;
+            (elapsed / bytes as f64, written as f64 / bytes as f64)
+        };
+        let [a, b] = best([
+            Box::new(|| run(documents::ours)),
+            Box::new(|| run(documents::usvgs)),
+        ]);
+        let (time, size) = (a.0 / b.0, a.1 / b.1);
+        let name = format!("{name}, one pass");
+        println!(
+            "| {name}: ns a byte | {:.2} | - | - | {:.2} | {time:.2} |",
+            a.0, b.0
+        );
+        println!(
+            "| {name}: bytes out a byte in | {:.2} | - | - | {:.2} | {size:.2} |",
+            a.1, b.1
+        );
+    }
 }
 
 fn kurbo_arc(arc: &kurbo::Arc, tolerance: f64, sum: &mut Sum) {
