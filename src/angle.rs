@@ -194,7 +194,8 @@ impl FromStr for Angle {
             what: "the angle",
             text: text.to_owned(),
             column: 1,
-            why: "an angle is a number with deg, rad, grad or turn behind it".to_owned(),
+            why: "an angle is a number of degrees, or a number followed by deg, rad, grad or turn"
+                .to_owned(),
         })?;
         let value = finite("angle", value)?;
         Ok(if unit == 0.0 {

@@ -7,6 +7,7 @@ mod convert;
 mod draw;
 mod failure;
 mod formats;
+mod hints;
 mod input;
 mod measure;
 mod methods;

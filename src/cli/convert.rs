@@ -96,8 +96,8 @@ fn list_changed(reports: &[FileReport]) -> Result<(), Failure> {
 /// Why one file failed.
 #[derive(Debug)]
 enum Trouble {
-    /// The document; its message begins with line and column.
-    Document(document::Error),
+    /// The document, whose message begins with line and column, and what would help.
+    Document(document::Error, Option<&'static str>),
     /// Reading or writing.
     Other(Failure),
 }
@@ -118,9 +118,13 @@ fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble>
     } else {
         Vec::new()
     };
-    let text =
-        document::decode(if compressed { &bytes } else { &raw }).map_err(Trouble::Document)?;
-    let converted = document::convert(text, options).map_err(Trouble::Document)?;
+    let text = document::decode(if compressed { &bytes } else { &raw })
+        .map_err(|error| Trouble::Document(error, None))?;
+    let converted = document::convert(text, options).map_err(|error| {
+        let is_path_data = text.trim_start().starts_with(['M', 'm']);
+        let hint = is_path_data.then_some("path data alone goes through 'curveto path'");
+        Trouble::Document(error, hint)
+    })?;
     let changed = converted.replaced.total() > 0;
     let done = (converted.replaced, converted.notes);
     let target = match &job.destination {

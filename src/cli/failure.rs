@@ -4,6 +4,8 @@ use core::fmt;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use super::hints;
+
 /// Why a command ended, and how the process is to end.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -98,14 +100,49 @@ pub(crate) fn usage(error: &clap::Error) -> ExitCode {
         let _ = error.print();
         return ExitCode::SUCCESS;
     }
+    let words: Vec<String> = std::env::args_os()
+        .skip(1)
+        .map(|word| word.to_string_lossy().into_owned())
+        .collect();
     let styled = error.render();
     let text = if anstream_is_terminal() {
         styled.ansi().to_string()
     } else {
         styled.to_string()
     };
-    let _ = write!(io::stderr().lock(), "{}", text.replace("  tip: ", "hint: "));
+    let _ = write!(
+        io::stderr().lock(),
+        "{}",
+        with_hint(&text, hints::hint(error, &words))
+    );
     ExitCode::from(2)
+}
+
+/// The message with our hint in place of the parser's, which says how to pass a flag as a value: hardly anyone means that.
+fn with_hint(text: &str, hint: Option<String>) -> String {
+    let ours = hint.is_some();
+    let is_theirs = |line: &&str| line.contains("tip:") && (ours || line.contains("as a value"));
+    let lines = text.lines().filter(|line| !is_theirs(line));
+    let mut out = String::new();
+    let mut hint = hint;
+    let mut blank = false;
+    for line in lines {
+        if line.contains("Usage:")
+            && let Some(hint) = hint.take()
+        {
+            out.extend(["hint: ", hint.as_str(), "\n\n"]);
+        }
+        // A tip that went leaves two blank lines behind.
+        if !(line.is_empty() && blank) {
+            out += line;
+            out += "\n";
+        }
+        blank = line.is_empty();
+    }
+    if let Some(hint) = hint {
+        out.extend(["hint: ", hint.as_str(), "\n"]);
+    }
+    out.replace("  tip: ", "hint: ")
 }
 
 fn anstream_is_terminal() -> bool {

@@ -35,6 +35,7 @@ mod measure_cli;
 mod memory;
 mod method_values;
 mod methods_to_256_bits;
+mod mistakes;
 mod oracle_checks;
 mod oracle_reference;
 mod output_options;

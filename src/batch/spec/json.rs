@@ -42,7 +42,10 @@ enum ToleranceValue<'a> {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"an object such as {"center": [0,0], "radius": 50}"#
+)]
 struct CircleKeys {
     #[serde(default)]
     center: [f64; 2],
@@ -50,7 +53,10 @@ struct CircleKeys {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"an object such as {"center": [0,0], "radii": [30,20]}"#
+)]
 struct EllipseKeys {
     #[serde(default)]
     center: [f64; 2],
@@ -60,7 +66,10 @@ struct EllipseKeys {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"an object such as {"radius": 50, "start": 0, "sweep": 90}"#
+)]
 struct ArcKeys {
     #[serde(default)]
     center: [f64; 2],
@@ -74,7 +83,10 @@ struct ArcKeys {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"an object such as {"from": [0,0], "radii": [25,25], "large_arc": false, "sweep": true, "to": [50,0]}"#
+)]
 struct SvgArcKeys {
     from: [f64; 2],
     radii: [f64; 2],
@@ -86,7 +98,10 @@ struct SvgArcKeys {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"an object such as {"from": [0,0], "to": [10,0], "bulge": 1}"#
+)]
 struct BulgeKeys {
     from: [f64; 2],
     to: [f64; 2],
@@ -94,7 +109,10 @@ struct BulgeKeys {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"an object such as {"vertices": [[0,0,1], [10,0,0]]}"#
+)]
 struct PolylineKeys {
     /// [x, y, bulge to the next].
     vertices: Vec<[f64; 3]>,

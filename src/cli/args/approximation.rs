@@ -32,7 +32,7 @@ pub(crate) struct ApproximationArgs {
     #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader, action = ArgAction::Set)]
     method: Vec<Method>,
     /// Exactly N segments, of equal parametric angle
-    #[arg(short = 'n', long, value_name = "N", conflicts_with_all = ["tolerance", "joints"])]
+    #[arg(short = 'n', long, value_name = "N", value_parser = values::count, allow_hyphen_values = true, conflicts_with_all = ["tolerance", "joints"])]
     segments: Option<usize>,
     /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
     #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true, conflicts_with = "joints")]

@@ -20,7 +20,7 @@ pub(crate) struct CompareArgs {
     #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = methods)]
     pub(crate) method: Vec<MethodList>,
     /// Numbers of segments
-    #[arg(short = 'n', long, value_name = "N,N", value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
+    #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
     pub(crate) segments: Vec<usize>,
     /// What to compare; a table and JSON take several [possible values: peak, mean, rms, area, length]
     #[arg(long, value_name = "BY", default_value = "peak", value_delimiter = ',', value_parser = |text: &str| text.parse::<Criterion>())]

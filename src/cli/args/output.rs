@@ -24,7 +24,7 @@ pub(crate) struct OutputArgs {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error [default: auto; in json all, in glif 0]
-    #[arg(short, long, value_name = "P", value_parser = values::precision)]
+    #[arg(short, long, value_name = "P", value_parser = values::precision, allow_hyphen_values = true)]
     precision: Option<PrecisionWord>,
     /// An SVG transform list, applied to the control points
     #[arg(long, value_name = "LIST", value_parser = values::transform, allow_hyphen_values = true)]

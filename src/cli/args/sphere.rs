@@ -13,10 +13,10 @@ pub(crate) struct SphereArgs {
     #[arg(value_name = "RADIUS", value_parser = values::number, allow_negative_numbers = true)]
     pub(crate) radius: f64,
     /// How many meridians, each from pole to pole
-    #[arg(long, value_name = "N", default_value_t = 12)]
+    #[arg(long, value_name = "N", value_parser = values::count, allow_hyphen_values = true, default_value_t = 12)]
     pub(crate) meridians: usize,
     /// How many parallels between the poles
-    #[arg(long, value_name = "N", default_value_t = 7)]
+    #[arg(long, value_name = "N", value_parser = values::count, allow_hyphen_values = true, default_value_t = 7)]
     pub(crate) parallels: usize,
     /// The longitude and latitude of the point in the middle
     #[arg(long, value_name = "LON,LAT", value_parser = values::angles, allow_hyphen_values = true, default_value = "30,20")]
@@ -35,6 +35,8 @@ pub(crate) struct SphereArgs {
         short = 'n',
         long,
         value_name = "N",
+        value_parser = values::count,
+        allow_hyphen_values = true,
         help_heading = "How it is approximated"
     )]
     pub(crate) segments: Option<usize>,

@@ -1,6 +1,7 @@
 //! Readers of single values, with messages that say what is expected.
 
 use std::ffi::OsStr;
+use std::num::NonZeroUsize;
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
@@ -55,16 +56,52 @@ pub(super) fn angle(text: &str) -> Read<Angle> {
 }
 
 pub(super) fn number(text: &str) -> Read<f64> {
+    text.trim().parse().map_err(|_| {
+        let what = format!("'{text}' is not a number");
+        match hint_of_number(text.trim()) {
+            Some(hint) => format!("{what}\nhint: {hint}"),
+            None => what,
+        }
+    })
+}
+
+/// What is meant by what is almost a number.
+fn hint_of_number(text: &str) -> Option<String> {
+    const UNITS: [&str; 10] = ["mm", "cm", "in", "pt", "px", "pc", "em", "m", "\"", "%"];
+    let pointed = text.replace(',', ".");
+    if pointed != text && pointed.parse::<f64>().is_ok() {
+        return Some(format!("decimals come after a point: {pointed}"));
+    }
+    if text.contains(',') && text.replace(',', "").parse::<f64>().is_ok() {
+        return Some(format!("numbers have no commas: {}", text.replace(',', "")));
+    }
+    let unit = UNITS.iter().find_map(|unit| text.strip_suffix(unit))?;
+    unit.trim().parse::<f64>().ok()?;
+    Some(format!(
+        "lengths are numbers in user units: {}; --size 80x60mm gives a picture its size",
+        unit.trim()
+    ))
+}
+
+/// A number of things.
+pub(super) fn count(text: &str) -> Read<usize> {
     text.trim()
         .parse()
-        .map_err(|_| format!("'{text}' is not a number"))
+        .map_err(|_| format!("'{text}' is not a whole number, such as 4"))
+}
+
+/// A number of things of which there is at least one.
+pub(super) fn count_from_one(text: &str) -> Read<NonZeroUsize> {
+    NonZeroUsize::new(count(text)?).ok_or_else(|| "there is at least 1".to_owned())
 }
 
 fn pair(text: &str) -> Read<[f64; 2]> {
-    let (x, y) = text
-        .split_once(',')
-        .ok_or_else(|| format!("'{text}' is not two numbers with a comma between them"))?;
-    Ok([number(x)?, number(y)?])
+    match text.split(',').collect::<Vec<_>>().as_slice() {
+        [x, y] => Ok([number(x)?, number(y)?]),
+        _ => Err(format!(
+            "'{text}' is not two numbers with a comma between them, such as 30,20"
+        )),
+    }
 }
 
 pub(super) fn point(text: &str) -> Read<Point> {

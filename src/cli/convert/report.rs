@@ -55,8 +55,9 @@ impl FileReport {
                 report.replaced = replaced;
                 report.notes = notes;
             }
-            Err(Trouble::Document(error)) => {
+            Err(Trouble::Document(error, hint)) => {
                 report.error = Some(format!("{}:{error}", report.file));
+                report.hint = hint.map(str::to_owned);
             }
             Err(Trouble::Other(Failure::ClosedPipe)) => report.closed_pipe = true,
             Err(Trouble::Other(Failure::Request { message, hint })) => {

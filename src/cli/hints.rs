@@ -1,0 +1,186 @@
+//! What to do about words that the command line does not know: flags of other tools, values in the wrong place.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+/// Flags that people try, the commands that they try them on (all where there is none), and what serves instead.
+const FLAGS: [(&[&str], &[&str], &str); 12] = [
+    (
+        &[
+            "--clockwise",
+            "--cw",
+            "--ccw",
+            "--counterclockwise",
+            "--counter-clockwise",
+        ],
+        &[],
+        "--reverse runs the other way round; positive angles turn from +x towards +y, clockwise on an SVG canvas",
+    ),
+    (
+        &["--radius", "-r", "--r"],
+        &["circle", "sphere"],
+        "the radius stands alone: curveto circle 50",
+    ),
+    (
+        &["--radius", "--radii", "--rx", "--ry", "-r"],
+        &["ellipse"],
+        "the radii stand alone: curveto ellipse 30 20",
+    ),
+    (
+        &["-j", "--jobs"],
+        &[],
+        "one shape takes one thread; batch and convert take -j",
+    ),
+    (
+        &["-i", "--inplace"],
+        &["convert"],
+        "--in-place replaces each file",
+    ),
+    (
+        &["--dry-run", "-d", "--dryrun"],
+        &["convert"],
+        "--check writes nothing and lists the files with something to do",
+    ),
+    (
+        &["-f", "--format"],
+        &["procset"],
+        "it prints PostScript and nothing else",
+    ),
+    (
+        &["--cx", "--cy", "-c"],
+        &[],
+        "--center X,Y says where the centre lies",
+    ),
+    (
+        &["--width", "--height", "-w", "-h"],
+        &[],
+        "--size WxH sets the size of a picture, --stroke-width that of its lines",
+    ),
+    (
+        &["--color", "--colour"],
+        &[],
+        "--stroke colours the line, --fill the inside",
+    ),
+    (
+        &["--decimals", "--digits", "--round"],
+        &[],
+        "-p sets the decimals",
+    ),
+    (
+        &[
+            "--circle",
+            "--ellipse",
+            "--arc",
+            "--path",
+            "--batch",
+            "--convert",
+        ],
+        &[],
+        "commands have no dashes: curveto circle 50",
+    ),
+];
+
+/// Words that people try as commands.
+const COMMANDS: [(&[&str], &str); 3] = [
+    (
+        &["list", "ls", "method"],
+        "'curveto methods' lists the methods",
+    ),
+    (
+        &[
+            "line",
+            "polygon",
+            "polyline",
+            "rect",
+            "rectangle",
+            "curve",
+            "bezier",
+        ],
+        "'curveto path' draws any path data: curveto path 'M0 0L10 10'",
+    ),
+    (
+        &["plot", "error"],
+        "'curveto measure' and 'curveto compare' state and plot errors",
+    ),
+];
+
+/// What would help, where there is something to say. `words` are those of the command line, the program left out.
+pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
+    let command = words.first().map_or("", String::as_str);
+    let text = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.as_str()),
+        _ => None,
+    };
+    match error.kind() {
+        ErrorKind::InvalidSubcommand => of_command(text(ContextKind::InvalidSubcommand)?),
+        ErrorKind::UnknownArgument => of_argument(text(ContextKind::InvalidArg)?, command),
+        ErrorKind::TooManyValues | ErrorKind::WrongNumberOfValues => {
+            of_values(words, command).map(str::to_owned)
+        }
+        ErrorKind::MissingRequiredArgument => match command {
+            "circle" | "sphere" => Some(format!("for example: curveto {command} 50")),
+            "ellipse" => Some("for example: curveto ellipse 30 20".to_owned()),
+            "path" => Some("for example: curveto path 'M0 0A5 5 0 0 1 10 0'".to_owned()),
+            "measure" => Some("for example: curveto measure circle 50".to_owned()),
+            _ => None,
+        },
+        ErrorKind::InvalidValue if text(ContextKind::InvalidArg)?.starts_with("--format") => {
+            (command == "batch").then(|| {
+                "one answer a line is path data, JSON or PostScript; 'curveto path' writes every format"
+                    .to_owned()
+            })
+        }
+        _ => None,
+    }
+}
+
+fn of_command(word: &str) -> Option<String> {
+    if word.parse::<f64>().is_ok() {
+        return Some(format!("name a shape first: curveto circle {word}"));
+    }
+    if word.starts_with(['M', 'm']) && word.len() > 1 && !word.as_bytes()[1].is_ascii_alphabetic() {
+        return Some(format!("path data has a command: curveto path '{word}'"));
+    }
+    let found = COMMANDS.iter().find(|(words, _)| words.contains(&word));
+    found.map(|(_, hint)| (*hint).to_owned())
+}
+
+fn of_argument(argument: &str, command: &str) -> Option<String> {
+    let known = |(flags, commands, _): &&(&[&str], &[&str], &str)| {
+        flags.contains(&argument) && (commands.is_empty() || commands.contains(&command))
+    };
+    if let Some((_, _, hint)) = FLAGS.iter().find(known) {
+        return Some((*hint).to_owned());
+    }
+    if command == "man" || command == "help" {
+        return Some(format!(
+            "'curveto {argument} --help' shows that page; 'curveto man --out-dir DIR' writes all"
+        ));
+    }
+    let is_number = argument.parse::<f64>().is_ok();
+    match command {
+        "circle" if is_number => {
+            Some("a circle has one radius; with two it is 'curveto ellipse RX RY'".to_owned())
+        }
+        _ if !argument.starts_with('-') => {
+            Some("put words that belong together in quotes".to_owned())
+        }
+        _ => None,
+    }
+}
+
+fn of_values(words: &[String], command: &str) -> Option<&'static str> {
+    let has = |flag: &str| words.iter().any(|word| word.starts_with(flag));
+    match command {
+        "arc" if has("--svg") => {
+            Some("put the path data in quotes: --svg 'M0 0A25 25 0 0 1 50 50'")
+        }
+        "arc" if has("--through") => {
+            Some("three points: the start, one on the arc and the end: --through 0,0 5,5 10,0")
+        }
+        "arc" => Some("angles have flags: curveto arc 50 --start 0 --end 90"),
+        "ellipse" => Some(
+            "the two radii stand apart: curveto ellipse 30 20; --diameters 60,40 takes the diameters",
+        ),
+        _ => None,
+    }
+}

@@ -1,0 +1,116 @@
+//! What a person types in the first hour, and the words that tell what to do next.
+
+use std::process::Command;
+
+/// A command, and what its message has to hold.
+const MISTAKES: [(&str, &str); 60] = [
+    ("50", "curveto circle 50"),
+    ("Circle 50", "'circle'"),
+    ("list", "'curveto methods'"),
+    ("line 10 10", "'curveto path'"),
+    ("polygon", "'curveto path'"),
+    ("plot", "'curveto measure'"),
+    ("--circle 50", "commands have no dashes"),
+    ("M0,0L5,5", "curveto path 'M0,0L5,5'"),
+    ("circle", "for example: curveto circle 50"),
+    ("ellipse", "for example: curveto ellipse 30 20"),
+    ("sphere", "for example: curveto sphere 50"),
+    ("measure circle", "for example: curveto measure circle 50"),
+    ("circle 50px", "lengths are numbers in user units: 50"),
+    ("circle 50mm", "lengths are numbers in user units: 50"),
+    ("circle 3,5", "decimals come after a point: 3.5"),
+    ("circle 1,000.5", "numbers have no commas: 1000.5"),
+    ("circle fifty", "'fifty' is not a number"),
+    ("circle 0", "must be a positive"),
+    ("circle -5", "must be a positive"),
+    ("circle nan", "must be a positive, finite number"),
+    ("circle 1e308", "must stay below 1e150"),
+    ("circle 50 60", "curveto ellipse RX RY"),
+    ("circle -r 50", "the radius stands alone"),
+    ("circle 50 --radius 50", "the radius stands alone"),
+    ("circle 50 --clockwise", "--reverse"),
+    ("circle 50 --ccw", "--reverse"),
+    ("circle 50 --center 5", "two numbers with a comma"),
+    ("circle 50 --center 5,5,5", "'5,5,5' is not two numbers"),
+    ("circle 50 --cx 5", "--center X,Y"),
+    ("circle 50 --color red", "--stroke"),
+    ("circle 50 --width 5", "--size WxH"),
+    ("circle 50 --digits 3", "-p sets the decimals"),
+    ("circle 50 -j 4", "batch and convert take -j"),
+    ("circle 50 -n 4.5", "'4.5' is not a whole number"),
+    ("circle 50 -n -3", "'-3' is not a whole number"),
+    ("circle 50 -n 0", "from 1 to 1000000"),
+    ("circle 50 -p -1", "a precision is a number of decimals"),
+    ("circle 50 -p 400", "from 0 to 30"),
+    ("circle 50 -t 0.01mm", "a tolerance is a positive"),
+    ("circle 50 -t 1e-30", "the finest tolerance at this size"),
+    ("circle 50 -m Minimax", "did you mean minimax"),
+    ("circle 50 -m quadratic", "did you mean quadratic-area"),
+    ("circle 50 -o x.doc", "its formats are"),
+    ("circle 50 --fill red", "a picture with -f"),
+    ("circle 50 --handle 1e153", "at most 1e9"),
+    ("ellipse 30", "the two radii stand apart"),
+    ("ellipse 30x20", "the two radii stand apart"),
+    ("ellipse --diameters 30x20", "such as 30,20"),
+    ("ellipse 30 20 --rotate 30", "'--rotation'"),
+    ("ellipse 30 20 --rx 4", "the radii stand alone"),
+    ("arc 50 0 90", "angles have flags"),
+    ("arc 50 --start 0", "--end"),
+    ("arc --through 0,0 1,1", "three points"),
+    ("arc --svg M0 0 A 25 25 0 0 1 50 50", "in quotes"),
+    ("arc --from 0,0 --to 10,0", "--bulge"),
+    ("batch -f svg", "'curveto path' writes every format"),
+    ("convert -j 0", "there is at least 1"),
+    ("convert -i x.svg", "--in-place"),
+    ("convert --dry-run x.svg", "--check"),
+    ("man circle", "'curveto circle --help'"),
+];
+
+/// The words of the languages below, which tell a user nothing.
+const FOREIGN: [&str; 6] = [
+    "invalid digit found in string",
+    "non-zero type",
+    "invalid float literal",
+    "as a value, use",
+    "expected struct",
+    "panicked",
+];
+
+#[test]
+fn a_mistake_of_the_first_hour_is_answered_by_what_to_do() {
+    for (words, wished) in MISTAKES {
+        let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+            .args(words.split(' '))
+            .output()
+            .unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{words}: {said}");
+        assert!(
+            said.starts_with("error: ") && said.contains(wished),
+            "{words}: {said}"
+        );
+        assert!(
+            FOREIGN.iter().all(|foreign| !said.contains(foreign)),
+            "{words}: {said}"
+        );
+        assert!(output.stdout.is_empty(), "{words}");
+    }
+}
+
+#[test]
+fn a_bad_line_of_json_is_answered_by_what_is_expected() {
+    for (line, wished) in [
+        (r#"{"circle":50}"#, r#"{"center": [0,0], "radius": 50}"#),
+        (r#"{"arc":[]}"#, r#""sweep": 90"#),
+        (r#"{"polyline":1}"#, "vertices"),
+    ] {
+        let error = curveto::batch::spec::Spec::parse(line)
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains(wished), "{line}: {error}");
+        assert!(
+            FOREIGN.iter().all(|foreign| !error.contains(foreign)),
+            "{error}"
+        );
+    }
+}
