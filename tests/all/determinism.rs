@@ -161,6 +161,11 @@ fn commands() -> Vec<Vec<String>> {
         "circle 50 -m minimax-free -n 3 -p 15 -f svg --show joints,handles,truth,error=50",
         "methods -f json",
         "procset",
+        "path M10_80a25,25-30_0150-25c3_4_5_6_7_8A30_20_33_1_0_90_10z",
+        "path M10_80a25,25-30_0150-25A30_20_33_1_0_90_10z -f json",
+        "path M10_80a25,25-30_0150-25A30_20_33_1_0_90_10z -t 1e-7 -p 12 -f dxf",
+        "path M10_80a25,25-30_0150-25c3_4_5_6_7_8 --to quadratics -t 0.001 -p 12",
+        "compare -f html",
         "sphere 100 --view 33,21 -p 15 -f json",
     ]
     .into_iter()
