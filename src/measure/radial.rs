@@ -42,13 +42,22 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
         let excess = excess(segment, truth.center, truth.radii.x);
         let turning = excess.differences().sign_changes();
         for t in iter::once(0.0).chain(turning.iter()).chain(iter::once(1.0)) {
-            visit(t, excess_to_distance(excess.at(t), truth.radii.x));
+            visit(t, distance_from_circle(segment, truth, &excess, t));
         }
         return;
     }
     let search = Search { segment, truth };
     visit(0.0, search.distance(0.0));
-    for (from, to) in Profile::new(segment, truth).crossings().pieces() {
+    let crossings = Profile::new(segment, truth).crossings();
+    // Where the curve crosses the long axis, the nearest point jumps to the other side, and the distance has a peak without a slope.
+    let axis = short_coordinate(segment, truth).sign_changes();
+    for t in axis.iter() {
+        visit(t, search.distance(t));
+    }
+    let mut cuts: Vec<f64> = crossings.iter().chain(axis.iter()).collect();
+    cuts.sort_by(f64::total_cmp);
+    let ends = iter::once(0.0).chain(cuts.iter().copied());
+    for (from, to) in ends.zip(cuts.iter().copied().chain(iter::once(1.0))) {
         let mut before = search.sample(from);
         for i in 1..=BRACKETS {
             let part = libm::cos(core::f64::consts::PI * f64::from(i) / f64::from(BRACKETS));
@@ -58,6 +67,18 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
         }
     }
     visit(1.0, search.distance(1.0));
+}
+
+/// How far the segment lies from the long axis of the ellipse, with a sign, in the frame where that is the unit circle.
+fn short_coordinate(segment: &PathSeg, truth: &Truth) -> Polynomial {
+    let framed = truth.placement().inverse() * *segment;
+    let is_wide = truth.radii.x >= truth.radii.y;
+    let short = |p: Point| if is_wide { p.y } else { p.x };
+    match framed {
+        PathSeg::Line(l) => Polynomial::new(&[short(l.p0), short(l.p1)]),
+        PathSeg::Quad(q) => Polynomial::new(&[q.p0, q.p1, q.p2].map(short)),
+        PathSeg::Cubic(c) => Polynomial::new(&[c.p0, c.p1, c.p2, c.p3].map(short)),
+    }
 }
 
 /// The search for the extremes of the distance from an ellipse.
@@ -133,7 +154,7 @@ impl<'a> Profile<'a> {
     /// The signed distance at t.
     pub(crate) fn at(&self, t: f64) -> f64 {
         if self.truth.is_circle() {
-            excess_to_distance(self.excess.at(t), self.truth.radii.x)
+            distance_from_circle(self.segment, self.truth, &self.excess, t)
         } else {
             distance(self.truth, self.segment.eval(t))
         }
@@ -171,10 +192,15 @@ fn eval(segment: &PathSeg, t: f64) -> (Point, Vec2) {
     }
 }
 
-/// sqrt(r² + excess) - r without cancellation.
-fn excess_to_distance(excess: f64, radius: f64) -> f64 {
+/// sqrt(r² + excess) - r without cancellation. Close to the centre the sum cancels instead, and the point itself is taken.
+fn distance_from_circle(segment: &PathSeg, truth: &Truth, excess: &Polynomial, t: f64) -> f64 {
+    let radius = truth.radii.x;
+    let excess = excess.at(t);
     let square = radius * radius + excess;
-    excess / (radius + square.max(0.0).sqrt())
+    if square < radius * radius / 4.0 {
+        return (segment.eval(t) - truth.center).hypot() - radius;
+    }
+    excess / (radius + square.sqrt())
 }
 
 /// |p(t) - center|² - radius², its coefficients formed in twice the digits.

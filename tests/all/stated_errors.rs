@@ -128,3 +128,40 @@ fn arcs_state_the_error_of_the_points_as_printed() {
     });
     assert!(drawn > 200, "only {drawn} drawn");
 }
+
+/// Where the nearest point jumps or the curve runs through the centre, the distance has a peak that no slope shows.
+#[test]
+fn peaks_without_a_slope_are_found() {
+    let peak = |arguments: &[&str]| {
+        let document = crate::judges::program::json(arguments);
+        let error = if document["error"].is_null() {
+            &document["measurements"][0]["error"]
+        } else {
+            &document["error"]
+        };
+        error["peak"]
+            .as_f64()
+            .unwrap_or_else(|| panic!("{document}"))
+    };
+    let radius = "2.0942030025311213";
+    let through = peak(&[
+        "circle", radius, "--handle", "0", "-n", "2", "-p", "0", "-f", "json",
+    ]);
+    assert!(through >= radius.parse().unwrap());
+    let wave = "M37.985631324452655 -7.665493302251913C38.236125445571474 9.768917819583411 38.48661956669029 -12.34188137517219 38.73711368780911 15.45396338216095";
+    let crossing = peak(&[
+        "measure",
+        "--path",
+        wave,
+        "--against",
+        "ellipse:0,0,100,21.42,0",
+        "-f",
+        "json",
+    ]);
+    // b sqrt(1 - x²/(a² - b²)) at the farthest inside of its three crossings of the long axis, x = 38.236 to 38.487.
+    let deepest = |x: f64| 21.42 * (1.0 - x * x / (100.0_f64.powi(2) - 21.42_f64.powi(2))).sqrt();
+    assert!(
+        crossing > deepest(38.29) && crossing < deepest(38.28),
+        "{crossing}"
+    );
+}
