@@ -1,6 +1,7 @@
 //! What is asked for: a circle, an ellipse or an arc, each a piece of the unit circle under an affine map.
 
 pub mod endpoint;
+pub mod machine;
 
 use kurbo::{Affine, Point, Vec2};
 

@@ -163,9 +163,9 @@ fn polyline(vertices: &[[f64; 3]], closed: bool) -> Result<Vec<Contour>> {
     })
 }
 
-fn shape_from_text(mut words: Words, start: usize, word: &str) -> Result<Shape> {
-    let line = words.line;
-    let (form, counts): (_, &[usize]) = match word {
+/// The form of a line that begins with this word, and how many numbers it has.
+fn form(word: &str) -> Option<(&'static str, &'static [usize])> {
+    Some(match word {
         "circle" => ("circle CX CY R", &[3]),
         "ellipse" => ("ellipse CX CY RX RY [ROTATION]", &[4, 5]),
         "arc" => (
@@ -175,12 +175,17 @@ fn shape_from_text(mut words: Words, start: usize, word: &str) -> Result<Shape> 
         "svgarc" => ("svgarc X1 Y1 RX RY ROTATION LARGE SWEEP X2 Y2", &[9]),
         "bulge" => ("bulge X1 Y1 X2 Y2 B", &[5]),
         "through" => ("through X1 Y1 X2 Y2 X3 Y3", &[6]),
-        _ => {
-            return Err(words.wrong(
-                start,
-                "a line begins with circle, ellipse, arc, svgarc, bulge, through, polyline or path, or is a JSON object",
-            ));
-        }
+        _ => return None,
+    })
+}
+
+fn shape_from_text(mut words: Words, start: usize, word: &str) -> Result<Shape> {
+    let line = words.line;
+    let Some((form, counts)) = form(word) else {
+        return Err(words.wrong(
+            start,
+            "a line begins with circle, ellipse, arc, svgarc, bulge, through, polyline or path, or is a JSON object",
+        ));
     };
     let mut numbers = [0.0; MOST_NUMBERS];
     let mut places = [0; MOST_NUMBERS];

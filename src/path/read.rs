@@ -160,18 +160,14 @@ impl Pen {
                 x,
                 y,
             } => {
-                let to = at(abs, x, y)?;
-                let arc = SvgArc {
+                self.arc(SvgArc {
                     from: self.here,
                     radii: Vec2::new(rx, ry),
                     rotation: Angle::from_degrees(x_axis_rotation),
                     large_arc,
                     sweep,
-                    to,
-                };
-                self.steps.extend(Step::of_shape(arc.shape()?));
-                self.here = to;
-                self.control = Control::None;
+                    to: at(abs, x, y)?,
+                })?;
             }
             PathSegment::ClosePath { .. } => self.close(),
         }
@@ -198,6 +194,13 @@ impl Pen {
     fn quadratic(&mut self, p1: Point, end: Point) {
         let quad = QuadBez::new(self.here, p1, end);
         self.push(PathSeg::Quad(quad), end, Control::Quadratic(p1));
+    }
+
+    fn arc(&mut self, arc: SvgArc) -> Result<()> {
+        self.steps.extend(Step::of_shape(arc.shape()?));
+        self.here = arc.to;
+        self.control = Control::None;
+        Ok(())
     }
 
     fn close(&mut self) {

@@ -1,7 +1,8 @@
 //! The words for shapes, and the shapes that they ask for.
 
 use clap::{ArgAction, Args};
-use curveto::shape::endpoint::{about_center, from_bulge, from_radius, parse_svg_arc, through};
+use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
+use curveto::shape::machine::{about_center, from_radius};
 use curveto::{Angle, Arc, Circle, Ellipse, Shape};
 use kurbo::{Point, Vec2};
 
