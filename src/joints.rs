@@ -107,6 +107,9 @@ pub fn quarters(sweep: Angle) -> usize {
     (quarters.ceil() as usize).max(1)
 }
 
+/// Extremes nearer to one another or to an end than this, in degrees, are one joint.
+const NEAREST: f64 = 1e-6;
+
 impl Joints {
     /// Joints at equal angles.
     ///
@@ -196,6 +199,36 @@ impl Joints {
             ..*arc
         };
         Ok(Self::after(&from, &ways))
+    }
+
+    /// The angles of the joints at these extremes and at the ends of an arc, each piece between two of them cut into `parts`; a
+    /// closed shape starts at the first extreme from its start on. They are what [`Joints::at`] takes.
+    #[must_use]
+    pub fn between_extremes(arc: &UnitArc, extremes: &[Angle], parts: usize) -> Vec<Angle> {
+        let sign = 1.0_f64.copysign(arc.sweep.degrees());
+        let size = arc.sweep.degrees().abs();
+        let mut ways: Vec<f64> = extremes
+            .iter()
+            .map(|angle| (sign * (angle.degrees() - arc.start.degrees())).rem_euclid(360.0))
+            .filter(|&way| arc.closed || (NEAREST..size - NEAREST).contains(&way))
+            .collect();
+        if !arc.closed {
+            ways.extend([0.0, size]);
+        }
+        ways.sort_by(f64::total_cmp);
+        ways.dedup_by(|way, before| *way - *before < NEAREST);
+        if let (true, Some(&first)) = (arc.closed, ways.first()) {
+            ways.push(first + 360.0);
+        }
+        let inside = |pair: &[f64]| {
+            let (from, to) = (pair[0], pair[1]);
+            (0..parts).map(move |i| from + (to - from) * (i as f64 / parts as f64))
+        };
+        ways.windows(2)
+            .flat_map(inside)
+            .skip(usize::from(!arc.closed))
+            .map(|way| Angle::from_degrees(arc.start.degrees() + sign * way))
+            .collect()
     }
 
     /// Joints so many degrees after the start, ascending, both ends included.

@@ -71,7 +71,7 @@ impl Request<'_> {
     }
 
     /// Refuses tolerances that no curve could meet.
-    fn check_tolerance(&self, tolerance: f64) -> Result<()> {
+    pub(super) fn check_tolerance(&self, tolerance: f64) -> Result<()> {
         let truth = &self.outline.truth;
         if tolerance <= 0.0 || !tolerance.is_finite() {
             return Err(Error::NotPositive {
@@ -92,7 +92,7 @@ impl Request<'_> {
     }
 
     /// Why no count was found.
-    fn refusal(&self, tolerance: f64, last_refusal: Option<Error>) -> Error {
+    pub(super) fn refusal(&self, tolerance: f64, last_refusal: Option<Error>) -> Error {
         match (last_refusal, self.options.precision) {
             (_, Some(Precision::Fixed(decimals)))
                 if power(10.0, -i32::from(decimals)) > tolerance =>

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use curveto::approximate::{Drawing, Options, approximate};
+use curveto::approximate::{Drawing, Options, approximate, approximate_at_extremes};
 use curveto::{Angle, Cut, Shape};
 
 use super::Outcome;
@@ -43,7 +43,7 @@ fn draw(
         precision: output.rounding(format),
         transform: output.transform(),
     };
-    let drawing = drawing(shape, default, &options)?;
+    let drawing = drawing(shape, default, &options, approximation.extremes)?;
     let mut manner = output.options(format)?;
     // Where nothing is said of how an arc is approximated, a format that has arcs gets the arc.
     manner.exact = approximation.is_silent() && matches!(drawing.shape, Shape::Arc(_));
@@ -56,8 +56,14 @@ pub(super) fn drawing(
     shape: &impl ShapeWords,
     default: Direction,
     options: &Options,
+    extremes: bool,
 ) -> Result<Drawing, Failure> {
-    let mut drawing = approximate(&shape.shape(default)?, options)?;
+    let shape_asked = shape.shape(default)?;
+    let mut drawing = if extremes {
+        approximate_at_extremes(&shape_asked, options)?
+    } else {
+        approximate(&shape_asked, options)?
+    };
     if shape.open() {
         drawing.curve.closed = false;
     }

@@ -60,7 +60,12 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
             precision,
             transform: args.transform.unwrap_or_default(),
         };
-        let drawing = draw::drawing(&args.shape, Direction::default(), &options)?;
+        let drawing = draw::drawing(
+            &args.shape,
+            Direction::default(),
+            &options,
+            args.approximation.extremes,
+        )?;
         let measurement = Measurement::of_drawing(&drawing, args.report.coordinate_tolerance()?)?;
         let (Some(measurement), Some(outline)) = (measurement, &drawing.outline) else {
             return Err(Failure::request(

@@ -7,12 +7,19 @@ use curveto::contour::draw;
 use curveto::path::contours;
 
 use super::args::PathArgs;
+use super::failure::Failure;
 use super::output::write_drawn;
 use super::{Outcome, input};
 
 pub(super) fn run(args: &PathArgs) -> Outcome {
     let format = args.output.format()?;
     let (data, _) = input::path_data(&args.source)?;
+    if args.approximation.extremes {
+        return Err(Failure::request_with_hint(
+            "--extremes is for a circle, an ellipse or an arc",
+            "draw each shape by itself, or leave it out",
+        ));
+    }
     let options = Options {
         rule: args.rule()?,
         cut: args.approximation.cut(),

@@ -291,3 +291,74 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn extremes_are_joints() {
+    assert_eq!(
+        printed(&["circle", "50", "--extremes"]),
+        printed(&["circle", "50"])
+    );
+    let cases: [&[&str]; 4] = [
+        &["ellipse", "30", "20", "--rotation", "30"],
+        &["ellipse", "30", "2", "--rotation", "-77", "--reverse"],
+        &[
+            "arc",
+            "30",
+            "20",
+            "--rotation",
+            "15",
+            "--start",
+            "10",
+            "--sweep",
+            "-300",
+        ],
+        &[
+            "circle",
+            "30",
+            "--transform",
+            "skewX(30) scale(2 1)",
+            "--start",
+            "45",
+        ],
+    ];
+    for words in cases {
+        for (more, parts) in [(&[][..], 1), (&["-n", "3"][..], 3)] {
+            let document = json(&[words, &["--extremes", "-f", "json"], more].concat());
+            let segments = document["segments"].as_array().unwrap();
+            let corner = |i: usize, axis: usize| segments[i]["points"][0][axis].as_f64().unwrap();
+            // No point of the curve lies farther out than the joints.
+            let count = segments.len();
+            assert!(
+                count >= 4 * parts && count.is_multiple_of(parts),
+                "{words:?}: {count}"
+            );
+            let path = document["path"].as_str().unwrap();
+            let curve = &path::curves(path).unwrap()[0];
+            let bounds = curve.bounding_box().unwrap();
+            let last = curve.segments.last().unwrap().end();
+            for (axis, sides) in [(0, [bounds.x0, bounds.x1]), (1, [bounds.y0, bounds.y1])] {
+                let end = if axis == 0 { last.x } else { last.y };
+                for side in sides {
+                    let nearest = (0..count).map(|i| (corner(i, axis) - side).abs());
+                    let nearest = nearest.fold((end - side).abs(), f64::min);
+                    assert!(nearest < 1e-9, "{words:?}: {nearest}");
+                }
+            }
+        }
+    }
+    let within = json(&[
+        "ellipse",
+        "30",
+        "20",
+        "--rotation",
+        "30",
+        "--extremes",
+        "-t",
+        "1e-4",
+        "-f",
+        "json",
+    ]);
+    assert!(within["error"]["peak"].as_f64().unwrap() <= 1e-4);
+    refused(&["path", "M0 0A5 5 0 0 1 9 0", "--extremes"]);
+    refused(&["circle", "5", "--extremes", "--joints", "0,90,180"]);
+}

@@ -46,6 +46,9 @@ pub(crate) struct ApproximationArgs {
     /// With -n on an ellipse: joints that equalise the true error instead of equal angles
     #[arg(long, requires = "segments")]
     adaptive: bool,
+    /// Joints at every horizontal and vertical extreme; -n and -t then cut the pieces between them
+    #[arg(long, conflicts_with_all = ["joints", "adaptive"])]
+    pub(crate) extremes: bool,
     /// How chen-2 integrates arc length
     #[arg(long, value_enum, value_name = "RULE", default_value_t)]
     quadrature: Quadrature,
@@ -111,7 +114,10 @@ impl ApproximationArgs {
 
     /// Whether nothing was asked for.
     pub(crate) fn is_silent(&self) -> bool {
-        self.method.is_empty() && self.handle.is_none() && self.cut() == Cut::Quarters
+        self.method.is_empty()
+            && self.handle.is_none()
+            && !self.extremes
+            && self.cut() == Cut::Quarters
     }
 
     /// Where the sweep is cut.
