@@ -1,4 +1,4 @@
-//! What happens to files: docs/files.md, sentence by sentence.
+//! What happens to files, as docs/files.md states it.
 
 use std::fs;
 use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, chown, symlink};
