@@ -7,7 +7,7 @@ use core::f64::consts::FRAC_1_SQRT_2;
 use kurbo::{Affine, PathSeg, Point};
 
 use crate::curve::{Curve, turn};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, quarters};
 use crate::measure::radial;
@@ -121,6 +121,23 @@ impl Drawing {
 pub fn approximate(shape: &Shape, options: &Options) -> Result<Drawing> {
     match Request::new(shape, options)? {
         Some(request) => request.drawing(),
+        None => Ok(straight(shape, options)),
+    }
+}
+
+/// As [`approximate`], but an arc that was given by its ends keeps them whatever the precision: for a path, whose other segments
+/// end there.
+///
+/// # Errors
+///
+/// As [`approximate`].
+pub(crate) fn approximate_between(shape: &Shape, options: &Options) -> Result<Drawing> {
+    match Request::new(shape, options)? {
+        Some(request) => Request {
+            keeps_ends: true,
+            ..request
+        }
+        .drawing(),
         None => Ok(straight(shape, options)),
     }
 }
@@ -240,6 +257,8 @@ struct Request<'a> {
     shape: &'a Shape,
     options: &'a Options,
     outline: Outline,
+    /// Whether given ends stay as they are even where a precision was asked for.
+    keeps_ends: bool,
 }
 
 impl<'a> Request<'a> {
@@ -252,6 +271,7 @@ impl<'a> Request<'a> {
             shape,
             options,
             outline: outline.transformed(options.transform)?,
+            keeps_ends: false,
         }))
     }
 
@@ -289,7 +309,7 @@ impl<'a> Request<'a> {
     /// So many segments at joints that equalise the error, or at equal angles where those do better.
     fn adaptive(&self, count: usize) -> Result<Drawing> {
         let equal = self.equal(count, None).map(|sketch| self.finish(sketch));
-        let Some(balance) = Balance::new(&self.outline, self.options.rule) else {
+        let Some(balance) = Balance::new(&self.outline, self.options.rule, radial::distance) else {
             return equal;
         };
         let adaptive = self.finish(self.cut(balance.joints(count)?, None)?);
@@ -312,17 +332,51 @@ impl<'a> Request<'a> {
                 &curve.segments,
             )
         });
-        Ok(Sketch {
+        let sketch = Sketch {
             joints: Some(joints),
             curve,
             // What was given is not rounded unless a precision was asked for.
             kept: self
                 .outline
                 .ends
-                .filter(|_| self.options.precision.is_none()),
+                .filter(|_| self.keeps_ends || self.options.precision.is_none()),
             precision,
             peak,
-        })
+        };
+        self.check_extent(&sketch)?;
+        Ok(sketch)
+    }
+
+    /// Refuses a precision that leaves nothing of a closed shape.
+    fn check_extent(&self, sketch: &Sketch) -> Result<()> {
+        let radii = self.outline.truth.radii;
+        match self.options.precision {
+            Some(Precision::Fixed(decimals))
+                if self.outline.unit.closed
+                    && radii.x.min(radii.y) * power(10.0, i32::from(decimals)) < 1.0 =>
+            {
+                let extent = sketch.rounded().bounding_box().unwrap_or_default();
+                if extent.width() == 0.0 || extent.height() == 0.0 {
+                    return Err(Error::Collapsed { decimals });
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The largest coordinate that the shape may reach, or a little more: its digits end there.
+    fn reach(&self) -> f64 {
+        let truth = &self.outline.truth;
+        let radius = truth.larger_radius();
+        match self.outline.ends {
+            Some(ends) => {
+                let sweep = self.outline.unit.sweep.degrees().abs().to_radians();
+                let farthest = ends.map(|end| end.to_vec2().hypot());
+                farthest[0].max(farthest[1]) + radius * sweep.min(2.0)
+            }
+            None => truth.center.to_vec2().hypot() + radius,
+        }
     }
 
     /// The peak error before rounding of equal pieces of a circle, each taken on its own.
@@ -360,8 +414,7 @@ impl<'a> Request<'a> {
     fn is_within(&self, sketch: &Sketch, tolerance: f64) -> bool {
         let truth = &self.outline.truth;
         if let (Some(peak), Precision::Fixed(decimals)) = (sketch.peak, sketch.precision) {
-            let reach = truth.center.to_vec2().hypot() + truth.larger_radius();
-            let moved = farthest_moved(decimals) + 8.0 * f64::EPSILON * reach;
+            let moved = farthest_moved(decimals) + 8.0 * f64::EPSILON * self.reach();
             if peak + moved <= tolerance {
                 return true;
             }

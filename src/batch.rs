@@ -37,7 +37,7 @@ pub struct Options {
     pub rule: Rule,
     /// Where sweeps are cut where a line does not say.
     pub cut: Cut,
-    /// How control points are rounded; `None` as in [`crate::approximate::Options`], but in full for JSON.
+    /// How control points are rounded; `None` as in [`crate::approximate::Options`].
     pub precision: Option<Precision>,
     /// What becomes of a line that cannot be drawn.
     pub on_error: OnError,

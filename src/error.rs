@@ -83,6 +83,12 @@ pub enum Error {
         /// What is wrong there.
         why: String,
     },
+    /// Rounding leaves nothing of a closed shape.
+    #[error("rounded to {decimals} decimals, the shape is no more than a point or a line")]
+    Collapsed {
+        /// The decimals that were asked for.
+        decimals: u8,
+    },
     /// A number of segments that nothing is cut into.
     #[error("the number of segments must be from 1 to {most}, but it is {count}")]
     Count {
@@ -159,6 +165,7 @@ impl Error {
             Self::Impossible { remedy, .. } | Self::ToleranceOutOfReach { remedy, .. } => {
                 (!remedy.is_empty()).then(|| remedy.clone())
             }
+            Self::Collapsed { .. } => Some("give more decimals".to_owned()),
             Self::Format { remedy, .. } => Some((*remedy).to_owned()),
             Self::TooFewPoints { cyclic: true, .. } => {
                 Some("--ends free takes two points and more".to_owned())

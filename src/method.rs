@@ -24,7 +24,7 @@ pub use span::Span;
 use core::fmt;
 use core::str::FromStr;
 
-use kurbo::Vec2;
+use kurbo::{CubicBez, PathSeg, QuadBez, Vec2};
 
 use crate::error::{Error, Result};
 use crate::radial_error::RadialError;
@@ -103,6 +103,20 @@ impl Piece {
             end_radius: self.end_radius * factor,
             handle: self.handle * factor,
             ..self
+        }
+    }
+
+    /// The piece on the unit circle from one direction counter-clockwise to another.
+    pub(crate) fn between(&self, [first, last]: [Vec2; 2]) -> PathSeg {
+        let place = |radius: Vec2, sense: f64| {
+            let tangent = Vec2::new(-radius.y, radius.x) * (sense * self.handle.y);
+            (radius * self.handle.x + tangent).to_point()
+        };
+        let [p0, p3] = [first, last].map(|end| (end * self.end_radius).to_point());
+        let (p1, p2) = (place(first, 1.0), place(last, -1.0));
+        match self.degree {
+            Degree::Cubic => PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3)),
+            Degree::Quadratic => PathSeg::Quad(QuadBez::new(p0, p1.midpoint(p2), p3)),
         }
     }
 

@@ -1,11 +1,13 @@
 //! The fewest segments within a tolerance.
 
+use core::iter;
 use core::ops::RangeInclusive;
 
 use super::{ROUNDING_SHARE, Request, Sketch};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
+use crate::measure::radial;
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
@@ -16,13 +18,19 @@ const MANY: usize = 1000;
 /// How many counts beyond the estimate are tried.
 const MOST_TRIES: usize = 64;
 
+/// How many counts are tried from the one on that marching takes.
+const MOST_BEYOND: usize = 8;
+
+/// The parts of a tolerance, the largest first, for which joints are marched out: the measure decides which of them serves.
+const NEARLY: [f64; 10] = [1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7];
+
 impl Request<'_> {
     /// The fewest segments whose rounded curve is within the tolerance.
     pub(super) fn fewest(&self, tolerance: Tolerance) -> Result<Sketch> {
         let truth = &self.outline.truth;
         let tolerance = tolerance.for_radius(truth.larger_radius());
         self.check_tolerance(tolerance)?;
-        if let Some(balance) = Balance::new(&self.outline, self.options.rule)
+        if let Some(balance) = Balance::new(&self.outline, self.options.rule, radial::distance)
             && let Some(sketch) = self.fewest_adaptive(&balance, tolerance)
         {
             return Ok(sketch);
@@ -72,15 +80,13 @@ impl Request<'_> {
 
     /// Refuses tolerances that no curve could meet.
     pub(super) fn check_tolerance(&self, tolerance: f64) -> Result<()> {
-        let truth = &self.outline.truth;
         if tolerance <= 0.0 || !tolerance.is_finite() {
             return Err(Error::NotPositive {
                 what: "tolerance",
                 value: tolerance,
             });
         }
-        let reach = truth.center.to_vec2().hypot() + truth.larger_radius();
-        let finest = 8.0 * f64::EPSILON * reach;
+        let finest = 8.0 * f64::EPSILON * self.reach();
         if tolerance < finest {
             return Err(self.out_of_reach(
                 tolerance,
@@ -126,31 +132,30 @@ impl Request<'_> {
         }
     }
 
-    /// The fewest segments at joints that equalise the error, or at equal angles where those are still fewer.
+    /// The fewest segments at joints that equalise the error, at equal angles where those are fewer, or each as long as it can be.
     fn fewest_adaptive(&self, balance: &Balance, tolerance: f64) -> Option<Sketch> {
-        let within = |joints: Result<Joints>| {
-            joints
-                .and_then(|joints| self.cut(joints, Some(tolerance)))
+        let within = |joints: Joints| {
+            self.cut(joints, Some(tolerance))
                 .ok()
                 .filter(|sketch| self.is_within(sketch, tolerance))
         };
         let allowed = (tolerance + self.rounding(tolerance)) / self.outline.truth.larger_radius();
-        let (first, stride) = (balance.fewest(allowed), balance.stride());
-        let mut found = (first..=MOST_SEGMENTS)
-            .step_by(stride)
-            .take(MOST_TRIES)
-            .find_map(|count| within(balance.joints(count)))?;
-        for fewer in (1..found.curve.segments.len()).rev() {
-            let equal = Joints::equal(&self.outline.unit, fewer);
-            let adaptive = (fewer % stride == 0).then(|| balance.joints(fewer));
-            match within(equal).or_else(|| adaptive.and_then(within)) {
-                Some(better) => found = better,
-                // Where both ways were tried, still fewer would be worse still.
-                None if fewer % stride == 0 => break,
-                None => {}
-            }
-        }
-        Some(found)
+        // The weights know the error to first order, and rounding moves it either way.
+        let marched: Vec<Joints> = NEARLY
+            .iter()
+            .flat_map(|part| balance.greedy(part * allowed))
+            .collect();
+        let first = marched.iter().map(Joints::count).min()?;
+        (first..=MOST_SEGMENTS).take(MOST_BEYOND).find_map(|count| {
+            let adaptive = iter::once_with(|| balance.joints(count).ok());
+            let equal = iter::once_with(|| Joints::equal(&self.outline.unit, count).ok());
+            let greedy = marched.iter().filter(|joints| joints.count() == count);
+            adaptive
+                .chain(equal)
+                .flatten()
+                .chain(greedy.cloned())
+                .find_map(within)
+        })
     }
 
     /// The counts that may be the fewest, ascending.

@@ -12,7 +12,6 @@ use crate::contour::{Contour, Target, draw};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::method::Rule;
-use crate::number::Precision;
 use crate::path;
 use crate::shape::Shape;
 use crate::write::path::PathDocument;
@@ -31,17 +30,13 @@ impl Worker {
     /// A worker with these options.
     #[must_use]
     pub fn new(options: Options) -> Self {
-        let precision = match options.format {
-            Format::Json => options.precision.or(Some(Precision::Full)),
-            _ => options.precision,
-        };
         Self {
             format: options.format,
             on_error: options.on_error,
             options: approximate::Options {
                 rule: options.rule,
                 cut: options.cut,
-                precision,
+                precision: options.precision,
                 transform: Affine::IDENTITY,
             },
         }

@@ -11,13 +11,13 @@ use super::memo::Memo;
 use super::segments::{Beziers, Joint};
 use super::{Options, Reason};
 use crate::Angle;
-use crate::approximate::{self, approximate};
+use crate::approximate::{self, Drawing, approximate, approximate_between};
 use crate::curve::control_points;
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Degree, Ends, Method, Rule};
 use crate::number::Precision;
 use crate::shape::endpoint::{Chord, SvgArc};
-use crate::shape::{Ellipse, Outline, Shape};
+use crate::shape::{Ellipse, Outline, Shape, Truth};
 
 /// From so many decimals on the last digits of every sum show, and they are to be those of the engine.
 const LAST_DIGITS: u32 = 12;
@@ -46,22 +46,44 @@ pub(super) fn arc(
     };
     match count {
         Some(count) => equal(&outline, arc, count, options, memo, out),
-        None => by_engine(&shape, arc.from, options, out).map(|_| ()),
+        None => by_engine(approximate_between, &shape, arc.from, options, out).map(|_| ()),
     }
 }
 
-/// Fills `out` with the ellipse about the origin that starts at (`radii.x`, 0) and runs towards +y; returns its first point.
+/// Fills `out` with the corner of a rectangle between two points, which are rounded as all others where a precision is asked for.
+pub(super) fn corner(
+    arc: &SvgArc,
+    options: &Options,
+    memo: &mut Memo,
+    out: &mut Beziers,
+) -> Result<(), Reason> {
+    if options.precision.is_none() || count(options, Angle::from_degrees(90.0)).is_some() {
+        return self::arc(arc, options, memo, out);
+    }
+    let shape = arc.shape().map_err(|error| refused(&error))?;
+    by_engine(approximate, &shape, arc.from, options, out).map(|_| ())
+}
+
+/// Fills `out` with an ellipse that starts at `center` + (`radii.x`, 0) and runs towards +y, as offsets from its centre; returns the
+/// first of them.
 pub(super) fn ellipse(
+    center: Point,
     radii: Vec2,
     options: &Options,
     memo: &mut Memo,
     out: &mut Beziers,
 ) -> Result<Vec2, Reason> {
-    let shape = Shape::Ellipse(
-        Ellipse::new(Point::ZERO, radii, Angle::ZERO).map_err(|error| refused(&error))?,
-    );
-    let (Some(outline), Some(count)) = (shape.outline(), count(options, Angle::TURN)) else {
-        return by_engine(&shape, Point::ZERO, options, out);
+    // Where a precision is asked for, sums with the centre are rounded; else the centre keeps its digits and offsets are.
+    let center = options.precision.map_or(Point::ZERO, |_| center);
+    let shape =
+        Shape::Ellipse(Ellipse::new(center, radii, Angle::ZERO).map_err(|error| refused(&error))?);
+    let Some(count) = count(options, Angle::TURN) else {
+        return by_engine(approximate, &shape, center, options, out);
+    };
+    let truth = Truth {
+        center: Point::ZERO,
+        radii,
+        axis: Vec2::new(1.0, 0.0),
     };
     let (piece, error) = memo
         .piece(options.rule, 360.0 / count as f64)
@@ -78,7 +100,7 @@ pub(super) fn ellipse(
         let inner = [before.control(&piece, 1.0), after.control(&piece, -1.0)];
         out.segment(inner[0], inner[1], after.radius, place);
     }
-    out.decimals = decimals(&outline.truth, start, Point::ZERO, error, options, out);
+    out.decimals = decimals(&truth, start, Point::ZERO, error, options, out);
     Ok(start)
 }
 
@@ -102,6 +124,7 @@ fn count(options: &Options, sweep: Angle) -> Option<usize> {
 
 /// Anything, as the engine draws it.
 fn by_engine(
+    engine: fn(&Shape, &approximate::Options) -> crate::Result<Drawing>,
     shape: &Shape,
     from: Point,
     options: &Options,
@@ -113,7 +136,7 @@ fn by_engine(
         precision: options.precision.map(Precision::Fixed),
         ..approximate::Options::default()
     };
-    let drawing = approximate(shape, &asked).map_err(|error| refused(&error))?;
+    let drawing = engine(shape, &asked).map_err(|error| refused(&error))?;
     let quadratic = matches!(drawing.curve.segments.first(), Some(PathSeg::Quad(_)));
     out.begin(if quadratic {
         Degree::Quadratic
@@ -131,7 +154,7 @@ fn by_engine(
         Precision::Fixed(decimals) => u32::from(decimals).min(MAX_DECIMALS),
         Precision::Full => MAX_DECIMALS,
     };
-    Ok(drawing.curve.start().unwrap_or_default().to_vec2())
+    Ok(drawing.curve.start().unwrap_or_default() - from)
 }
 
 /// One segment, as most arcs are: its ends on the unit circle are known from the chord, without an angle.
@@ -307,7 +330,7 @@ mod tests {
                 Vec2::new(3.0, 0.7),
                 Vec2::new(1e-3, 1.0),
             ] {
-                ellipse(radii, &options, &mut memo, &mut drawn).unwrap();
+                ellipse(Point::ZERO, radii, &options, &mut memo, &mut drawn).unwrap();
                 let shape = Shape::Ellipse(Ellipse::new(Point::ZERO, radii, Angle::ZERO).unwrap());
                 assert_agree(&drawn, Point::ZERO, &engine(&shape, &options), 10.0);
             }
@@ -321,7 +344,14 @@ mod tests {
             rule: Rule::Method(Method::MinimaxFree),
             ..Options::default()
         };
-        let start = ellipse(Vec2::new(1.0, 1.0), &free, &mut memo, &mut drawn).unwrap();
+        let start = ellipse(
+            Point::ZERO,
+            Vec2::new(1.0, 1.0),
+            &free,
+            &mut memo,
+            &mut drawn,
+        )
+        .unwrap();
         assert!(start.x < 1.0 && drawn.points().last() == Some(&start));
         let arc = SvgArc {
             from: Point::ZERO,

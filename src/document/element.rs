@@ -122,6 +122,7 @@ pub(super) fn path_data(
             let [rx, ry] = radii.map(|radius| radius.value);
             check_size(&[center, radii], options, rx.min(ry))?;
             let start = bezier::ellipse(
+                Point::new(center[0].value, center[1].value),
                 Vec2::new(rx, ry),
                 options,
                 &mut scratch.memo,
@@ -151,7 +152,7 @@ fn check_size(lengths: &[&[Length; 2]], options: &Options, smallest: f64) -> Res
         return Err(Reason::TooLarge);
     }
     match options.precision {
-        Some(decimals) if smallest * power(10.0, i32::from(decimals)) < 0.5 => {
+        Some(decimals) if smallest * power(10.0, i32::from(decimals)) <= 0.5 => {
             Err(Reason::Collapses)
         }
         _ => Ok(()),
@@ -184,15 +185,19 @@ fn rect(
     let mut pen = Pen::new(options.precision, 0, out);
     pen.known = radii;
     for (index, (start, to, line)) in corners.into_iter().enumerate() {
+        // As for an ellipse: where a precision is asked for, it is points that are rounded.
+        let from = options.precision.map_or(Point::ZERO, |_| {
+            Point::new(start[0].value(), start[1].value())
+        });
         let arc = SvgArc {
-            from: Point::ZERO,
+            from,
             radii: Vec2::new(rx, ry),
             rotation: Angle::ZERO,
             large_arc: false,
             sweep: true,
-            to: to.into(),
+            to: from + Vec2::from(to),
         };
-        bezier::arc(&arc, options, &mut scratch.memo, &mut scratch.beziers)?;
+        bezier::corner(&arc, options, &mut scratch.memo, &mut scratch.beziers)?;
         if index == 0 {
             pen.decimals = scratch.beziers.decimals;
             pen.move_to([left_in, y]);

@@ -218,6 +218,7 @@ fn ids_pass_through() {
     let input = r#"{"id": "a1", "circle": {"center": [0,0], "radius": 50}, "method": "minimax", "segments": 4}"#;
     let options = Options {
         format: Format::Json,
+        precision: Some(Precision::Full),
         ..Options::default()
     };
     let answer = answers(input, &options).concat();

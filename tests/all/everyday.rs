@@ -362,3 +362,103 @@ fn extremes_are_joints() {
     refused(&["path", "M0 0A5 5 0 0 1 9 0", "--extremes"]);
     refused(&["circle", "5", "--extremes", "--joints", "0,90,180"]);
 }
+
+fn first_of_piped(arguments: &[&str], input: &[u8]) -> String {
+    piped(arguments, input)[0].clone()
+}
+
+/// The path data of the only path in a document.
+fn path_in(document: &str) -> String {
+    let (_, rest) = document.split_once(" d=\"").unwrap();
+    rest.split_once('"').unwrap().0.to_owned()
+}
+
+#[test]
+fn the_single_command_batch_and_convert_give_the_same_numbers() {
+    let mut seed = 11_u64;
+    let mut uniform = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for i in 0..60 {
+        // Decimal numbers of few digits, halves among them, which rounding decides.
+        let mut number = |scale: f64| (uniform() * scale * 20.0).round() / 20.0;
+        let (cx, cy) = (number(40.0) - 20.0, number(40.0) - 20.0);
+        let (rx, ry) = (3.0 + number(30.0), 3.0 + number(30.0));
+        let tolerance = [0.8, 0.3, 0.06][i % 3];
+        let precision = ["0", "1", "2"][i % 3];
+        let (t, numbers) = (
+            tolerance.to_string(),
+            [cx, cy, rx, ry].map(|x| x.to_string()),
+        );
+        let [cx, cy, rx, ry] = &numbers;
+        let cut = ["-t", t.as_str()];
+        let single = printed(
+            &[
+                &[
+                    "ellipse",
+                    rx,
+                    ry,
+                    "--center",
+                    &format!("{cx},{cy}"),
+                    "-p",
+                    precision,
+                ],
+                &cut[..],
+            ]
+            .concat(),
+        );
+        let line = format!("ellipse {cx} {cy} {rx} {ry}\n");
+        let batch = first_of_piped(
+            &[&["batch", "-p", precision], &cut[..]].concat(),
+            line.as_bytes(),
+        );
+        assert_eq!(single, batch, "{line}");
+        let element = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\"><ellipse cx=\"{cx}\" cy=\"{cy}\" rx=\"{rx}\" ry=\"{ry}\"/></svg>"
+        );
+        let converted = first_of_piped(
+            &[&["convert", "-p", precision], &cut[..]].concat(),
+            element.as_bytes(),
+        );
+        // The shorter of absolute and relative commands, as `path` reads both.
+        let points = |data: &str| -> Vec<kurbo::PathEl> {
+            kurbo::BezPath::from_svg(data).unwrap().elements().to_vec()
+        };
+        let (ours, theirs) = (points(&path_in(&converted)), points(single.trim()));
+        assert_eq!(
+            ours.len(),
+            theirs.len(),
+            "{line} {cut:?}: {converted} {single}"
+        );
+        for (a, b) in ours.iter().zip(&theirs) {
+            let apart = a.end_point().unwrap_or_default() - b.end_point().unwrap_or_default();
+            assert!(apart.hypot() < 1e-9, "{line} {cut:?}: {converted} {single}");
+        }
+    }
+}
+
+#[test]
+fn batch_rounds_json_as_it_is_asked() {
+    let auto = first_of_piped(&["batch", "-f", "json", "-p", "auto"], b"circle 0 0 1\n");
+    assert!(auto.contains("[1,0.55192]"), "{auto}");
+    let full = first_of_piped(&["batch", "-f", "json"], b"circle 0 0 1\n");
+    assert!(full.contains("[1,0.5519150244935106]"), "{full}");
+}
+
+#[test]
+fn a_precision_that_leaves_nothing_is_refused() {
+    let output = run(&["circle", "0.4", "-p", "0"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        message.contains("rounded to 0 decimals") && message.contains("hint: "),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_huge_radius_costs_no_tolerance() {
+    let path = printed(&["arc", "--svg", "M0 0A1e10 1e10 0 0 1 1 0", "-t", "1e-6"]);
+    assert!(path.starts_with("M0 0C"), "{path}");
+}

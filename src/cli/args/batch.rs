@@ -75,15 +75,19 @@ impl BatchArgs {
             || std::thread::available_parallelism().map_or(1, usize::from),
             |jobs| jobs.get().min(256),
         );
+        let format = match self.format {
+            BatchFormat::Path => Format::Path,
+            BatchFormat::Json => Format::Json,
+            BatchFormat::Ps => Format::Ps,
+        };
         Ok(Options {
-            format: match self.format {
-                BatchFormat::Path => Format::Path,
-                BatchFormat::Json => Format::Json,
-                BatchFormat::Ps => Format::Ps,
-            },
+            format,
             rule: self.each.rule(),
             cut: self.each.cut()?,
-            precision: self.each.precision.precision(),
+            precision: match self.each.precision {
+                Some(word) => word.precision(),
+                None => format.precision(),
+            },
             on_error: match self.on_error {
                 OnErrorArg::Stop => OnError::Stop,
                 OnErrorArg::Skip => OnError::Skip,

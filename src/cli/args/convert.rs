@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use curveto::document::{self, Kind, Only};
 
-use super::TalkArgs;
 use super::each::EachArgs;
+use super::{TalkArgs, values};
 use crate::cli::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -94,7 +94,10 @@ impl ConvertArgs {
         let options = document::Options {
             rule: self.each.rule(),
             cut: self.each.cut()?,
-            precision: self.each.precision.decimals(),
+            precision: self
+                .each
+                .precision
+                .and_then(values::PrecisionWord::decimals),
             only,
         };
         options.check()?;
