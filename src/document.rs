@@ -26,6 +26,7 @@ mod place;
 mod property;
 mod reason;
 mod rewrite;
+mod rules;
 mod scan;
 mod scratch;
 mod segments;

@@ -22,13 +22,6 @@ pub(super) struct Attribute<'a> {
     pub(super) value_span: Range<usize>,
 }
 
-impl<'a> Attribute<'a> {
-    /// The name without a prefix.
-    pub(super) fn local(&self) -> &'a str {
-        self.name.rsplit(':').next().unwrap_or(self.name)
-    }
-}
-
 /// Up to this many attributes are compared pair by pair.
 const FEW: usize = 12;
 
@@ -178,7 +171,6 @@ mod tests {
             spans,
             [("a", "x\"y", " a = 'x\"y'"), ("b:c", "", "\n b:c=\"\"")]
         );
-        assert_eq!(out[1].local(), "c");
     }
 
     #[test]

@@ -20,3 +20,31 @@ pub(super) fn first_forbidden(text: &str) -> Option<usize> {
         .position(control)
         .or_else(|| text.find(['\u{fffe}', '\u{ffff}']))
 }
+
+/// The text of a fragment of a URL, `%41` read as `A`; what is not UTF-8 then stays as it is.
+pub(super) fn percent_decoded(text: &str) -> String {
+    let bytes = text.as_bytes();
+    let digit = |at: usize| bytes.get(at).and_then(|byte| (*byte as char).to_digit(16));
+    let (mut out, mut at) = (Vec::with_capacity(bytes.len()), 0);
+    while let Some(byte) = bytes.get(at) {
+        let decoded = match (byte, digit(at + 1), digit(at + 2)) {
+            (b'%', Some(high), Some(low)) => Some((16 * high + low) as u8),
+            _ => None,
+        };
+        out.push(decoded.unwrap_or(*byte));
+        at += if decoded.is_some() { 3 } else { 1 };
+    }
+    String::from_utf8(out).unwrap_or_else(|_| text.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percent_signs_decode_where_they_can() {
+        assert_eq!(percent_decoded("a%20b%C3%a9"), "a bé");
+        assert_eq!(percent_decoded("100%%4"), "100%%4");
+        assert_eq!(percent_decoded("%ff"), "%ff");
+    }
+}

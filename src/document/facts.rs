@@ -5,18 +5,15 @@
 use std::collections::{HashMap, HashSet};
 
 use super::attributes::Attribute;
-use super::css::{self, Rule, Sheet};
+use super::css::{self, Sheet};
 use super::doctype::{Doctype, Resolved};
 use super::fault::Result;
 use super::namespace::Namespace;
-use super::property::{Kind, Markers, Properties};
+use super::property::{Effect, Kind, Markers, Properties};
 use super::reason::Reason;
+use super::rules::Subject;
 use super::scan::{Element, Node, Scanner};
-use super::selector::{Compound, Subject};
 use super::value;
-
-/// More rules than this are held to match everything, so that time stays linear.
-const MANY_RULES: usize = 64;
 
 /// Which element an animation changes.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -192,45 +189,14 @@ impl Facts {
         }
     }
 
-    /// Keeps the rules that can matter, and few of them.
     fn finish(&mut self) {
         if self.sheet.imports {
             self.set_everywhere(Reason::ExternalStyle);
         }
-        self.markers_anywhere |= self.sheet.keyframes.markers().any;
-        let matters = |rule: &mut Rule| {
-            rule.compounds
-                .retain(|compound| Kind::ALL.iter().any(|kind| compound.is_sensitive(*kind)));
-            !rule.compounds.is_empty() || !rule.properties.is_empty()
-        };
-        self.sheet.rules.retain_mut(matters);
-        let compounds: usize = self
-            .sheet
-            .rules
-            .iter()
-            .map(|rule| rule.compounds.len() + rule.subjects.len())
-            .sum();
-        if compounds > MANY_RULES {
-            let all = self
-                .sheet
-                .rules
-                .iter()
-                .fold(Properties::NONE, |set, rule| set.with(rule.properties));
-            let named = self
-                .sheet
-                .rules
-                .iter()
-                .any(|rule| !rule.compounds.is_empty());
-            self.sheet.rules = vec![Rule {
-                compounds: if named {
-                    vec![Compound::unknown()]
-                } else {
-                    Vec::new()
-                },
-                subjects: vec![Compound::any()],
-                properties: all,
-            }];
+        if self.classes_change {
+            self.sheet.rules.loosen();
         }
+        self.markers_anywhere |= self.sheet.keyframes.sets.markers().any;
     }
 
     /// Why an element of this kind cannot be replaced, if the document says so.
@@ -244,30 +210,23 @@ impl Facts {
         if let Some(reason) = &self.everywhere {
             return Some(reason.clone());
         }
+        if let Some(selector) = self.sheet.rules.selected_by_name(kind, class, id) {
+            return Some(Reason::SelectedByName(selector.to_owned()));
+        }
         let subject = Subject {
             name: kind.name(),
             class,
             id,
-            loose: self.classes_change,
         };
-        let sensitive = kind.sensitive();
-        for rule in &self.sheet.rules {
-            let named =
-                |compound: &&Compound| compound.is_sensitive(kind) && compound.may_concern(subject);
-            if let Some(compound) = rule.compounds.iter().find(named) {
-                return Some(Reason::SelectedByName(compound.text().to_owned()));
-            }
-            let set = rule.properties.and(sensitive);
-            if !set.is_empty()
-                && rule
-                    .subjects
-                    .iter()
-                    .any(|compound| compound.may_match(subject))
-            {
-                return Some(Reason::StyleGeometry(set.first_name()));
-            }
+        if let Some(reason) = style_reason(kind, self.sheet.rules.effect(subject)) {
+            return Some(reason);
         }
-        let keyframes = self.sheet.keyframes.and(sensitive);
+        let sensitive = kind.sensitive();
+        let keyframes = self.sheet.keyframes;
+        if keyframes.reads.meets(kind.attributes()) {
+            return style_reason(kind, keyframes);
+        }
+        let keyframes = keyframes.sets.and(sensitive);
         if !keyframes.is_empty() {
             return Some(Reason::Animated(keyframes.first_name()));
         }
@@ -291,16 +250,9 @@ impl Facts {
             name: "rect",
             class,
             id,
-            loose: self.classes_change,
         };
         let radii = Properties::named("rx").with(Properties::named("ry"));
-        self.sheet.rules.iter().any(|rule| {
-            rule.properties.meets(radii)
-                && rule
-                    .subjects
-                    .iter()
-                    .any(|compound| compound.may_match(subject))
-        })
+        self.sheet.rules.effect(subject).sets.meets(radii)
     }
 
     /// The markers that style rules may put on an element.
@@ -311,48 +263,30 @@ impl Facts {
                 middle: true,
             };
         }
-        let subject = Subject {
-            name,
-            class,
-            id,
-            loose: self.classes_change,
-        };
-        let mut markers = Markers::default();
-        for rule in self
-            .sheet
-            .rules
-            .iter()
-            .filter(|rule| rule.properties.markers().any)
-        {
-            if rule
-                .subjects
-                .iter()
-                .any(|compound| compound.may_match(subject))
-            {
-                markers.any = true;
-                markers.middle |= rule.properties.markers().middle;
-            }
-        }
-        markers
+        let subject = Subject { name, class, id };
+        self.sheet.rules.effect(subject).sets.markers()
     }
 }
 
-/// What an animation element changes: the element of its `href`, or else its parent.
+/// Why what a style does to an element of this kind forbids a replacement, if it does.
+pub(super) fn style_reason(kind: Kind, effect: Effect) -> Option<Reason> {
+    let read = effect.reads.and(kind.attributes());
+    if !read.is_empty() {
+        return Some(Reason::StyleReads(read.first_name()));
+    }
+    let set = effect.sets.and(kind.sensitive());
+    (!set.is_empty()).then(|| Reason::StyleGeometry(set.first_name()))
+}
+
+/// What an animation element changes: the element of its link, or else its parent.
 fn target(element: &Element<'_>, scanner: &Scanner<'_>) -> Option<Target> {
-    let Some(href) = scanner
-        .attributes
-        .iter()
-        .find(|attribute| attribute.local() == "href")
-    else {
-        let parent = if element.empty {
-            scanner.parent()
-        } else {
-            scanner.grandparent()
-        };
-        return parent.map(Target::Parent);
+    if element.link.is_some() {
+        return scanner.linked_id(element).map(Target::Id);
+    }
+    let parent = if element.empty {
+        scanner.parent()
+    } else {
+        scanner.grandparent()
     };
-    let text = value::text(href.value, &scanner.doctype)?;
-    text.trim()
-        .strip_prefix('#')
-        .map(|id| Target::Id(id.to_owned()))
+    parent.map(Target::Parent)
 }

@@ -11,6 +11,7 @@ use super::value;
 pub(super) enum Namespace {
     Svg,
     Xhtml,
+    Xlink,
     Other,
 }
 
@@ -42,6 +43,7 @@ impl<'a> Namespaces<'a> {
             let namespace = match uri.as_deref() {
                 Some("http://www.w3.org/2000/svg") => Namespace::Svg,
                 Some("http://www.w3.org/1999/xhtml") => Namespace::Xhtml,
+                Some("http://www.w3.org/1999/xlink") => Namespace::Xlink,
                 _ => Namespace::Other,
             };
             if attribute.name == "xmlns" {
@@ -68,15 +70,31 @@ impl<'a> Namespaces<'a> {
         }
     }
 
+    /// The index of the attribute that is the element's link: `href`, or else `xlink:href`; in other namespaces it is none.
+    pub(super) fn link(&self, attributes: &[Attribute<'_>]) -> Option<usize> {
+        let is_xlink = |attribute: &Attribute<'_>| {
+            let Some(prefix) = attribute.name.strip_suffix(":href") else {
+                return false;
+            };
+            // Many files use the prefix without having declared it.
+            self.prefix(prefix)
+                .map_or(prefix == "xlink", |namespace| namespace == Namespace::Xlink)
+        };
+        attributes
+            .iter()
+            .position(|attribute| attribute.name == "href")
+            .or_else(|| attributes.iter().position(is_xlink))
+    }
+
+    /// The namespace of a prefix, if it is declared.
+    fn prefix(&self, prefix: &str) -> Option<Namespace> {
+        self.prefixes.get(prefix)?.last().copied()
+    }
+
     /// The namespace of an element.
     pub(super) fn of_element(&mut self, prefix: &str, local: &str, root: bool) -> Namespace {
         if !prefix.is_empty() {
-            return self
-                .prefixes
-                .get(prefix)
-                .and_then(|stack| stack.last())
-                .copied()
-                .unwrap_or(Namespace::Other);
+            return self.prefix(prefix).unwrap_or(Namespace::Other);
         }
         let default = self.default.last().and_then(|(_, namespace)| *namespace);
         if root {

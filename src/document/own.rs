@@ -3,7 +3,7 @@
 use super::attributes::Attribute;
 use super::css;
 use super::doctype::Doctype;
-use super::property::{Kind, Markers, Properties, is_none};
+use super::property::{Effect, Markers, Properties};
 use super::value;
 
 /// The markers in effect on an element, from what its parent passes on and what it says itself.
@@ -14,28 +14,32 @@ pub(super) fn markers(
 ) -> Markers {
     let mut markers = inherited;
     for attribute in attributes {
-        match attribute.name {
-            "marker-start" | "marker-mid" | "marker-end" | "marker" => {
-                let on = value::text(attribute.value, doctype).is_none_or(|value| !is_none(&value));
-                let middle = Properties::named(attribute.name).markers().middle;
-                // A single `none` may leave other markers on.
-                markers.any |= on;
-                markers.middle = if middle { on } else { markers.middle };
+        if let "marker-start" | "marker-mid" | "marker-end" | "marker" = attribute.name {
+            let on =
+                value::text(attribute.value, doctype).is_none_or(|value| !css::is_none(&value));
+            // A single `none` may leave other markers on, and `marker` as an attribute is not known everywhere.
+            markers.any |= on;
+            match attribute.name {
+                "marker-mid" => markers.middle = on,
+                "marker" => markers.middle |= on,
+                _ => {}
             }
-            "style" if may_say_marker(attribute.value) => {
-                let text =
-                    value::text(attribute.value, doctype).unwrap_or_else(|| attribute.value.into());
-                let set = css::declarations(&text).markers();
-                if set.any {
-                    markers = Markers {
-                        any: true,
-                        middle: markers.middle || set.middle,
-                    };
-                } else if switched_off(&text) {
-                    markers = Markers::default();
-                }
-            }
-            _ => {}
+        }
+    }
+    // A style wins over attributes.
+    let says =
+        |attribute: &&Attribute<'_>| attribute.name == "style" && may_say_marker(attribute.value);
+    if let Some(style) = attributes.iter().find(says) {
+        let text = value::text(style.value, doctype).unwrap_or_else(|| style.value.into());
+        let effect = css::declarations(&text);
+        let set = effect.sets.markers();
+        if set.any {
+            markers = Markers {
+                any: true,
+                middle: markers.middle || set.middle,
+            };
+        } else if effect.no_marker {
+            markers = Markers::default();
         }
     }
     markers
@@ -50,21 +54,19 @@ fn may_say_marker(style: &str) -> bool {
             .any(|word| word.eq_ignore_ascii_case(b"marker"))
 }
 
-/// Whether a style attribute says `marker: none`.
-fn switched_off(text: &str) -> bool {
-    text.split(';')
-        .filter_map(|declaration| declaration.split_once(':'))
-        .any(|(name, value)| name.trim().eq_ignore_ascii_case("marker") && is_none(value))
-}
-
-/// The properties of a style attribute that forbid to replace this kind.
-pub(super) fn style(kind: Kind, attributes: &[Attribute<'_>], doctype: &Doctype<'_>) -> Properties {
+/// What a style attribute does.
+pub(super) fn style(attributes: &[Attribute<'_>], doctype: &Doctype<'_>) -> Effect {
     let Some(style) = attributes
         .iter()
         .find(|attribute| attribute.name == "style")
     else {
-        return Properties::NONE;
+        return Effect::default();
     };
-    let text = value::text(style.value, doctype).unwrap_or_else(|| "\\:".into());
-    css::declarations(&text).and(kind.sensitive())
+    match value::text(style.value, doctype) {
+        Some(text) => css::declarations(&text),
+        None => Effect {
+            sets: Properties::ANY,
+            ..Effect::default()
+        },
+    }
 }

@@ -23,6 +23,16 @@ const NAMES: [&str; 15] = [
     "marker-end",
 ];
 
+/// The names of sizes along and across the text, old ones of engines included.
+const LOGICAL_SIZES: [&str; 6] = [
+    "inline-size",
+    "block-size",
+    "-webkit-logical-width",
+    "-webkit-logical-height",
+    "-webkit-inline-size",
+    "-webkit-block-size",
+];
+
 /// Which markers are in effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Markers {
@@ -41,22 +51,25 @@ impl Properties {
     /// Every property that is known here: for rules that cannot be read.
     pub(super) const ANY: Self = Self((1 << 15) - 1);
 
-    /// The property of that name (ASCII case does not matter in CSS).
+    /// The property of that name (ASCII case does not matter in CSS). Sizes along and across the text are width and height, which
+    /// one being a matter of the writing mode.
     pub(super) fn named(name: &str) -> Self {
+        let is = |known: &&str| known.eq_ignore_ascii_case(name);
+        if LOGICAL_SIZES.iter().any(is) {
+            return Self(1 << 7 | 1 << 8);
+        }
         NAMES
             .iter()
-            .position(|known| known.eq_ignore_ascii_case(name))
+            .position(is)
             .map_or(Self::NONE, |bit| Self(1 << bit))
     }
 
-    /// The declaration `name: value`: a marker of `none` is none.
-    pub(super) fn declared(name: &str, value: &str) -> Self {
-        let property = Self::named(name);
-        if property.markers().any && is_none(value) {
-            Self::NONE
-        } else {
-            property
-        }
+    /// The attribute of that name, whose case matters.
+    pub(super) fn attribute(name: &str) -> Self {
+        NAMES
+            .iter()
+            .position(|known| *known == name)
+            .map_or(Self::NONE, |bit| Self(1 << bit))
     }
 
     pub(super) const fn with(self, other: Self) -> Self {
@@ -93,12 +106,29 @@ impl Properties {
     }
 }
 
-/// Whether a marker's value leaves it off.
-pub(super) fn is_none(value: &str) -> bool {
-    let value = value.split('!').next().unwrap_or_default().trim();
-    ["none", "initial", ""]
-        .iter()
-        .any(|word| word.eq_ignore_ascii_case(value))
+/// What a list of declarations says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Effect {
+    /// The properties that it sets.
+    pub(super) sets: Properties,
+    /// The attributes that it reads with `attr()`.
+    pub(super) reads: Properties,
+    /// Whether the last `marker` in it is `none`.
+    pub(super) no_marker: bool,
+}
+
+impl Effect {
+    pub(super) const fn with(self, other: Self) -> Self {
+        Self {
+            sets: self.sets.with(other.sets),
+            reads: self.reads.with(other.reads),
+            no_marker: self.no_marker || other.no_marker,
+        }
+    }
+
+    pub(super) const fn is_empty(self) -> bool {
+        self.sets.is_empty() && self.reads.is_empty()
+    }
 }
 
 /// The kinds of elements that are replaced.
@@ -145,13 +175,16 @@ impl Kind {
         }
     }
 
+    /// The attributes that a replacement changes.
+    pub(super) fn attributes(self) -> Properties {
+        self.geometry().iter().fold(Properties::D, |set, name| {
+            set.with(Properties::attribute(name))
+        })
+    }
+
     /// The properties that, set by a style or an animation, forbid a replacement.
     pub(super) fn sensitive(self) -> Properties {
-        self.geometry()
-            .iter()
-            .fold(Properties::D.with(Properties::ALL), |set, name| {
-                set.with(Properties::named(name))
-            })
+        self.attributes().with(Properties::ALL)
     }
 }
 
@@ -160,14 +193,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn markers_of_none_are_none() {
-        assert!(Properties::declared("marker-end", " none !important").is_empty());
-        assert!(
-            !Properties::declared("marker-end", "url(#a)")
-                .markers()
-                .middle
-        );
-        assert!(Properties::declared("MARKER", "url(#a)").markers().middle);
+    fn markers_are_known_by_their_names() {
+        assert!(!Properties::named("marker-end").markers().middle);
+        assert!(Properties::named("MARKER").markers().middle);
         assert!(!Properties::named("height").markers().any);
     }
 

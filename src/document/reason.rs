@@ -16,6 +16,8 @@ pub enum Reason {
     SelectedByName(String),
     /// A style may set this property.
     StyleGeometry(&'static str),
+    /// A style may read this attribute with `attr()`.
+    StyleReads(&'static str),
     /// An animation changes this attribute.
     Animated(&'static str),
     /// A marker is in effect, which a path may draw where this shape did not.
@@ -64,7 +66,7 @@ impl Reason {
             Self::Script => "script",
             Self::EntityContent => "entity-content",
             Self::SelectedByName(_) => "style-selector",
-            Self::StyleGeometry(_) => "style-geometry",
+            Self::StyleGeometry(_) | Self::StyleReads(_) => "style-geometry",
             Self::Animated(_) => "animation",
             Self::Marker => "marker",
             Self::MotionPath => "motion-path",
@@ -103,6 +105,7 @@ impl fmt::Display for Reason {
                 )
             }
             Self::StyleGeometry(property) => write!(f, "a style may set `{property}`"),
+            Self::StyleReads(attribute) => write!(f, "a style reads `attr({attribute})`"),
             Self::Animated(attribute) => write!(f, "an animation changes `{attribute}`"),
             Self::Marker => f.write_str(
                 "a marker is in effect, which renderers draw on paths but not on this element",

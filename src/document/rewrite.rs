@@ -11,7 +11,7 @@ use super::namespace::Namespace;
 use super::output::{Output, Sink};
 use super::own;
 use super::place::Places;
-use super::property::{Kind, Markers};
+use super::property::{Kind, Markers, Properties};
 use super::reason::Reason;
 use super::scan::{Element, Node, Scanner};
 use super::scratch::Scratch;
@@ -184,8 +184,8 @@ impl<'a> Rewriter<'a, '_> {
         });
         by_document
             .or_else(|| {
-                let set = own::style(kind, &scanner.attributes, &scanner.doctype);
-                (!set.is_empty()).then(|| Reason::StyleGeometry(set.first_name()))
+                let own = own::style(&scanner.attributes, &scanner.doctype);
+                facts::style_reason(kind, own)
             })
             .or_else(|| {
                 let lists = &scanner.doctype.attribute_lists;
@@ -294,8 +294,11 @@ impl<'a> Rewriter<'a, '_> {
             let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
             facts.may_round(class.as_deref(), id.as_deref())
         });
-        let own = own::style(Kind::Rect, &scanner.attributes, &scanner.doctype);
-        by_sheet || matches!(own.first_name(), "rx" | "ry") && !own.is_empty()
+        let radii = Properties::named("rx").with(Properties::named("ry"));
+        by_sheet
+            || own::style(&scanner.attributes, &scanner.doctype)
+                .sets
+                .meets(radii)
     }
 
     fn path(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) {

@@ -10,7 +10,7 @@ use quick_xml::Reader;
 use quick_xml::events::Event;
 
 use super::attributes::{self, Attribute, behind_space};
-use super::characters::{BYTE_ORDER_MARK, first_forbidden};
+use super::characters::{self, BYTE_ORDER_MARK, first_forbidden};
 use super::doctype::{Doctype, Resolved};
 use super::fault::{Fault, Result};
 use super::namespace::{Namespace, Namespaces};
@@ -51,6 +51,8 @@ pub(super) struct Element<'a> {
     pub(super) namespace: Namespace,
     /// Whether the tag ends in `/>`.
     pub(super) empty: bool,
+    /// The index of the attribute that is its link.
+    pub(super) link: Option<usize>,
 }
 
 /// A start tag whose end tag has not come.
@@ -121,6 +123,15 @@ impl<'a> Scanner<'a> {
         Some(value::text(found.value, &self.doctype).unwrap_or(Cow::Borrowed(found.value)))
     }
 
+    /// The id to which the link of the last start tag refers; `None` where it has no link, or one without a fragment. Which
+    /// document a URL means is not known here, so that each may mean this one.
+    pub(super) fn linked_id(&self, element: &Element<'_>) -> Option<String> {
+        let attribute = self.attributes.get(element.link?)?;
+        let text = value::text(attribute.value, &self.doctype)?;
+        let (_, fragment) = text.trim().split_once('#')?;
+        Some(characters::percent_decoded(fragment))
+    }
+
     /// The next node.
     pub(super) fn next(&mut self) -> Result<Node<'a>> {
         let start = self.at;
@@ -160,6 +171,10 @@ impl<'a> Scanner<'a> {
             .enter(self.open.len(), &self.attributes, &self.doctype);
         let (prefix, local) = name.split_once(':').unwrap_or(("", name));
         let namespace = self.namespaces.of_element(prefix, local, root);
+        let may_link = self.attributes.iter().any(|a| a.name.ends_with("href"));
+        let link = may_link
+            .then(|| self.namespaces.link(&self.attributes))
+            .flatten();
         if empty {
             self.namespaces.leave(self.open.len());
         } else {
@@ -173,6 +188,7 @@ impl<'a> Scanner<'a> {
             local_span: name_end - local.len()..name_end,
             namespace,
             empty,
+            link,
         }))
     }
 

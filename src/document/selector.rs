@@ -1,35 +1,29 @@
 //! Selectors, taken apart as far as the change of a tag may matter to them.
 
-use super::property::Kind;
+use cssparser::{ParseError, Parser, Token};
 
-/// How deep functional pseudo-classes are followed.
-const MAX_DEPTH: usize = 16;
+use super::property::{Kind, Properties};
+
+/// The most characters of a selector that a note quotes.
+const MOST_QUOTED: usize = 60;
 
 /// One compound selector: simple selectors without a combinator between them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(super) struct Compound {
     /// The type selector without its prefix; `None` for `*` or none.
-    name: Option<String>,
-    classes: Vec<String>,
-    ids: Vec<String>,
-    /// The names of attribute selectors.
-    attributes: Vec<String>,
+    pub(super) name: Option<Box<str>>,
+    /// The type selector of the compound in whose `:is()` or `:not()` this one stands.
+    outer_name: Option<Box<str>>,
+    pub(super) classes: Vec<Box<str>>,
+    pub(super) ids: Vec<Box<str>>,
+    /// The attributes among those that a replacement changes of which it speaks.
+    attributes: Properties,
     /// Whether it counts siblings by type.
-    of_type: bool,
+    pub(super) of_type: bool,
     /// Whether it could not be read.
-    unknown: bool,
+    pub(super) unknown: bool,
     /// The text, for notes.
-    text: String,
-}
-
-/// What a compound selector is held against.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Subject<'a> {
-    pub(super) name: &'a str,
-    pub(super) class: Option<&'a str>,
-    pub(super) id: Option<&'a str>,
-    /// Whether classes and ids cannot be relied upon.
-    pub(super) loose: bool,
+    pub(super) text: Box<str>,
 }
 
 impl Compound {
@@ -37,7 +31,7 @@ impl Compound {
     pub(super) fn unknown() -> Self {
         Self {
             unknown: true,
-            text: "a rule that could not be read".to_owned(),
+            text: "a rule that could not be read".into(),
             ..Self::default()
         }
     }
@@ -45,203 +39,212 @@ impl Compound {
     /// A selector that matches every element but does not depend on names.
     pub(super) fn any() -> Self {
         Self {
-            text: "&".to_owned(),
+            text: "&".into(),
             ..Self::default()
         }
     }
 
-    /// The selector as the sheet spells it.
-    pub(super) fn text(&self) -> &str {
-        &self.text
-    }
-
-    /// Whether it may single out elements by what a replacement changes, whatever the element.
+    /// Whether it may single out elements of this kind by what a replacement changes.
     pub(super) fn is_sensitive(&self, kind: Kind) -> bool {
-        let names = |name: &String| name == kind.name() || name == "path";
+        let names = |name: &Option<Box<str>>| {
+            name.as_deref()
+                .is_none_or(|name| name == kind.name() || name == "path")
+        };
         // A selector for another element matches neither before nor after.
-        let own = self.name.as_ref().is_none_or(names);
+        let own = names(&self.name) && names(&self.outer_name);
         let by_name = kind != Kind::Path && (self.of_type || self.name.is_some());
-        let by_attribute = || {
-            let changes = |name: &String| name == "d" || kind.geometry().contains(&name.as_str());
-            self.attributes.iter().any(changes)
-        };
-        self.unknown || own && (by_name || by_attribute())
-    }
-
-    /// Whether its classes and ids may be those of the element. (Counting by type looks at siblings: it always may.)
-    pub(super) fn may_concern(&self, subject: Subject<'_>) -> bool {
-        if self.unknown || self.of_type || subject.loose {
-            return true;
-        }
-        let has = |class: &String| {
-            subject
-                .class
-                .is_some_and(|list| list.split_ascii_whitespace().any(|own| own == class))
-        };
-        self.classes.iter().all(has) && self.ids.iter().all(|id| subject.id == Some(id.as_str()))
-    }
-
-    /// Whether it may match the element, before or after it became a path.
-    pub(super) fn may_match(&self, subject: Subject<'_>) -> bool {
-        let named = self
-            .name
-            .as_ref()
-            .is_none_or(|name| name == subject.name || name == "path");
-        (named || self.unknown) && self.may_concern(subject)
+        self.unknown || own && (by_name || self.attributes.meets(kind.attributes()))
     }
 }
 
-/// All compound selectors of a list, those within `:is()` and its like included, and those that are the subjects.
-pub(super) fn read(text: &str) -> (Vec<Compound>, Vec<Compound>) {
-    if text.contains('\\') {
-        return (vec![Compound::unknown()], vec![Compound::unknown()]);
-    }
+/// The compound selectors of a list.
+#[derive(Debug, Default)]
+pub(super) struct Selectors {
+    /// All of them, those within `:is()` and its like included.
+    pub(super) all: Vec<Compound>,
+    /// Those of the elements that the declarations are for.
+    pub(super) subjects: Vec<Compound>,
+}
+
+/// Reads a list of selectors.
+pub(super) fn read(text: &str) -> Selectors {
     let mut all = Vec::new();
-    let mut subjects = Vec::new();
-    // The arguments of functional pseudo-classes wait here: no recursion, whatever the nesting.
-    let mut waiting = vec![(text, 0)];
-    while let Some((list, depth)) = waiting.pop() {
-        if depth > MAX_DEPTH {
-            all.push(Compound::unknown());
-            continue;
-        }
-        for complex in split_outside(list, |b| b == b',') {
-            let parts = split_outside(complex, |b| {
-                matches!(
-                    b,
-                    b' ' | b'\t' | b'\n' | b'\r' | b'\x0c' | b'>' | b'+' | b'~'
-                )
-            });
-            let mut last = None;
-            for part in parts.into_iter().filter(|part| !part.is_empty()) {
-                let (compound, arguments) = compound(part);
-                waiting.extend(arguments.into_iter().map(|argument| (argument, depth + 1)));
-                last = Some(compound.clone());
-                all.push(compound);
-            }
-            if let Some(last) = last.filter(|_| depth == 0) {
-                subjects.push(last);
-            }
-        }
-    }
-    (all, subjects)
+    let subjects = list(&mut Parser::new(text), &mut all);
+    all.extend(subjects.iter().flat_map(Draft::clone_all));
+    let subjects = subjects.into_iter().map(|draft| draft.compound).collect();
+    Selectors { all, subjects }
 }
 
-/// Splits at bytes outside parentheses, brackets and strings.
-fn split_outside(text: &str, is_separator: impl Fn(u8) -> bool) -> Vec<&str> {
-    let (mut parts, mut start, mut depth, mut quote) = (Vec::new(), 0, 0_usize, None);
-    for (at, byte) in text.bytes().enumerate() {
-        match (quote, byte) {
-            (Some(open), _) if open == byte => quote = None,
-            (None, b'"' | b'\'') => quote = Some(byte),
-            (None, b'(' | b'[') => depth += 1,
-            (None, b')' | b']') => depth = depth.saturating_sub(1),
-            (None, _) if depth == 0 && is_separator(byte) => {
-                parts.push(&text[start..at]);
-                start = at + 1;
-            }
-            _ => {}
-        }
-    }
-    parts.push(&text[start..]);
-    parts
+/// The functions whose arguments speak of the same element.
+fn speaks_of_the_same(name: &str) -> bool {
+    let same = [
+        "is",
+        "not",
+        "where",
+        "matches",
+        "any",
+        "-webkit-any",
+        "-moz-any",
+    ];
+    same.iter().any(|known| known.eq_ignore_ascii_case(name))
 }
 
-/// One compound selector, and the arguments of its functional pseudo-classes.
-fn compound(text: &str) -> (Compound, Vec<&str>) {
-    let mut compound = Compound {
-        text: text.chars().take(60).collect(),
-        ..Compound::default()
+/// Reads a list up to its end: gives the last compound of each selector, and puts all others into `others`.
+fn list(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> Vec<Draft> {
+    let (mut subjects, mut last) = (Vec::new(), None::<Draft>);
+    loop {
+        let (draft, end) = compound(input, others);
+        if !draft.compound.text.is_empty()
+            && let Some(before) = last.replace(draft)
+        {
+            others.extend(before.into_all());
+        }
+        if end != End::Combinator {
+            subjects.extend(last.take());
+        }
+        if end == End::Input {
+            return subjects;
+        }
+    }
+}
+
+/// What ends a compound selector.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum End {
+    Combinator,
+    Comma,
+    Input,
+}
+
+/// A compound selector that is being read.
+#[derive(Debug, Default)]
+struct Draft {
+    compound: Compound,
+    /// Whether the next word is a class.
+    class: bool,
+    /// Whether the next word is a pseudo-class or a pseudo-element.
+    pseudo: bool,
+    /// What `:is()` and its like say of the same element.
+    same: Vec<Compound>,
+}
+
+/// Reads one compound selector and what follows it; those in the arguments of its functions go to `others`.
+fn compound(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> (Draft, End) {
+    let start = input.position();
+    let mut draft = Draft::default();
+    let end = loop {
+        match input.next_including_whitespace_and_comments() {
+            Err(_) => break End::Input,
+            Ok(Token::Comma) => break End::Comma,
+            Ok(Token::WhiteSpace(_) | Token::CDO | Token::CDC | Token::Delim('>' | '+' | '~')) => {
+                break End::Combinator;
+            }
+            Ok(token) => {
+                let token = token.clone();
+                draft.take(&token, input, others);
+            }
+        }
     };
-    let mut arguments = Vec::new();
-    let mut rest = text;
-    while let Some(mark) = rest.chars().next() {
-        match mark {
-            '[' => {
-                let end = closing(rest);
-                let name = rest[1..end].trim_start().trim_start_matches(['*', '|']);
-                let name: &str = &name[..name
-                    .bytes()
-                    .position(|b| !is_identifier(b) && b != b'|')
-                    .unwrap_or(name.len())];
-                compound
-                    .attributes
-                    .push(name.rsplit('|').next().unwrap_or(name).to_owned());
-                rest = rest.get(end + 1..).unwrap_or_default();
-            }
-            '.' | '#' | ':' => {
-                let body = rest.trim_start_matches(mark);
-                let (name, behind) = identifier(body);
-                rest = behind;
-                match mark {
-                    '.' => compound.classes.push(name.to_owned()),
-                    '#' => compound.ids.push(name.to_owned()),
-                    _ => compound.of_type |= name.to_ascii_lowercase().ends_with("-of-type"),
-                }
-                if rest.starts_with('(') {
-                    let end = closing(rest);
-                    arguments.push(&rest[1..end]);
-                    rest = rest.get(end + 1..).unwrap_or_default();
-                }
-            }
-            '*' | '|' | '&' => rest = &rest[1..],
-            _ => {
-                let (name, behind) = identifier(rest);
-                if name.is_empty() {
-                    // Numbers of `:nth-child()` and what CSS does not allow: one character further.
-                    rest = &rest[mark.len_utf8()..];
-                } else {
-                    // `svg|circle`: the last name is the element's.
-                    compound.name = Some(name.to_owned());
-                    rest = behind;
-                }
-            }
-        }
+    let text = input.slice_from(start);
+    let text = text.trim_matches(|c: char| c.is_ascii_whitespace() || ",>+~".contains(c));
+    let Draft { compound, same, .. } = &mut draft;
+    compound.text = text.chars().take(MOST_QUOTED).collect();
+    // They matter only to the elements that may be of this compound.
+    for inner in same {
+        inner.outer_name = inner.outer_name.take().or_else(|| compound.name.clone());
+        inner.classes.extend(compound.classes.iter().cloned());
+        inner.ids.extend(compound.ids.iter().cloned());
     }
-    (compound, arguments)
+    (draft, end)
 }
 
-const fn is_identifier(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_') || byte >= 0x80
-}
+impl Draft {
+    /// The compound, and what its functions say of the same element.
+    fn into_all(self) -> impl Iterator<Item = Compound> {
+        self.same.into_iter().chain([self.compound])
+    }
 
-fn identifier(text: &str) -> (&str, &str) {
-    text.split_at(
-        text.bytes()
-            .position(|b| !is_identifier(b))
-            .unwrap_or(text.len()),
-    )
-}
+    fn clone_all(&self) -> impl Iterator<Item = Compound> {
+        self.same.iter().chain([&self.compound]).cloned()
+    }
 
-/// The index of the bracket that closes the one at the start; the last byte's end where none does.
-fn closing(text: &str) -> usize {
-    let (mut depth, mut quote) = (0_usize, None);
-    for (at, byte) in text.bytes().enumerate() {
-        match (quote, byte) {
-            (Some(open), _) if open == byte => quote = None,
-            (None, b'"' | b'\'') => quote = Some(byte),
-            (None, b'(' | b'[') => depth += 1,
-            (None, b')' | b']') => {
-                depth -= 1;
-                if depth == 0 {
-                    return at;
+    /// Takes up one token.
+    fn take(&mut self, token: &Token<'_>, input: &mut Parser<'_>, others: &mut Vec<Compound>) {
+        let (class, pseudo) = (self.class, self.pseudo);
+        (self.class, self.pseudo) = (false, false);
+        let compound = &mut self.compound;
+        match token {
+            Token::Colon => self.pseudo = true,
+            Token::Delim('.') => self.class = true,
+            Token::Ident(name) if class => compound.classes.push(name.as_ref().into()),
+            Token::Ident(name) if pseudo => compound.of_type |= is_of_type(name),
+            // `svg|circle`: the last name is the element's.
+            Token::Ident(name) => compound.name = Some(name.as_ref().into()),
+            Token::IDHash(name) | Token::Hash(name) => compound.ids.push(name.as_ref().into()),
+            Token::Function(name) => {
+                compound.of_type |= is_of_type(name);
+                let subjects = arguments(input, others).into_iter();
+                let subjects = subjects.flat_map(Self::into_all);
+                if pseudo && speaks_of_the_same(name) {
+                    self.same.extend(subjects);
+                } else {
+                    others.extend(subjects);
                 }
             }
+            Token::SquareBracketBlock => {
+                compound.attributes = compound.attributes.with(attribute(input));
+            }
+            // `*`, `|`, `&`, numbers of `:nth-child()` and what CSS does not allow.
             _ => {}
         }
     }
-    text.len()
+}
+
+fn is_of_type(name: &str) -> bool {
+    name.to_ascii_lowercase().ends_with("-of-type")
+}
+
+/// The list of selectors that a function has for its arguments.
+fn arguments(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> Vec<Draft> {
+    let mut subjects = None;
+    let _: Result<(), ParseError<()>> = input.parse_nested_block(|input| {
+        subjects = Some(list(input, others));
+        Ok(())
+    });
+    // Nested more deeply than the crate goes.
+    subjects.unwrap_or_else(|| {
+        others.push(Compound::unknown());
+        Vec::new()
+    })
+}
+
+/// The attribute of which `[ns|name=value]` speaks.
+fn attribute(input: &mut Parser<'_>) -> Properties {
+    let mut found = Properties::NONE;
+    let _: Result<(), ParseError<()>> = input.parse_nested_block(|input| {
+        let mut is_name = true;
+        while let Ok(token) = input.next() {
+            match token {
+                Token::Ident(name) if is_name => found = Properties::attribute(name),
+                Token::Delim('*' | '|') => {}
+                _ => is_name = false,
+            }
+        }
+        Ok(())
+    });
+    found
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn all(text: &str) -> Vec<Compound> {
+        read(text).all
+    }
+
     fn sensitive(text: &str, kind: Kind) -> bool {
-        read(text)
-            .0
-            .iter()
-            .any(|compound| compound.is_sensitive(kind))
+        all(text).iter().any(|compound| compound.is_sensitive(kind))
     }
 
     #[test]
@@ -262,6 +265,9 @@ mod tests {
             "circle.a:hover",
             ":nth-child(2 of circle)",
             "\\63ircle",
+            "a/**/circle, circle/* x */",
+            "circle>text",
+            "[*|r]",
         ] {
             assert!(sensitive(text, Kind::Circle), "{text}");
         }
@@ -274,8 +280,11 @@ mod tests {
             ":nth-child(2n+1)",
             "[rx]",
             "[class='circle, path']",
+            "[title=r]",
             "::before",
             "rect[r]",
+            "text:not(path)",
+            ".\\63ircle",
         ] {
             assert!(!sensitive(text, Kind::Circle), "{text}");
         }
@@ -284,28 +293,24 @@ mod tests {
     }
 
     #[test]
-    fn classes_and_ids_narrow_a_selector() {
-        let subject = Subject {
-            name: "circle",
-            class: Some("dot big"),
-            id: Some("a"),
-            loose: false,
-        };
-        let concerns = |text: &str| read(text).0[0].may_concern(subject);
-        assert!(concerns("circle.dot") && concerns("circle#a.big") && concerns("circle:hover"));
-        assert!(!concerns("circle.small") && !concerns("circle#b"));
-        let matches = |text: &str| {
-            read(text)
-                .1
-                .iter()
-                .any(|compound| compound.may_match(subject))
-        };
-        assert!(matches("g .dot") && matches("*") && matches("path") && matches("a, circle"));
-        assert!(!matches(".dot g") && !matches("rect"));
+    fn what_is_not_or_is_of_a_class_asks_for_the_class() {
+        for text in [".a:not(path)", ":not(path).a", ".a:is(b, :where(path))"] {
+            let all = all(text);
+            let mut sensitive = all.iter().filter(|c| c.is_sensitive(Kind::Circle));
+            assert!(
+                sensitive.all(|compound| compound.classes == ["a".into()]),
+                "{text}: {all:?}"
+            );
+        }
+        let has = all(".a:has(path)");
+        assert!(
+            has.iter()
+                .any(|c| c.is_sensitive(Kind::Circle) && c.classes.is_empty())
+        );
     }
 
     #[test]
-    fn nesting_does_not_recurse() {
+    fn nesting_ends() {
         let deep = format!("{}circle{}", ":is(".repeat(20_000), ")".repeat(20_000));
         assert!(sensitive(&deep, Kind::Circle));
     }

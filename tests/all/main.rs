@@ -9,6 +9,7 @@ mod chen_uneven;
 mod cli;
 mod convert;
 mod convert_cli;
+mod convert_meaning;
 mod corpora;
 mod dependencies;
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
