@@ -9,9 +9,13 @@ use core::ops::Range;
 use kurbo::{Point, Vec2};
 
 use super::bezier;
+use super::collapse;
 use super::curve_text::{absolute, relative};
 use super::decimal::{After, Decimal};
+use super::end::End;
 use super::path_data::{Segment, Segments};
+use super::position::{Position, Trail, is_nearly_whole};
+use super::property::Markers;
 use super::scratch::Scratch;
 use super::{Options, Reason};
 use crate::Angle;
@@ -21,8 +25,8 @@ use crate::shape::endpoint::SvgArc;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Context<'a> {
     pub(super) options: &'a Options,
-    /// Whether a marker may stand on inner vertices, so that none may be added.
-    pub(super) vertices_show: bool,
+    /// The markers that may be drawn: on inner vertices none may be added then, and an arc without an extent gives directions.
+    pub(super) markers: Markers,
 }
 
 /// What became of one path.
@@ -57,15 +61,16 @@ pub(super) fn rewrite(
     let last = span.start + last;
     // Relative arcs need no current point, and most paths have no other ones.
     let follows_point = memchr::memchr3(b'A', b'S', b'T', data).is_some();
-    let mut segments = Segments::new(text, span).with_ends(follows_point);
+    let mut segments = Segments::new(text, span.clone()).with_ends(follows_point);
     let mut writer = Writer {
         text,
         context,
         scratch,
         sink,
         follows_point,
-        point: Vec2::ZERO,
-        subpath: Vec2::ZERO,
+        at: Position::default(),
+        trail: Trail::new(text, span),
+        collapses: false,
         previous: None,
         end: End::default(),
         respell: 0,
@@ -89,31 +94,6 @@ pub(super) fn rewrite(
     writer.outcome
 }
 
-/// What the output ends with.
-#[derive(Debug, Clone, Copy, Default)]
-struct End {
-    /// The command letter that a number without one would repeat; 0 where the letter has to be written.
-    letter: u8,
-    /// Behind an arc that was replaced: what its text ends with.
-    after: After,
-}
-
-impl End {
-    /// Writes the letter of what an arc becomes, where it is needed.
-    fn letter(&mut self, out: &mut Vec<u8>, arc: &Segment, small: u8) {
-        let letter = if arc.is_relative() {
-            small
-        } else {
-            small.to_ascii_uppercase()
-        };
-        if arc.explicit || self.letter != letter {
-            out.push(letter);
-            self.after = After::Letter;
-        }
-        self.letter = letter;
-    }
-}
-
 struct Writer<'a, 'b, S> {
     text: &'a str,
     context: Context<'a>,
@@ -121,9 +101,12 @@ struct Writer<'a, 'b, S> {
     sink: &'b mut S,
     /// Whether the current point is followed.
     follows_point: bool,
-    /// The current point and the start of the subpath, as a renderer adds them up.
-    point: Vec2,
-    subpath: Vec2,
+    /// The current point, where it is followed.
+    at: Position,
+    /// The way to it, where it is asked for once.
+    trail: Trail<'a>,
+    /// Whether the precision would leave nothing of the subpath.
+    collapses: bool,
     previous: Option<Segment>,
     end: End,
     /// The smooth command that would take up a control point of the Bézier that was an arc, if the output ends with one.
@@ -147,41 +130,21 @@ impl<S: Sink> Writer<'_, '_, S> {
 
     fn segment(&mut self, segment: &Segment, known: Option<usize>, behind: &Segments<'_>) {
         match segment.kind() {
-            b'a' => self.arc(segment, known, behind),
+            b'a' => {
+                if self.begins_subpath() {
+                    let options = self.context.options;
+                    self.collapses =
+                        collapse::collapses(options, self.text, segment, behind, self.at.point);
+                }
+                self.arc(segment, known, behind);
+            }
             kind if kind == self.respell => self.smooth(segment),
             _ => self.keep(segment),
         }
         if self.follows_point {
-            self.advance(segment);
+            self.at.advance(segment);
         }
         self.previous = Some(*segment);
-    }
-
-    /// Moves the current point.
-    fn advance(&mut self, segment: &Segment) {
-        let base = if segment.is_relative() {
-            self.point
-        } else {
-            Vec2::ZERO
-        };
-        if segment.kind() == b'z' {
-            self.point = self.subpath;
-            return;
-        }
-        // What is beyond numbers here is so for every arc behind it: they are left.
-        let [x, y] = if segment.is_finite() {
-            segment.to
-        } else {
-            [f64::NAN; 2]
-        };
-        self.point = match segment.kind() {
-            b'h' => Vec2::new(base.x + x, self.point.y),
-            b'v' => Vec2::new(self.point.x, base.y + x),
-            _ => base + Vec2::new(x, y),
-        };
-        if segment.kind() == b'm' {
-            self.subpath = self.point;
-        }
     }
 
     /// The segment stays; its letter is written where the output's last command is another one.
@@ -234,10 +197,10 @@ impl<S: Sink> Writer<'_, '_, S> {
             _ if segment.is_relative() => after.push_text(text, b"0 0"),
             Some(arc) if !arc.is_relative() => after.push_text(text, &bytes[arc.tail..arc.end]),
             _ => {
-                let size = self.point.x.abs().max(self.point.y.abs()).max(1e-9);
+                let size = self.at.point.x.abs().max(self.at.point.y.abs()).max(1e-9);
                 let decimals = (12 - libm::log10(size).ceil() as i32).max(0).unsigned_abs();
-                after.push(text, Decimal::round(self.point.x, decimals));
-                after.push(text, Decimal::round(self.point.y, decimals));
+                after.push(text, Decimal::round(self.at.point.x, decimals));
+                after.push(text, Decimal::round(self.at.point.y, decimals));
             }
         }
         after.push_text(text, &bytes[segment.arguments..=segment.arguments]);
@@ -249,6 +212,8 @@ impl<S: Sink> Writer<'_, '_, S> {
     fn arc(&mut self, segment: &Segment, known: Option<usize>, behind: &Segments<'_>) {
         let replaced = if behind.is_broken_smooth() {
             Err(Reason::PathErrorBehindArc)
+        } else if self.collapses {
+            Err(Reason::Collapses)
         } else {
             self.replace(segment, known, behind)
         };
@@ -282,15 +247,20 @@ impl<S: Sink> Writer<'_, '_, S> {
                 self.line(segment);
                 return Ok(());
             }
+            // Whether it is depends on where it lies, so that such an arc is not kept.
+            let nearly_whole = is_nearly_whole(&arc);
+            if nearly_whole && self.ends_coincide(segment, &arc) {
+                return Err(Reason::NearlyWhole);
+            }
             self.draw(segment, &arc)?;
-            if let Some(key) = key {
+            if let Some(key) = key.filter(|_| !nearly_whole) {
                 let Scratch { body, memo, .. } = &mut *self.scratch;
                 memo.keep(key, &body.curve());
             }
         }
         let Scratch { body, memo, .. } = &*self.scratch;
         let curve = known.map_or_else(|| body.curve(), |index| memo.curve(index));
-        if self.context.vertices_show && curve.segments > 1 {
+        if self.context.markers.middle && curve.segments > 1 {
             return Err(Reason::MarkerOnVertices);
         }
         let (letter, respell) = if curve.quadratic {
@@ -307,13 +277,30 @@ impl<S: Sink> Writer<'_, '_, S> {
         Ok(())
     }
 
+    /// Whether the arc is the first segment of its subpath.
+    fn begins_subpath(&self) -> bool {
+        let before = self.previous.as_ref().map(Segment::kind);
+        matches!(before, None | Some(b'm' | b'z'))
+    }
+
+    /// Whether the ends of an arc are one point in single precision.
+    fn ends_coincide(&mut self, segment: &Segment, arc: &SvgArc) -> bool {
+        let from = self.trail.before(segment.start);
+        let to = if segment.is_relative() {
+            from + arc.to.to_vec2()
+        } else {
+            arc.to.to_vec2()
+        };
+        from.x as f32 == to.x as f32 && from.y as f32 == to.y as f32
+    }
+
     /// The arc as its text gives it. A relative one is rounded on a grid that begins at its own start, an absolute one on the
     /// whole plane's.
     fn parameters(&self, segment: &Segment) -> Result<SvgArc, Reason> {
         let from = if segment.is_relative() {
             Point::ZERO
         } else {
-            self.point.to_point()
+            self.at.point.to_point()
         };
         let v = segment
             .arc_values(self.text)
@@ -331,21 +318,19 @@ impl<S: Sink> Writer<'_, '_, S> {
 
     /// Equal end points: the arc is left out, unless a zero-length subpath, a marker or a reflected control point could show it.
     fn nothing(&mut self, segment: &Segment, behind: &Segments<'_>) -> Result<(), Reason> {
-        let alone = |kind: Option<u8>| matches!(kind, None | Some(b'm' | b'z'));
-        let before = self.previous.as_ref().map(Segment::kind);
         let smooth = matches!(
             behind.clone().next().map(|segment| segment.kind()),
             Some(b's' | b't')
         );
         // Of several such arcs in a row the first decides for all.
         let shows = || {
-            alone(before)
+            self.begins_subpath()
                 && matches!(
                     self.first_drawn(behind.clone()),
                     None | Some(b'm' | b'z' | b's' | b't')
                 )
         };
-        if self.context.vertices_show || smooth || shows() {
+        if self.context.markers.any || smooth || shows() {
             return Err(Reason::EmptyArc);
         }
         self.sink.edit(self.text_start(segment)..segment.end);
@@ -360,7 +345,7 @@ impl<S: Sink> Writer<'_, '_, S> {
             let here = if segment.is_relative() {
                 Vec2::ZERO
             } else {
-                self.point
+                self.at.point
             };
             segment.kind() == b'a' && segment.to == [here.x, here.y]
         };
@@ -393,7 +378,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         body.after = if segment.is_relative() {
             relative(self.text, segment, beziers, &mut body.text)?
         } else {
-            absolute(self.text, segment, self.point, beziers, &mut body.text)?
+            absolute(self.text, segment, self.at.point, beziers, &mut body.text)?
         };
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! What an internal DTD subset declares: entities, which attribute values may use, and attribute defaults.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use core::cell::Cell;
 
@@ -9,19 +9,22 @@ const MAX_DEPTH: usize = 16;
 
 /// The declarations of a document's internal subset.
 #[derive(Debug, Default)]
-pub(super) struct Doctype<'a> {
-    entities: HashMap<&'a str, Entity<'a>>,
-    /// (element, text of the declaration) of each attribute list.
-    pub(super) attribute_lists: Vec<(&'a str, &'a str)>,
+pub(super) struct Doctype {
+    entities: HashMap<String, Entity>,
+    /// Parameter entities, which stand for declarations.
+    parameters: HashMap<String, Entity>,
+    /// The elements to which an attribute list gives values, and whether one of these may matter to other elements too.
+    defaults: HashSet<String>,
+    defaults_matter: bool,
     /// Whether declarations may exist that are not in the file.
-    pub(super) external: bool,
+    external: bool,
     /// How many more bytes entities may expand to in this document.
     budget: Cell<usize>,
 }
 
-#[derive(Debug, Clone, Copy)]
-enum Entity<'a> {
-    Text(&'a str),
+#[derive(Debug, Clone)]
+enum Entity {
+    Text(String),
     External,
 }
 
@@ -38,16 +41,22 @@ pub(super) enum Resolved {
 
 const SPACE: [char; 4] = [' ', '\t', '\n', '\r'];
 
-impl<'a> Doctype<'a> {
+impl Doctype {
     /// Reads what stands between `<!DOCTYPE` and its `>`.
-    pub(super) fn read(text: &'a str, size: usize) -> Self {
+    pub(super) fn read(text: &str, size: usize) -> Self {
         let mut this = Self {
             budget: Cell::new(size.saturating_mul(2).saturating_add(1 << 20)),
             ..Self::default()
         };
         let (head, subset) = split_head(text);
         this.external = head.contains("SYSTEM") || head.contains("PUBLIC");
-        let mut rest = subset;
+        this.subset(subset, 0);
+        this
+    }
+
+    /// Reads declarations.
+    fn subset(&mut self, text: &str, depth: usize) {
+        let mut rest = text;
         while let Some(at) = rest.find(['<', '%']) {
             rest = &rest[at..];
             let length = if rest.starts_with("<!--") {
@@ -56,37 +65,66 @@ impl<'a> Doctype<'a> {
                 rest.find("?>").map_or(rest.len(), |i| i + 2)
             } else if rest.starts_with('<') {
                 let length = declaration_length(rest);
-                this.declaration(&rest[..length]);
+                self.declaration(&rest[..length]);
                 length
             } else {
-                this.external = true;
-                1
+                let end = rest.find(';').unwrap_or(rest.len());
+                self.parameter(&rest[1..end], depth);
+                end + 1
             };
-            rest = &rest[length.max(1)..];
+            rest = rest.get(length.max(1)..).unwrap_or_default();
         }
-        this
     }
 
-    fn declaration(&mut self, text: &'a str) {
+    /// Reads the declarations for which `%name;` stands.
+    fn parameter(&mut self, name: &str, depth: usize) {
+        // A reader may leave the rest of the declarations out from here on.
+        self.external = true;
+        let Some(Entity::Text(text)) = self.parameters.get(name) else {
+            return;
+        };
+        let text = with_characters(text);
+        if depth < MAX_DEPTH && self.spend(text.len() + 1) {
+            self.subset(&text, depth + 1);
+        } else {
+            self.defaults_matter = true;
+        }
+    }
+
+    fn declaration(&mut self, text: &str) {
         let inner = text.trim_end_matches('>');
         if let Some(rest) = inner.strip_prefix("<!ENTITY") {
             let rest = rest.trim_start_matches(SPACE);
-            if rest.starts_with('%') {
-                return;
-            }
+            let parameter = rest.strip_prefix('%');
+            let rest = parameter.unwrap_or(rest).trim_start_matches(SPACE);
             let (name, value) = rest.split_once(SPACE).unwrap_or((rest, ""));
             let value = value.trim_matches(SPACE);
             let entity = match value.chars().next() {
-                Some(quote @ ('"' | '\'')) => Entity::Text(value.trim_matches(quote)),
+                Some(quote @ ('"' | '\'')) => Entity::Text(value.trim_matches(quote).to_owned()),
                 _ => Entity::External,
             };
+            let table = if parameter.is_some() {
+                &mut self.parameters
+            } else {
+                &mut self.entities
+            };
             // The first declaration binds.
-            self.entities.entry(name).or_insert(entity);
+            table.entry(name.to_owned()).or_insert(entity);
         } else if let Some(rest) = inner.strip_prefix("<!ATTLIST") {
             let rest = rest.trim_start_matches(SPACE);
-            self.attribute_lists
-                .push(rest.split_once(SPACE).unwrap_or((rest, "")));
+            let (element, definitions) = rest.split_once(SPACE).unwrap_or((rest, ""));
+            for attribute in with_default(definitions) {
+                if !attribute.starts_with("xmlns") {
+                    self.defaults.insert(element.to_owned());
+                    self.defaults_matter |= matters_elsewhere(element, attribute);
+                }
+            }
         }
+    }
+
+    /// Whether the DTD gives attributes that may make another thing of an element, or of one that becomes a path.
+    pub(super) fn has_defaults_for(&self, name: &str, path: &str) -> bool {
+        self.defaults_matter || self.defaults.contains(name) || self.defaults.contains(path)
     }
 
     /// Whether a reference in the content may bring markup that is not in the document's own text.
@@ -123,12 +161,13 @@ impl<'a> Doctype<'a> {
             out.push(character);
             return true;
         }
-        let Some(&Entity::Text(mut text)) = self.entities.get(name) else {
+        let Some(Entity::Text(text)) = self.entities.get(name) else {
             return false;
         };
         if depth > MAX_DEPTH || !self.spend(text.len() + 1) {
             return false;
         }
+        let mut text = text.as_str();
         while let Some((before, rest)) = text.split_once('&') {
             out.push_str(before);
             let Some((inner, behind)) = rest.split_once(';') else {
@@ -148,6 +187,72 @@ impl<'a> Doctype<'a> {
         self.budget.set(left.unwrap_or(0));
         left.is_some()
     }
+}
+
+/// Whether an attribute may say something about other elements, or how rules see its own.
+fn matters_elsewhere(element: &str, attribute: &str) -> bool {
+    let local = element.rsplit(':').next().unwrap_or(element);
+    match attribute {
+        "style" | "class" | "id" | "attributeName" => true,
+        "type" => matches!(local, "style" | "script"),
+        "rel" => local == "link",
+        _ => {
+            attribute.starts_with("marker")
+                || attribute.starts_with("on")
+                || attribute.ends_with("href")
+        }
+    }
+}
+
+/// The attributes of a list that have a default value.
+fn with_default(definitions: &str) -> Vec<&str> {
+    let (mut found, mut name, mut rest) = (Vec::new(), None, definitions);
+    loop {
+        rest = rest.trim_start_matches(SPACE);
+        let (token, length) = match rest.as_bytes() {
+            [] => return found,
+            [quote @ (b'"' | b'\''), inner @ ..] => {
+                let end = inner.iter().position(|byte| byte == quote);
+                ("\"", end.map_or(rest.len(), |end| end + 2))
+            }
+            [b'(', ..] => ("(", rest.find(')').map_or(rest.len(), |end| end + 1)),
+            _ => {
+                let end = rest[1..].find(|c| SPACE.contains(&c) || matches!(c, '"' | '\'' | '('));
+                let length = end.map_or(rest.len(), |end| end + 1);
+                (rest.get(..length).unwrap_or(rest), length)
+            }
+        };
+        match token {
+            "\"" => found.extend(name.take()),
+            "#IMPLIED" | "#REQUIRED" => name = None,
+            "(" => {}
+            // What follows a name is its type.
+            token => name = name.or(Some(token)),
+        }
+        rest = rest.get(length..).unwrap_or_default();
+    }
+}
+
+/// A text with its character references resolved, as the value of an entity is.
+fn with_characters(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, behind)) = rest.split_once("&#") {
+        out.push_str(before);
+        let found = behind.split_once(';').and_then(|(code, behind)| {
+            let character = predefined(&format!("#{code}"))?;
+            Some((character, behind))
+        });
+        if let Some((character, behind)) = found {
+            out.push(character);
+            rest = behind;
+        } else {
+            out.push_str("&#");
+            rest = behind;
+        }
+    }
+    out.push_str(rest);
+    out
 }
 
 /// The character of a character reference or of one of XML's five own entities, by the text between `&` and `;`.
@@ -250,11 +355,45 @@ mod tests {
     }
 
     #[test]
-    fn attribute_lists_are_kept() {
-        let doctype = Doctype::read(r#"svg [<!ATTLIST circle r CDATA "5>" cx CDATA "1">]"#, 0);
-        assert_eq!(
-            doctype.attribute_lists,
-            [("circle", r#"r CDATA "5>" cx CDATA "1""#)]
+    fn attributes_with_a_default_are_known() {
+        let has = |subset: &str, name: &str| {
+            Doctype::read(&format!("svg [{subset}]"), 0).has_defaults_for(name, "path")
+        };
+        let circle = r#"<!ATTLIST circle r CDATA "5>" cx CDATA #IMPLIED>"#;
+        assert!(has(circle, "circle") && !has(circle, "rect"));
+        assert!(has(
+            "<!ATTLIST path fill (red|blue) #FIXED 'red'>",
+            "circle"
+        ));
+        assert!(has(
+            r#"<!ATTLIST animate attributeName CDATA"r">"#,
+            "circle"
+        ));
+        for harmless in [
+            "<!ATTLIST circle r CDATA #IMPLIED cx CDATA #REQUIRED>",
+            "<!ATTLIST svg xmlns:x CDATA #FIXED 'urn:x' version NMTOKEN '1.1'>",
+            "<!ATTLIST path xmlns CDATA 'http://www.w3.org/2000/svg'>",
+            "<!ATTLIST animateTransform type (a|b) 'a'>",
+        ] {
+            assert!(!has(harmless, "circle"), "{harmless}");
+        }
+    }
+
+    #[test]
+    fn parameter_entities_stand_for_declarations() {
+        let text = r#"svg [<!ENTITY % a '&#60;!ATTLIST circle r CDATA "5"><!ENTITY r "7">'> <!ENTITY % b "%a;"> %a; %none; ]"#;
+        let doctype = Doctype::read(text, 0);
+        assert!(doctype.has_defaults_for("circle", "path"));
+        assert!(!doctype.has_defaults_for("rect", "path"));
+        assert_eq!(text_of(&doctype, "r").as_deref(), Some("7"));
+        let round = Doctype::read("svg [<!ENTITY % a '%b;'><!ENTITY % b '%a;'> %a;]", 0);
+        assert!(
+            round.has_defaults_for("rect", "path"),
+            "what cannot be read may say anything"
         );
+    }
+
+    fn text_of(doctype: &Doctype, name: &str) -> Option<String> {
+        text(doctype.resolve(name))
     }
 }

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use kurbo::{Point, Vec2};
 
 use super::bezier;
+use super::collapse::is_too_small;
 use super::decimal::Decimal;
 use super::length::{self, Length, Reading};
 use super::pen::Pen;
@@ -12,7 +13,6 @@ use super::property::Kind;
 use super::scratch::Scratch;
 use super::{Options, Reason};
 use crate::Angle;
-use crate::numeric::functions::power;
 use crate::shape::endpoint::SvgArc;
 
 /// A shape with its used values: `auto` resolved, radii clamped.
@@ -45,6 +45,8 @@ pub(super) fn read<'v>(
             }),
         }
     };
+    // SVG 2: a negative radius is an error, and ignored, so that it is `auto`, which is the other one.
+    let radius = |name| get(name).map(|found| found.filter(|radius| radius.value >= 0.0));
     let place = |name| get(name).map(|found| found.unwrap_or_else(Length::zero));
     match kind {
         Kind::Circle => {
@@ -52,17 +54,12 @@ pub(super) fn read<'v>(
             Ok(Shape::Ellipse([place("cx")?, place("cy")?], [radius; 2]))
         }
         Kind::Ellipse => {
-            let (rx, ry) = (get("rx")?, get("ry")?);
+            let (rx, ry) = (radius("rx")?, radius("ry")?);
             let radii = [positive("rx", rx.or(ry))?, positive("ry", ry.or(rx))?];
             Ok(Shape::Ellipse([place("cx")?, place("cy")?], radii))
         }
         Kind::Rect => {
-            let (rx, ry) = (get("rx")?, get("ry")?);
-            for (name, radius) in [("rx", rx), ("ry", ry)] {
-                if radius.is_some_and(|radius| radius.value < 0.0) {
-                    return Err(Reason::NotDrawn(format!("`{name}` is negative")));
-                }
-            }
+            let (rx, ry) = (radius("rx")?, radius("ry")?);
             let radii =
                 [rx.or(ry), ry.or(rx)].map(|radius| radius.filter(|radius| radius.value > 0.0));
             let [Some(rx), Some(ry)] = radii else {
@@ -152,9 +149,7 @@ fn check_size(lengths: &[&[Length; 2]], options: &Options, smallest: f64) -> Res
         return Err(Reason::TooLarge);
     }
     match options.precision {
-        Some(decimals) if smallest * power(10.0, i32::from(decimals)) <= 0.5 => {
-            Err(Reason::Collapses)
-        }
+        Some(decimals) if is_too_small(smallest, decimals) => Err(Reason::Collapses),
         _ => Ok(()),
     }
 }
@@ -269,6 +264,19 @@ mod tests {
     }
 
     #[test]
+    fn a_negative_radius_is_the_other_one() {
+        let ellipse = |rx, ry| path(Kind::Ellipse, &[("rx", rx), ("ry", ry)]).unwrap();
+        assert_eq!(ellipse("2", "-1"), ellipse("2", "2"));
+        assert_eq!(ellipse("-1", "2"), ellipse("2", "2"));
+        let rect = |rx, ry| {
+            let size = [("width", "10"), ("height", "4")];
+            path(Kind::Rect, &[&size[..], &[("rx", rx), ("ry", ry)]].concat()).unwrap()
+        };
+        assert_eq!(rect("-1", ".5"), rect(".5", ".5"));
+        assert_eq!(rect("-1", "-1"), "");
+    }
+
+    #[test]
     fn what_draws_nothing_is_told() {
         for (kind, attributes, code) in [
             (Kind::Circle, &[("r", "0")][..], "not-drawn"),
@@ -277,7 +285,8 @@ mod tests {
             (Kind::Circle, &[("r", "50%")], "length"),
             (Kind::Circle, &[("r", "auto")], "length"),
             (Kind::Ellipse, &[("rx", "auto")], "not-drawn"),
-            (Kind::Ellipse, &[("rx", "2"), ("ry", "-1")], "not-drawn"),
+            (Kind::Ellipse, &[("rx", "-2"), ("ry", "-1")], "not-drawn"),
+            (Kind::Ellipse, &[("rx", "-2"), ("ry", "0")], "not-drawn"),
             (Kind::Rect, &[("rx", "2"), ("width", "3")], "not-drawn"),
         ] {
             assert_eq!(

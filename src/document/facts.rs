@@ -9,11 +9,15 @@ use super::css::{self, Sheet};
 use super::doctype::{Doctype, Resolved};
 use super::fault::Result;
 use super::namespace::Namespace;
+use super::own;
 use super::property::{Effect, Kind, Markers, Properties};
 use super::reason::Reason;
 use super::rules::Subject;
 use super::scan::{Element, Node, Scanner};
 use super::value;
+
+/// So often a `<use>` within what another one refers to is followed; what goes on counts as drawn with markers.
+const MOST_ROUNDS: usize = 8;
 
 /// Which element an animation changes.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -24,6 +28,17 @@ enum Target {
     Id(String),
 }
 
+/// What animations set somewhere.
+#[derive(Debug, Default)]
+struct Changed {
+    /// `class`.
+    classes: bool,
+    /// A link.
+    links: bool,
+    /// A marker, which keyframes may do as well.
+    markers: bool,
+}
+
 /// The facts.
 #[derive(Debug, Default)]
 pub(super) struct Facts {
@@ -31,11 +46,11 @@ pub(super) struct Facts {
     /// What holds for the whole document, if anything does.
     everywhere: Option<Reason>,
     animated: HashMap<Target, Properties>,
-    /// Whether an animation sets `class`.
-    classes_change: bool,
-    /// Whether an animation or a keyframe sets a marker.
-    markers_anywhere: bool,
+    changed: Changed,
     motion_paths: HashSet<String>,
+    has_uses: bool,
+    /// The markers that elements of these ids inherit from a `<use>`.
+    used: HashMap<String, Markers>,
 }
 
 /// Whether an element or one of its attributes may change what holds for other elements.
@@ -115,6 +130,9 @@ impl Facts {
             }
         }
         facts.finish();
+        if facts.has_uses {
+            facts.follow_uses(source)?;
+        }
         Ok(facts)
     }
 
@@ -154,6 +172,7 @@ impl Facts {
                     self.animation(name.trim(), target(element, scanner));
                 }
             }
+            "use" => self.has_uses = true,
             "mpath" => {
                 if let Some(Target::Id(id)) = target(element, scanner) {
                     self.motion_paths.insert(id);
@@ -166,8 +185,9 @@ impl Facts {
 
     fn animation(&mut self, name: &str, target: Option<Target>) {
         let property = Properties::named(name);
-        self.classes_change |= name == "class";
-        self.markers_anywhere |= property.markers().any;
+        self.changed.classes |= name == "class";
+        self.changed.links |= name.ends_with("href");
+        self.changed.markers |= property.markers().any;
         if let Some(target) = target
             && !property.is_empty()
         {
@@ -180,7 +200,7 @@ impl Facts {
         &mut self,
         resolved: Resolved,
         collecting: Option<&mut Collecting>,
-        doctype: &Doctype<'_>,
+        doctype: &Doctype,
     ) {
         match (resolved, collecting) {
             (Resolved::Text(text, _), Some(collecting)) => collecting.css.push_str(&text),
@@ -193,10 +213,10 @@ impl Facts {
         if self.sheet.imports {
             self.set_everywhere(Reason::ExternalStyle);
         }
-        if self.classes_change {
+        if self.changed.classes {
             self.sheet.rules.loosen();
         }
-        self.markers_anywhere |= self.sheet.keyframes.sets.markers().any;
+        self.changed.markers |= self.sheet.keyframes.sets.markers().any;
     }
 
     /// Why an element of this kind cannot be replaced, if the document says so.
@@ -255,17 +275,74 @@ impl Facts {
         self.sheet.rules.effect(subject).sets.meets(radii)
     }
 
-    /// The markers that style rules may put on an element.
-    pub(super) fn markers(&self, name: &str, class: Option<&str>, id: Option<&str>) -> Markers {
-        if self.markers_anywhere {
-            return Markers {
-                any: true,
-                middle: true,
-            };
+    /// The markers in effect on an element, from what its parent passes on.
+    pub(super) fn markers(
+        &self,
+        inherited: Markers,
+        element: &Element<'_>,
+        scanner: &Scanner<'_>,
+    ) -> Markers {
+        if self.changed.markers {
+            return Markers::ALL;
         }
-        let subject = Subject { name, class, id };
-        self.sheet.rules.effect(subject).sets.markers()
+        let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
+        let id = id.as_deref();
+        let used = id.and_then(|id| self.used.get(id)).copied();
+        let inherited = inherited.with(used.unwrap_or_default());
+        let subject = Subject {
+            name: element.local,
+            class: class.as_deref(),
+            id,
+        };
+        let styled = self.sheet.rules.effect(subject).sets.markers();
+        own::markers(inherited, &scanner.attributes, &scanner.doctype).with(styled)
     }
+
+    /// Follows markers through `<use>` into what it refers to, which may hold further ones.
+    fn follow_uses(&mut self, source: &str) -> Result<()> {
+        for _ in 0..MOST_ROUNDS {
+            if self.changed.markers || !self.follow_uses_once(source)? {
+                return Ok(());
+            }
+        }
+        self.changed.markers = true;
+        Ok(())
+    }
+
+    /// Goes over the document once; whether that found something new.
+    fn follow_uses_once(&mut self, source: &str) -> Result<bool> {
+        let mut scanner = Scanner::new(source)?;
+        let (mut open, mut is_new) = (Vec::<Markers>::new(), false);
+        loop {
+            match scanner.next()? {
+                Node::Start(element) => {
+                    let inherited = open.last().copied().unwrap_or_default();
+                    let markers = self.markers(inherited, &element, &scanner);
+                    if markers.any && is_use(&element) {
+                        self.changed.markers |= self.changed.links;
+                        if let Some(id) = scanner.linked_id(&element) {
+                            let known = self.used.entry(id).or_default();
+                            is_new |= known.with(markers) != *known;
+                            *known = known.with(markers);
+                        }
+                    }
+                    if !element.empty {
+                        open.push(markers);
+                    }
+                }
+                Node::End { .. } => {
+                    open.pop();
+                }
+                Node::Done => return Ok(is_new),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Whether an element draws another one, which inherits from it.
+pub(super) fn is_use(element: &Element<'_>) -> bool {
+    element.local == "use" && element.namespace == Namespace::Svg
 }
 
 /// Why what a style does to an element of this kind forbids a replacement, if it does.

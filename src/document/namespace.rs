@@ -29,12 +29,7 @@ pub(super) struct Namespaces<'a> {
 
 impl<'a> Namespaces<'a> {
     /// Takes up the declarations of an element at `depth`.
-    pub(super) fn enter(
-        &mut self,
-        depth: usize,
-        attributes: &[Attribute<'a>],
-        doctype: &Doctype<'_>,
-    ) {
+    pub(super) fn enter(&mut self, depth: usize, attributes: &[Attribute<'a>], doctype: &Doctype) {
         for attribute in attributes
             .iter()
             .filter(|attribute| attribute.name.starts_with("xmlns"))

@@ -10,7 +10,7 @@ use super::value;
 pub(super) fn markers(
     inherited: Markers,
     attributes: &[Attribute<'_>],
-    doctype: &Doctype<'_>,
+    doctype: &Doctype,
 ) -> Markers {
     let mut markers = inherited;
     for attribute in attributes {
@@ -55,7 +55,7 @@ fn may_say_marker(style: &str) -> bool {
 }
 
 /// What a style attribute does.
-pub(super) fn style(attributes: &[Attribute<'_>], doctype: &Doctype<'_>) -> Effect {
+pub(super) fn style(attributes: &[Attribute<'_>], doctype: &Doctype) -> Effect {
     let Some(style) = attributes
         .iter()
         .find(|attribute| attribute.name == "style")

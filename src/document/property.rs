@@ -42,6 +42,20 @@ pub(super) struct Markers {
     pub(super) middle: bool,
 }
 
+impl Markers {
+    pub(super) const ALL: Self = Self {
+        any: true,
+        middle: true,
+    };
+
+    pub(super) const fn with(self, other: Self) -> Self {
+        Self {
+            any: self.any || other.any,
+            middle: self.middle || other.middle,
+        }
+    }
+}
+
 impl Properties {
     pub(super) const NONE: Self = Self(0);
     pub(super) const D: Self = Self(1 << 9);

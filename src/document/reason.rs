@@ -26,8 +26,6 @@ pub enum Reason {
     MotionPath,
     /// The DTD declares default attributes for this element or for `path`.
     AttributeDefaults,
-    /// It has an attribute `d` already.
-    HasPathData,
     /// The attribute is not a length in user units.
     Length {
         /// The attribute.
@@ -43,6 +41,8 @@ pub enum Reason {
     MarkerOnVertices,
     /// The arc ends where it starts, and caps, markers or the next command may show it.
     EmptyArc,
+    /// The arc's ends are one point in single precision, and some renderers draw nothing where others draw all of it.
+    NearlyWhole,
     /// The path data have an error; renderers stop there.
     PathError,
     /// The path data have an error between this arc and a smooth command.
@@ -71,12 +71,12 @@ impl Reason {
             Self::Marker => "marker",
             Self::MotionPath => "motion-path",
             Self::AttributeDefaults => "attribute-defaults",
-            Self::HasPathData => "has-d",
             Self::Length { .. } => "length",
             Self::NotDrawn(_) => "not-drawn",
             Self::Entity => "entity",
             Self::MarkerOnVertices => "marker-mid",
             Self::EmptyArc => "empty-arc",
+            Self::NearlyWhole => "nearly-whole",
             Self::PathError | Self::PathErrorBehindArc => "path-error",
             Self::TooLarge => "too-large",
             Self::Collapses => "precision",
@@ -116,7 +116,6 @@ impl fmt::Display for Reason {
             Self::AttributeDefaults => {
                 f.write_str("the DTD declares attribute defaults that depend on element names")
             }
-            Self::HasPathData => f.write_str("it has an attribute `d` already"),
             Self::Length { attribute, value } => {
                 write!(
                     f,
@@ -130,6 +129,9 @@ impl fmt::Display for Reason {
             }
             Self::EmptyArc => f.write_str(
                 "the arc ends where it starts, and a cap, a marker or the next command may show it",
+            ),
+            Self::NearlyWhole => f.write_str(
+                "its ends are one point in single precision, so that some renderers draw nothing and others all of it",
             ),
             Self::PathError => {
                 f.write_str("the path data have an error here; nothing behind it is drawn")

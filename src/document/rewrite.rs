@@ -85,6 +85,9 @@ pub(super) fn run(
                     .last()
                     .map_or_else(Markers::default, |open| open.markers);
                 let markers = rewriter.markers(inherited, &element, &scanner);
+                if facts.is_none() && markers.any && facts::is_use(&element) {
+                    return Ok(Pass::NeedsFacts);
+                }
                 let renamed = rewriter.element(&element, &scanner, markers);
                 if !element.empty {
                     open.push(Open { renamed, markers });
@@ -109,16 +112,10 @@ pub(super) fn run(
 
 impl<'a> Rewriter<'a, '_> {
     fn markers(&self, inherited: Markers, element: &Element<'_>, scanner: &Scanner<'_>) -> Markers {
-        let mut markers = own::markers(inherited, &scanner.attributes, &scanner.doctype);
-        if let Some(facts) = self.facts {
-            let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
-            let styled = facts.markers(element.local, class.as_deref(), id.as_deref());
-            markers = Markers {
-                any: markers.any || styled.any,
-                middle: markers.middle || styled.middle,
-            };
-        }
-        markers
+        self.facts.map_or_else(
+            || own::markers(inherited, &scanner.attributes, &scanner.doctype),
+            |facts| facts.markers(inherited, element, scanner),
+        )
     }
 
     /// The end tag of an element that became a path gets the new name.
@@ -188,21 +185,10 @@ impl<'a> Rewriter<'a, '_> {
                 facts::style_reason(kind, own)
             })
             .or_else(|| {
-                let lists = &scanner.doctype.attribute_lists;
-                if lists.is_empty() {
-                    return None;
-                }
-                let path = element.name.replace(element.local, "path");
-                let matters = |(name, text): &(&str, &str)| {
-                    *name == element.name
-                        || *name == path
-                        || ["marker", "style", "class", "id "]
-                            .iter()
-                            .any(|word| text.contains(word))
-                };
-                lists
-                    .iter()
-                    .any(matters)
+                let prefix = element.name.strip_suffix(element.local).unwrap_or_default();
+                scanner
+                    .doctype
+                    .has_defaults_for(element.name, &format!("{prefix}path"))
                     .then_some(Reason::AttributeDefaults)
             })
     }
@@ -233,7 +219,6 @@ impl<'a> Rewriter<'a, '_> {
         let reason = self
             .forbidden(kind, element, scanner)
             .or_else(|| data.as_ref().err().cloned())
-            .or_else(|| has("d").then_some(Reason::HasPathData))
             .or_else(|| markers.any.then_some(Reason::Marker));
         if let Some(reason) = reason {
             self.output.note(kind.name(), element.start, reason);
@@ -326,7 +311,7 @@ impl<'a> Rewriter<'a, '_> {
         }
         let context = arcs::Context {
             options: self.options,
-            vertices_show: markers.middle,
+            markers,
         };
         let (text, span, origin) = match &traced {
             Some(traced) => (
@@ -346,7 +331,8 @@ impl<'a> Rewriter<'a, '_> {
     }
 }
 
-/// The tag's name becomes `path`, the first geometry attribute `d`; the other ones go with the space before them.
+/// The tag's name becomes `path`, the first geometry attribute `d`, or a `d` that has no meaning yet gets one; the other ones go
+/// with the space before them.
 fn replace(
     kind: Kind,
     element: &Element<'_>,
@@ -355,15 +341,14 @@ fn replace(
     splice: &mut Splice<'_>,
 ) {
     splice.replace(element.local_span.clone(), b"path");
-    let mut written = false;
-    for attribute in scanner
-        .attributes
-        .iter()
-        .filter(|attribute| kind.geometry().contains(&attribute.name))
-    {
-        if written {
+    let stray = scanner.attributes.iter().any(|a| a.name == "d");
+    let mut written = stray;
+    for attribute in &scanner.attributes {
+        if attribute.name == "d" {
+            splice.replace(attribute.value_span.clone(), data);
+        } else if kind.geometry().contains(&attribute.name) && written {
             splice.replace(attribute.span.clone(), b"");
-        } else {
+        } else if kind.geometry().contains(&attribute.name) {
             splice.replace(
                 attribute.start..attribute.start + attribute.name.len(),
                 b"d",

@@ -70,7 +70,7 @@ pub(super) struct Scanner<'a> {
     pub(super) source: &'a str,
     /// The attributes of the last start tag.
     pub(super) attributes: Vec<Attribute<'a>>,
-    pub(super) doctype: Doctype<'a>,
+    pub(super) doctype: Doctype,
     /// The byte where the next node begins.
     at: usize,
     namespaces: Namespaces<'a>,

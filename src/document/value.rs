@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::doctype::{Doctype, Resolved};
 
 /// A value with its references resolved; `None` where one is unknown.
-pub(super) fn text<'a>(raw: &'a str, doctype: &Doctype<'_>) -> Option<Cow<'a, str>> {
+pub(super) fn text<'a>(raw: &'a str, doctype: &Doctype) -> Option<Cow<'a, str>> {
     if !raw.contains('&') {
         return Some(Cow::Borrowed(raw));
     }
@@ -23,7 +23,7 @@ pub(super) struct Traced {
 }
 
 /// Resolves the references of a value; `None` where one is unknown.
-pub(super) fn traced(raw: &str, doctype: &Doctype<'_>) -> Option<Traced> {
+pub(super) fn traced(raw: &str, doctype: &Doctype) -> Option<Traced> {
     let mut traced = Traced {
         text: String::with_capacity(raw.len()),
         origin: Vec::new(),

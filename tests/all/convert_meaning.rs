@@ -175,3 +175,187 @@ fn animations_find_their_target_by_the_rules_of_links() {
         &["animation"],
     );
 }
+
+const MARKER: &str = r#"<defs><marker id="m" markerWidth="8" markerHeight="8" orient="auto"><path d="M0 0L8 4L0 8z"/></marker></defs>"#;
+
+#[test]
+fn markers_flow_through_use() {
+    const PATH: &str = r#"<path id="p" d="M20 100A80 80 0 1 1 100 180L150 180"/>"#;
+    const CIRCLE: &str = r#"<circle id="p" cx="100" cy="100" r="60"/>"#;
+    let uses = [
+        r##"SHAPE<use href="#p" marker-mid="url(#m)"/>"##,
+        r##"<use href="#p" marker-mid="url(#m)"/>SHAPE"##,
+        r##"<symbol id="s">SHAPE</symbol><g marker-mid="url(#m)"><use xlink:href="#s"/></g>"##,
+        r##"<g id="s">SHAPE</g><use id="t" href="#s"/><use href="#t" style="marker:url(#m)"/>"##,
+        r##"<style>use{marker-mid:url(#m)}</style>SHAPE<use href="#p"/>"##,
+        r##"<style>.u{marker:url(#m)}</style>SHAPE<g class="u"><use href="#p"/></g>"##,
+        r#"<style>#s{marker-mid:url(#m)}</style>SHAPE<g id="s"><use href="icon.svg#p"/></g>"#,
+        r##"SHAPE<use marker-mid="url(#m)" href="#q"><set attributeName="href" to="#p"/></use>"##,
+    ];
+    for inner in uses {
+        let with = |shape: &str| format!("{MARKER}{}", inner.replace("SHAPE", shape));
+        is_left(&with(PATH), &["marker-mid"]);
+        is_left(&with(CIRCLE), &["marker"]);
+    }
+    for inner in [
+        r##"SHAPE<use href="#q" marker-mid="url(#m)"/>"##,
+        r##"SHAPE<use href="#p" marker-mid="none"/>"##,
+        r##"SHAPE<g marker-mid="url(#m)"><use href="#p" style="marker:none"/></g>"##,
+    ] {
+        let with = |shape: &str| format!("{MARKER}{}", inner.replace("SHAPE", shape));
+        is_replaced(&with(PATH), 1);
+        is_replaced(&with(CIRCLE), 1);
+    }
+}
+
+#[test]
+fn a_chain_of_uses_ends() {
+    let mut inner = format!(r#"{MARKER}<circle id="u0" r="5"/>"#);
+    for i in 1..100 {
+        let before = i - 1;
+        write!(inner, r##"<use id="u{i}" href="#u{before}"/>"##).unwrap();
+    }
+    inner += r##"<use href="#u99" marker-start="url(#m)"/>"##;
+    is_left(&inner, &["marker"]);
+    let round = format!(
+        r##"{MARKER}<g id="a"><use href="#a" marker-start="url(#m)"/><circle r="5"/></g>"##
+    );
+    is_left(&round, &["marker"]);
+}
+
+#[test]
+fn a_style_wins_over_marker_attributes() {
+    for attributes in [
+        r#"style="marker-mid:url(#m)" marker-mid="none""#,
+        r#"marker-mid="none" style="marker-mid:url(#m)""#,
+        r#"marker-mid="url(#m)" marker="none""#,
+    ] {
+        let path = format!(r#"{MARKER}<path {attributes} d="M0 0A80 80 0 1 1 80 80"/>"#);
+        is_left(&path, &["marker-mid"]);
+    }
+}
+
+#[test]
+fn an_arc_without_an_extent_stays_beside_markers() {
+    for marker in ["marker-start", "marker-end"] {
+        is_left(
+            &format!(
+                r#"{MARKER}<path d="M20 100L100 140A50 50 0 0 1 100 140" {marker}="url(#m)"/>"#
+            ),
+            &["empty-arc"],
+        );
+    }
+}
+
+#[test]
+fn ends_that_coincide_in_single_precision_stay() {
+    for d in [
+        "M160.77181 100A60 60 0 1 1 160.771811 100",
+        "M160.77181 100a60 60 0 1 1 .000001 0",
+        "M100 50l60.77181 50A60 60 0 1 1 160.771811 100",
+        "m1000 1000a6 6 0 1 0 0 .00001z",
+    ] {
+        is_left(&format!(r#"<path d="{d}"/>"#), &["nearly-whole"]);
+    }
+    for d in [
+        "M160.77181 100A60 60 0 1 1 160.7719 100",
+        "M0 0a60 60 0 1 1 .000001 0",
+        "M1000 1000a60 60 0 0 1 .00001 0",
+    ] {
+        is_replaced(&format!(r#"<path d="{d}"/>"#), 1);
+    }
+}
+
+#[test]
+fn defaults_of_a_dtd_count_for_every_element() {
+    let whole = |subset: &str, inner: &str| format!("<!DOCTYPE svg [{subset}]>{}", svg(inner));
+    let animate = r#"<circle r="20"><animate to="90" dur="4s"/></circle>"#;
+    for subset in [
+        r#"<!ATTLIST animate attributeName CDATA "r">"#,
+        r#"<!ENTITY % x '<!ATTLIST animate attributeName CDATA "r">'>%x;"#,
+        r#"<!ENTITY % x "&#60;!ATTLIST animate attributeName CDATA 'r'>"><!ENTITY % y "%x;">%y;"#,
+        r#"<!ATTLIST g class CDATA "a">"#,
+        "<!ATTLIST use xlink:href CDATA #FIXED '#a'>",
+        r#"<!ATTLIST path fill CDATA "red">"#,
+    ] {
+        is_left_whole(&whole(subset, animate), &["attribute-defaults"]);
+    }
+    let harmless = r#"<!ATTLIST svg xmlns:xlink CDATA #FIXED "http://www.w3.org/1999/xlink" version CDATA "1.1"><!ATTLIST circle r CDATA #IMPLIED>"#;
+    let text = whole(harmless, animate);
+    let out = document::convert(&text, &Options::default()).unwrap();
+    assert_eq!((out.replaced.circle, out.notes.len()), (1, 0));
+}
+
+#[test]
+fn dots_of_arcs_do_not_vanish_in_a_coarse_precision() {
+    let options = Options {
+        precision: Some(0),
+        ..Options::default()
+    };
+    let code = |inner: &str| {
+        let text = svg(inner);
+        let out = document::convert(&text, &options).unwrap();
+        out.notes.first().map(|note| note.reason.code())
+    };
+    assert_eq!(
+        code(r#"<circle cx="2" cy="4" r="0.3"/>"#),
+        Some("precision")
+    );
+    for d in [
+        "M6.3 4a.3 .3 0 1 1-.6 0 .3 .3 0 1 1 .6 0z",
+        "M6.3 4A.3 .3 0 1 1 5.7 4 .3 .3 0 1 1 6.3 4",
+        "M0 0L9 9M6 4a.3.3 0 01.3.3.3.3 0 01-.3.3.3.3 0 01-.3-.3.3.3 0 01.3-.3",
+        "M6 4a.1 .1 0 1 1-.6 0 .1 .1 0 1 1 .6 0m2 2L3 3",
+    ] {
+        assert_eq!(
+            code(&format!(r#"<path d="{d}"/>"#)),
+            Some("precision"),
+            "{d}"
+        );
+    }
+    for d in [
+        "M6 4a3 3 0 1 1-6 0 3 3 0 1 1 6 0z",
+        "M0 0h10a.3.3 0 0 1 0 .6H0a.3.3 0 0 1 0-.6z",
+        "M6 4a.3.3 0 1 1-.6 0L9 9",
+    ] {
+        assert_eq!(code(&format!(r#"<path d="{d}"/>"#)), None, "{d}");
+    }
+}
+
+#[test]
+fn negative_radii_are_those_of_the_other_axis() {
+    let text = svg(
+        r#"<rect width="4" height="2" rx="-1"/><rect x="5" width="4" height="2" rx="-1" ry=".5"/><ellipse cx="2" cy="6" rx="-2" ry="2"/>"#,
+    );
+    let out = document::convert(&text, &Options::default()).unwrap();
+    assert_eq!((out.replaced.rect, out.replaced.ellipse), (1, 1));
+    assert!(out.notes.is_empty(), "{:?}", out.notes);
+    let positive = text.replace(r#"rx="-1" ry=".5""#, r#"rx=".5" ry=".5""#);
+    let positive = positive.replace(r#"rx="-2""#, r#"rx="2""#);
+    let positive = document::convert(&positive, &Options::default()).unwrap();
+    assert_eq!(out.text, positive.text);
+}
+
+#[test]
+fn path_data_of_a_shape_that_has_no_use_for_them_are_overwritten() {
+    let text = r#"<svg><circle d="M0 0" cx="5" id="a" r="5"/><circle r="5" d='x &amp;'/></svg>"#;
+    let out = document::convert(text, &Options::default()).unwrap();
+    assert_eq!(out.replaced.circle, 2);
+    let plain = document::convert(
+        r#"<svg><circle cx="5" r="5"/><circle r="5"/></svg>"#,
+        &Options::default(),
+    );
+    let plain = plain.unwrap().text.into_owned();
+    let data: Vec<&str> = plain.split('"').skip(1).step_by(2).collect();
+    assert_eq!(
+        out.text,
+        format!(
+            r#"<svg><path d="{}" id="a"/><path d='{}'/></svg>"#,
+            data[0], data[1]
+        )
+    );
+    is_left(
+        r#"<style>[d]{fill:red}</style><circle r="5" d="M0 0"/>"#,
+        &["style-selector"],
+    );
+}
