@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, quarters};
 use crate::measure::radial;
-use crate::method::{Method, Rule};
+use crate::method::{Method, Piece, Rule, ellipse};
 use crate::number::Precision;
 use crate::numeric::functions::power;
 use crate::place::place;
@@ -309,7 +309,7 @@ impl<'a> Request<'a> {
     /// So many segments at joints that equalise the error, or at equal angles where those do better.
     fn adaptive(&self, count: usize) -> Result<Drawing> {
         let equal = self.equal(count, None).map(|sketch| self.finish(sketch));
-        let Some(balance) = Balance::new(&self.outline, self.options.rule, radial::distance) else {
+        let Some(balance) = Balance::new(&self.outline, self.options.rule) else {
             return equal;
         };
         let adaptive = self.finish(self.cut(balance.joints(count)?, None)?);
@@ -321,7 +321,7 @@ impl<'a> Request<'a> {
 
     /// The curve through these joints.
     fn cut(&self, joints: Joints, tolerance: Option<f64>) -> Result<Sketch> {
-        let pieces = self.options.rule.pieces(&joints.spans, joints.closed)?;
+        let pieces = self.pieces(&joints)?;
         let curve = place(&self.outline, &joints, &pieces);
         let peak = self.peak_by_formula(&joints);
         let precision = self.options.precision.unwrap_or_else(|| {
@@ -345,6 +345,17 @@ impl<'a> Request<'a> {
         };
         self.check_extent(&sketch)?;
         Ok(sketch)
+    }
+
+    /// The pieces between these joints: the only methods that see an ellipse are those that are best on it.
+    fn pieces(&self, joints: &Joints) -> Result<Vec<[Piece; 2]>> {
+        let rule = self.options.rule;
+        match rule.method() {
+            Some(method) if method.sees_ellipse() && !self.outline.truth.is_circle() => {
+                ellipse::pieces(method, self.outline.axes(), &joints.angles, joints.closed)
+            }
+            _ => rule.pieces(&joints.spans, joints.closed),
+        }
     }
 
     /// Refuses a precision that leaves nothing of a closed shape.

@@ -1,9 +1,10 @@
-//! Methods compared on the full circle of radius 1, by the number of segments.
+//! Methods compared on the full circle of radius 1, or an ellipse, by the number of segments.
 
 use core::f64::consts::{PI, TAU};
 use core::fmt;
 use core::str::FromStr;
 
+use crate::angle::Angle;
 use crate::approximate::{Drawing, Options, approximate};
 use crate::error::{Error, Result};
 use crate::joints::Cut;
@@ -11,9 +12,9 @@ use crate::measure::extent;
 use crate::measure::radial::{self, Profile};
 use crate::method::Rule;
 use crate::number::Precision;
-use crate::shape::{Circle, Shape, Truth};
+use crate::shape::{Ellipse, Shape, Truth};
 
-/// What methods are compared by. All are relative to the true circle of radius 1.
+/// What methods are compared by. All are relative to the true circle of radius 1, or ellipse of larger radius 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -72,7 +73,7 @@ impl Criterion {
         }
     }
 
-    /// The figure of a drawing of the unit circle.
+    /// The figure of a drawing.
     fn of(self, drawing: &Drawing, truth: &Truth) -> f64 {
         let segments = &drawing.curve.segments;
         let count = segments.len() as f64;
@@ -98,9 +99,12 @@ impl Criterion {
                     .iter()
                     .map(|s| extent::sector_area(s, truth.center))
                     .sum();
-                (area / PI - 1.0).abs()
+                (area / (PI * truth.radii.x * truth.radii.y) - 1.0).abs()
             }
-            Self::Length => (segments.iter().map(extent::length).sum::<f64>() / TAU - 1.0).abs(),
+            Self::Length => {
+                let length: f64 = segments.iter().map(extent::length).sum();
+                (length / extent::ellipse_length(truth.radii, 0.0, TAU) - 1.0).abs()
+            }
         }
     }
 }
@@ -139,6 +143,9 @@ pub struct Comparison {
     pub version: u32,
     /// What is compared.
     pub by: Criterion,
+    /// The smaller radius of the ellipse whose larger one is 1; without it, the circle.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub ellipse: Option<f64>,
     /// The numbers of segments of the full circle.
     pub counts: Vec<usize>,
     /// A row for each method.
@@ -168,14 +175,22 @@ fn id<S: serde::Serializer>(rule: &Rule, serializer: S) -> Result<S::Ok, S::Erro
 }
 
 impl Comparison {
-    /// Compares methods, or rules beyond the catalogue.
+    /// Compares methods, or rules beyond the catalogue, on the circle or on the ellipse with the semi-axes 1 and `ellipse`.
     ///
     /// # Errors
     ///
-    /// Where a count is 0 or beyond [`crate::joints::MOST_SEGMENTS`], or no method can draw the circle with any of the counts.
-    pub fn new(rules: &[Rule], counts: &[usize], by: Criterion) -> Result<Self> {
-        let circle = Circle::new((0.0, 0.0), 1.0)?;
-        let truth = Truth::circle(circle.center, circle.radius);
+    /// Where `ellipse` is no radius, a count is 0 or beyond [`crate::joints::MOST_SEGMENTS`], or no method can draw the circle with any of the counts.
+    pub fn new(
+        rules: &[Rule],
+        counts: &[usize],
+        by: Criterion,
+        ellipse: Option<f64>,
+    ) -> Result<Self> {
+        let shape = Shape::Ellipse(Ellipse::new(
+            (0.0, 0.0),
+            (1.0, ellipse.unwrap_or(1.0)),
+            Angle::ZERO,
+        )?);
         let figure = |rule: Rule, count: usize| {
             let options = Options {
                 rule,
@@ -183,8 +198,10 @@ impl Comparison {
                 precision: Some(Precision::Full),
                 ..Options::default()
             };
-            match approximate(&Shape::Circle(circle), &options) {
-                Ok(drawing) => Ok(Some(by.of(&drawing, &truth))),
+            match approximate(&shape, &options) {
+                Ok(drawing) => Ok(drawing
+                    .outline
+                    .map(|outline| by.of(&drawing, &outline.truth))),
                 Err(Error::Impossible { .. }) => Ok(None),
                 Err(other) => Err(other),
             }
@@ -204,6 +221,7 @@ impl Comparison {
         Ok(Self {
             version: 1,
             by,
+            ellipse,
             counts: counts.to_vec(),
             rows: rules.iter().map(row).collect::<Result<_>>()?,
         })

@@ -164,9 +164,10 @@ impl Course {
                 most: MOST_SEGMENTS,
             });
         }
+        let sees_ellipse = rule.method().is_some_and(Method::sees_ellipse);
         let span = Span::from_degrees(self.sweep / count as f64);
         let piece = rule.piece(&span)?;
-        if piece.is_tangent_cubic() {
+        if piece.is_tangent_cubic() && (self.truth.is_circle() || !sees_ellipse) {
             return Ok(self.cubics(&Steps {
                 count,
                 span,
@@ -175,7 +176,7 @@ impl Course {
         }
         Err(Error::Impossible {
             method: rule.id(),
-            why: "its segments are no cubics with handles along the tangents".to_owned(),
+            why: "its segments are no cubics with the same handles along the tangents".to_owned(),
             remedy: "approximate() draws by every method".to_owned(),
         })
     }

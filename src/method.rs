@@ -7,6 +7,7 @@
 mod apprich;
 mod catalogue;
 mod chen;
+pub(crate) mod ellipse;
 mod equioscillating;
 mod integral;
 mod lancaster;
@@ -54,7 +55,9 @@ pub enum Method {
     LancasterBest,
     LancasterDrawellipse,
     MinimaxG0,
+    MinimaxEllipse,
     MinimaxFree,
+    MinimaxEllipseFree,
     ApprichScaled,
     CurvatureScaled,
     MinimaxG0Free,
@@ -140,7 +143,8 @@ impl Piece {
 }
 
 impl Method {
-    /// The piece of the unit circle's arc of angle `span`.
+    /// The piece of the unit circle's arc of angle `span`. `minimax-ellipse` and its free variant see the ellipse too, and have their
+    /// own pieces there; see [`ellipse::pieces`].
     ///
     /// # Errors
     ///
@@ -149,7 +153,7 @@ impl Method {
         self.check_angle(span)?;
         Ok(match self {
             Self::Midpoint => Piece::tangent(tangent::midpoint(span)),
-            Self::Minimax => Piece::tangent(minimax::handle(span)),
+            Self::Minimax | Self::MinimaxEllipse => Piece::tangent(minimax::handle(span)),
             Self::Goldapp => Piece::tangent(tangent::goldapp(span)),
             Self::Curvature => Piece::tangent(tangent::curvature(span)),
             Self::Apprich => Piece::tangent(apprich::minus(span)),
@@ -166,7 +170,7 @@ impl Method {
             Self::LancasterDrawellipse => Piece::tangent(lancaster::DRAWELLIPSE),
             Self::MinimaxG0 => equioscillating::on_circle(span),
             Self::MinimaxG0Free => equioscillating::free(span),
-            Self::MinimaxFree => tangent::minimax_free(span),
+            Self::MinimaxFree | Self::MinimaxEllipseFree => tangent::minimax_free(span),
             Self::ApprichScaled => apprich::scaled(span),
             Self::CurvatureScaled => tangent::curvature_scaled(span),
             Self::QuadraticTangent => quadratic::tangent(span),
@@ -189,7 +193,7 @@ impl Method {
         self.check_angle(span)?;
         Ok(match self {
             Self::Midpoint => tangent::family_error(span, 1.0),
-            Self::Minimax => minimax::error(span),
+            Self::Minimax | Self::MinimaxEllipse => minimax::error(span),
             Self::Goldapp => tangent::family_error(span, tangent::GOLDAPP_ZERO),
             Self::Curvature => tangent::family_error(span, 0.0),
             Self::Area => integral::area_error(span),
@@ -206,7 +210,7 @@ impl Method {
             Self::Chen2 => chen::formulation_2_error(span),
             Self::Chen3 => chen::formulation_3_error(span),
             Self::CurvatureScaled => tangent::curvature_scaled_error(span),
-            Self::MinimaxFree => tangent::minimax_free_error(span),
+            Self::MinimaxFree | Self::MinimaxEllipseFree => tangent::minimax_free_error(span),
             Self::MinimaxG0 => equioscillating::on_circle_error(span),
             Self::MinimaxG0Free => equioscillating::free_error(span),
             Self::QuadraticTangent => quadratic::tangent_error(span),

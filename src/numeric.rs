@@ -2,6 +2,7 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod double;
+pub(crate) mod foot;
 pub(crate) mod functions;
 pub(crate) mod tridiagonal;
 

@@ -194,7 +194,39 @@ impl Truth {
     }
 }
 
+/// The axes of an ellipse, as its unit circle sees them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Axes {
+    /// The smaller radius over the larger one.
+    pub(crate) short: f64,
+    /// The parametric angle of an end of the short axis, in degrees.
+    pub(crate) angle: f64,
+}
+
 impl Outline {
+    /// The axes; those of a circle lie anywhere.
+    ///
+    /// With M the placement and u(θ) = (cos θ, sin θ), |M u|² = |first|² cos² θ + |second|² sin² θ + 2 first·second sin θ cos θ.
+    pub(crate) fn axes(&self) -> Axes {
+        let scale = self.truth.larger_radius();
+        let [a, b, c, d, _, _] = self.placement.as_coeffs().map(|x| x / scale);
+        let (even, odd) = (
+            f64::midpoint(c * c + d * d, -(a * a + b * b)),
+            -(a * c + b * d),
+        );
+        Axes {
+            short: (a * d - b * c).abs(),
+            // A placement by radii and a rotation has its axes at 0 and 90 degrees; rounding must not turn them.
+            angle: if odd.abs() > 1e-14 * even.abs() {
+                libm::atan2(odd, even).to_degrees() / 2.0
+            } else if even < 0.0 {
+                90.0
+            } else {
+                0.0
+            },
+        }
+    }
+
     /// The parametric angles, within one turn, at which the ellipse is farthest to the right, to the left, up and down, in this
     /// order of pairs: x = a cos θ + c sin θ is extreme where tan θ = c/a, and y = b cos θ + d sin θ where tan θ = d/b.
     #[must_use]

@@ -222,7 +222,7 @@ mod tests {
     #[test]
     fn plots_are_well_formed_at_any_size() {
         let rules = crate::Method::ALL.map(crate::Rule::Method);
-        let comparison = Comparison::new(&rules, &[2, 3, 4, 8], Criterion::Peak).unwrap();
+        let comparison = Comparison::new(&rules, &[2, 3, 4, 8], Criterion::Peak, None).unwrap();
         let chart = Chart::comparison(&comparison);
         for size in [None, Some([20.0, 20.0]), Some([3000.0, 700.0])] {
             let size = size.map(Size::plain);

@@ -7,7 +7,6 @@ use super::{ROUNDING_SHARE, Request, Sketch};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
-use crate::measure::radial;
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
@@ -30,7 +29,7 @@ impl Request<'_> {
         let truth = &self.outline.truth;
         let tolerance = tolerance.for_radius(truth.larger_radius());
         self.check_tolerance(tolerance)?;
-        if let Some(balance) = Balance::new(&self.outline, self.options.rule, radial::distance)
+        if let Some(balance) = Balance::new(&self.outline, self.options.rule)
             && let Some(sketch) = self.fewest_adaptive(&balance, tolerance)
         {
             return Ok(sketch);

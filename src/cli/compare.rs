@@ -20,7 +20,7 @@ pub(super) fn run(args: &CompareArgs) -> Outcome {
     let comparisons: Vec<Comparison> = args
         .by
         .iter()
-        .map(|&by| Comparison::new(&rules, &args.segments, by))
+        .map(|&by| Comparison::new(&rules, &args.segments, by, args.ellipse))
         .collect::<Result<_, _>>()?;
     let target = Target::new(args.output.as_deref());
     let bytes = match (

@@ -111,7 +111,7 @@ fn refused(error: &crate::Error) -> Reason {
 /// The number of segments, where the arc can be placed here.
 fn count(options: &Options, sweep: Angle) -> Option<usize> {
     let serves = match options.rule {
-        Rule::Method(Method::Chen1) => false,
+        Rule::Method(Method::Chen1 | Method::MinimaxEllipse) => false,
         Rule::Method(method) => method.card().ends == Ends::OnCircle,
         _ => true,
     };

@@ -18,15 +18,16 @@ use kurbo::{ParamCurve, Point, Vec2};
 use super::Joints;
 use crate::angle::Angle;
 use crate::error::Result;
-use crate::method::{Ends, Method, Rule, Span};
+use crate::method::{Ends, Method, Rule, Span, ellipse};
+use crate::numeric::foot::foot;
 use crate::numeric::root;
-use crate::shape::{Outline, Truth, UnitArc};
+use crate::shape::{Axes, Outline, UnitArc};
 
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
 const GRID: f64 = 1.0 / (1 << 30) as f64;
 
 /// The parts into which a segment is cut to look for its peak; the peak between two samples follows from a parabola.
-const SAMPLES: usize = 16;
+const SAMPLES: usize = 12;
 
 /// A smaller radial error drowns in the rounding of samples; the formula tells it, at both lobes and in the middle.
 const NOISE: f64 = 1e-11;
@@ -37,11 +38,11 @@ const LOBES: [f64; 3] = [0.18, 0.5, 0.82];
 const FIRST_ORDER: f64 = 1e-4;
 
 /// How many lengths are tried then, evenly by their ratio, and how often what lies between two of them is halved.
-const LONGER: u32 = 24;
-const HALVINGS: u32 = 16;
+const LONGER: u32 = 12;
+const HALVINGS: u32 = 10;
 
 /// How often the error is halved, by its ratio, that equalises such segments.
-const NARROWINGS: u32 = 12;
+const NARROWINGS: u32 = 7;
 
 /// The most steps for the length of one segment, and for the error that makes the count whole.
 const MOST_STEPS: usize = 40;
@@ -65,67 +66,60 @@ pub(crate) fn serves(rule: Rule) -> bool {
 pub(crate) struct Balance {
     arc: UnitArc,
     rule: Rule,
-    /// w(θ)^-2 = least + swing cos²(θ - axis), in degrees, over the larger radius.
-    least: f64,
+    /// w(θ)^-2 = 1 + swing cos²(θ - axis), in degrees, over the larger radius.
     swing: f64,
     axis: f64,
     order: f64,
     largest_angle: f64,
-    /// The ellipse about the origin, its short axis along x, its larger radius 1.
-    ellipse: Truth,
-    distance: Distance,
+    /// The smaller radius over the larger one.
+    short: f64,
+    /// Whether a piece costs no search.
+    is_quick: bool,
 }
-
-/// The signed distance of a point from a true shape: [`crate::measure::radial::distance`], which stands behind this room.
-pub(crate) type Distance = fn(&Truth, Point) -> f64;
 
 impl Balance {
     /// `None` where equal angles are best or the rule serves no others: on circles, and for methods that lean on equal pieces.
-    pub(crate) fn new(outline: &Outline, rule: Rule, distance: Distance) -> Option<Self> {
+    pub(crate) fn new(outline: &Outline, rule: Rule) -> Option<Self> {
         if outline.truth.is_circle() || !serves(rule) {
             return None;
         }
         let card = rule.method()?.card();
-        let scale = outline.truth.larger_radius();
-        let [a, b, c, d, _, _] = outline.placement.as_coeffs().map(|x| x / scale);
-        let det = a * d - b * c;
-        // |M u'|² = |first column|² sin²θ + |second|² cos²θ - 2 first·second sin θ cos θ; its extremes are det²/largest and largest.
-        let (first, second, dot) = (a * a + b * b, c * c + d * d, a * c + b * d);
-        let (even, odd) = ((second - first) / 2.0, -dot);
-        let swing = libm::hypot(even, odd);
+        let Axes { short, angle } = outline.axes();
         Some(Self {
             arc: outline.unit,
             rule,
-            least: 1.0 / (f64::midpoint(first, second) + swing),
-            swing: 2.0 * swing / (det * det),
-            // A placement by radii and a rotation has its axes at 0 and 90 degrees; rounding must not turn them.
-            axis: if odd.abs() > 1e-14 * even.abs() {
-                libm::atan2(odd, even).to_degrees() / 2.0
-            } else if even < 0.0 {
-                90.0
-            } else {
-                0.0
-            },
+            swing: (1.0 - short) * (1.0 + short) / (short * short),
+            axis: angle,
+            short,
+            is_quick: matches!(
+                rule,
+                Rule::Method(
+                    Method::Midpoint
+                        | Method::Minimax
+                        | Method::Goldapp
+                        | Method::Curvature
+                        | Method::Apprich
+                        | Method::Area
+                        | Method::Chen3
+                )
+            ),
             order: f64::from(card.order),
             largest_angle: card.largest_angle,
-            ellipse: Truth {
-                center: Point::ORIGIN,
-                radii: Vec2::new(det.abs(), 1.0),
-                axis: Vec2::new(1.0, 0.0),
-            },
-            distance,
         })
     }
 
     /// The error of a segment of `size` degrees that begins `way` degrees after the start, over the larger radius.
     fn error(&self, way: f64, size: f64) -> f64 {
+        let sign = 1.0_f64.copysign(self.arc.sweep.degrees());
+        // The axis of the weights along x, the sweep upwards: both leave ρ and w as they are.
+        let from = sign * (self.arc.start.degrees() - self.axis) + way;
+        if self.rule == Rule::Method(Method::MinimaxEllipse) {
+            return ellipse::peak(self.short, from, size).unwrap_or(f64::INFINITY);
+        }
         let span = Span::from_degrees(size);
         let (Ok(piece), Ok(error)) = (self.rule.piece(&span), self.rule.radial_error(&span)) else {
             return f64::INFINITY;
         };
-        let sign = 1.0_f64.copysign(self.arc.sweep.degrees());
-        // The axis of the weights along x, the sweep upwards: both leave ρ and w as they are.
-        let from = sign * (self.arc.start.degrees() - self.axis) + way;
         if error.peak() < NOISE {
             let weight = |part: f64| self.weight(from + part * size);
             return error.peak() * LOBES.map(weight).into_iter().fold(0.0, f64::max);
@@ -155,7 +149,7 @@ impl Balance {
     /// w at so many degrees from the axis of the least weights, over the larger radius.
     fn weight(&self, degrees: f64) -> f64 {
         let cos = libm::cos(degrees.to_radians());
-        (self.least + self.swing * cos * cos).sqrt().recip()
+        (1.0 + self.swing * cos * cos).sqrt().recip()
     }
 
     /// How far a point in the frame where the ellipse is the unit circle, its short axis along x, lies from the ellipse.
@@ -163,10 +157,10 @@ impl Balance {
         let square = point.to_vec2().hypot2();
         // r - 1 by r² - 1, which keeps its digits.
         let radial = (square - 1.0).abs() / (square.sqrt() + 1.0);
-        let error = radial / (self.least + self.swing * (point.x * point.x) / square).sqrt();
+        let error = radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt();
         if self.is_rough(error) {
-            let short = self.ellipse.radii.x;
-            return (self.distance)(&self.ellipse, Point::new(short * point.x, point.y)).abs();
+            let p = Vec2::new(self.short * point.x, point.y);
+            return foot(Vec2::new(self.short, 1.0), p).distance.abs();
         }
         error
     }
@@ -375,10 +369,9 @@ impl Balance {
         found
     }
 
-    /// Whether the first order does not tell errors of this size.
+    /// Whether the first order does not tell errors of this size, and the method's formula is short enough to find out.
     fn is_rough(&self, error: f64) -> bool {
-        let short = self.ellipse.radii.x;
-        error > FIRST_ORDER * short * short
+        self.is_quick && error > FIRST_ORDER * self.short * self.short
     }
 }
 
@@ -426,11 +419,7 @@ mod tests {
     #[test]
     fn the_law_of_many_segments_is_the_mean_sixth_root_of_the_weight() {
         for (flatness, ratio) in [(0.5, 0.94), (0.2, 0.84), (0.1, 0.76), (0.01, 0.53)] {
-            let balance = Balance::new(
-                &ellipse(flatness).outline().unwrap(),
-                Rule::default(),
-                crate::measure::radial::distance,
-            );
+            let balance = Balance::new(&ellipse(flatness).outline().unwrap(), Rule::default());
             let balance = balance.unwrap();
             let allowed = 1e-22;
             let equal = 360.0 / balance.settled(0.0, allowed, 0.1);

@@ -65,7 +65,7 @@ pub struct Card {
 
 impl Method {
     /// All methods, in the order of the catalogue.
-    pub const ALL: [Self; 26] = [
+    pub const ALL: [Self; 28] = [
         Self::Midpoint,
         Self::Minimax,
         Self::Goldapp,
@@ -83,7 +83,9 @@ impl Method {
         Self::LancasterBest,
         Self::LancasterDrawellipse,
         Self::MinimaxG0,
+        Self::MinimaxEllipse,
         Self::MinimaxFree,
+        Self::MinimaxEllipseFree,
         Self::ApprichScaled,
         Self::CurvatureScaled,
         Self::MinimaxG0Free,
@@ -131,7 +133,7 @@ pub(super) fn nearest(_name: &str) -> Vec<&'static str> {
 }
 
 /// In the order of [`Method`].
-static CARDS: [Card; 26] = [
+static CARDS: [Card; 28] = [
     Card {
         id: "midpoint",
         aliases: &["standard", "lancaster-normal", "mortenson-1"],
@@ -439,6 +441,24 @@ static CARDS: [Card; 26] = [
         advice: "where corners of a fraction of a degree do no harm: a third of minimax's error",
     },
     Card {
+        id: "minimax-ellipse",
+        aliases: &[],
+        title: "the least true distance",
+        degree: Degree::Cubic,
+        ends: Ends::OnCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::G1,
+        order: 6,
+        leading: "w0³/55296 with goldapp's w0",
+        leading_constant: 1.292_633_581_840_6e-5,
+        largest_angle: 180.0,
+        criterion: "the least peak of the true distance from an ellipse, ends and tangents on it",
+        origin: "derived",
+        source: "derived from its criterion",
+        formula: "two handles and E with distances +E, -E, +E at the three extremes; on a circle minimax",
+        advice: "for ellipses: on quarters of a 2:1 ellipse three quarters of minimax's peak, at 10:1 half of it",
+    },
+    Card {
         id: "minimax-free",
         aliases: &[],
         title: "midpoint, centred",
@@ -455,6 +475,24 @@ static CARDS: [Card; 26] = [
         source: "derived from its criterion",
         formula: "all control points of midpoint times 2/(1 + sqrt(1+E)), E = (4/27) sin⁶(a/4)/cos²(a/4)",
         advice: "for whole circles and ellipses that may miss the quadrant points: two thirds of minimax's error, no corners",
+    },
+    Card {
+        id: "minimax-ellipse-free",
+        aliases: &[],
+        title: "the least, off the ellipse",
+        degree: Degree::Cubic,
+        ends: Ends::OffCircle,
+        continuity_equal: Continuity::G2,
+        continuity_uneven: Continuity::Apart,
+        order: 6,
+        leading: "1/110592",
+        leading_constant: 1.0 / 110_592.0,
+        largest_angle: 180.0,
+        criterion: "the least peak of the true distance from an ellipse in quarters, the axis points too off it",
+        origin: "derived",
+        source: "derived from its criterion",
+        formula: "distances -E, +E, -E, +E, -E from axis to axis; on a circle minimax-free",
+        advice: "for whole ellipses in quarters that may miss the axis points: half of minimax's peak at 2:1",
     },
     Card {
         id: "apprich-scaled",

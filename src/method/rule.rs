@@ -156,6 +156,7 @@ impl Method {
         let candidates: &[Self] = match self {
             Self::ApprichScaled => &[Self::Apprich, Self::Curvature, Self::Minimax],
             Self::CurvatureScaled => &[Self::Curvature, Self::Minimax],
+            Self::MinimaxEllipseFree => &[Self::MinimaxEllipse, Self::Minimax],
             Self::MinimaxG0Free => &[Self::MinimaxG0, Self::Minimax],
             Self::QuadraticMinimaxFree => &[Self::QuadraticMinimax, Self::QuadraticTangent],
             _ => &[Self::Minimax, Self::Midpoint],

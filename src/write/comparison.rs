@@ -21,15 +21,25 @@ pub fn table(comparison: &Comparison) -> String {
 
 /// What the table cannot say in its cells.
 fn notes(comparison: &Comparison) -> String {
-    let mut notes = format!("\n{}", capitalised(comparison.by.label()));
-    notes += ", of the full circle of radius 1";
-    if comparison.rows.iter().any(|row| row.order.is_some()) {
-        notes += ".\norder: the power of 1/n with which it falls, from a row's last two figures";
-    }
-    if comparison.rows.iter().any(|row| row.values.contains(&None)) {
-        notes += ".\n-: impossible; 'curveto measure circle 1 -m ID -n N' says why";
-    }
-    notes + ".\n"
+    let label = capitalised(comparison.by.label());
+    let (whole, shape) = match comparison.ellipse.map(text) {
+        Some(b) => (
+            format!("ellipse with the semi-axes 1 and {b}"),
+            format!("ellipse 1 {b}"),
+        ),
+        None => ("circle of radius 1".to_owned(), "circle 1".to_owned()),
+    };
+    let order = if comparison.rows.iter().any(|row| row.order.is_some()) {
+        ".\norder: the power of 1/n with which it falls, from a row's last two figures"
+    } else {
+        ""
+    };
+    let impossible = if comparison.rows.iter().any(|row| row.values.contains(&None)) {
+        format!(".\n-: impossible; 'curveto measure {shape} -m ID -n N' says why")
+    } else {
+        String::new()
+    };
+    format!("\n{label}, of the full {whole}{order}{impossible}.\n")
 }
 
 fn capitalised(words: &str) -> String {
@@ -113,7 +123,12 @@ pub fn csv(comparison: &Comparison) -> String {
 #[must_use]
 pub fn html(comparison: &Comparison, svg: &str) -> String {
     let title = format!(
-        "Circle approximations compared by {}",
+        "{} approximations compared by {}",
+        if comparison.ellipse.is_some() {
+            "Ellipse"
+        } else {
+            "Circle"
+        },
         comparison.by.title()
     );
     let mut rows = String::new();

@@ -77,7 +77,7 @@ fn every_method_draws_a_circle_in_every_format() {
             drawn += 1;
         }
     }
-    assert_eq!(drawn, 26 * 6);
+    assert_eq!(drawn, 28 * 6);
 }
 
 #[test]
@@ -157,6 +157,7 @@ type Request = (&'static str, &'static [&'static str]);
 
 const FREE: &[&str] = &[
     "minimax-free",
+    "minimax-ellipse-free",
     "apprich-scaled",
     "curvature-scaled",
     "minimax-g0-free",
@@ -193,6 +194,7 @@ const REQUESTS: [Request; 9] = [
             "curvature-scaled",
             "lancaster-drawellipse",
             "minimax-free",
+            "minimax-ellipse-free",
             "minimax-g0-free",
             "quadratic-minimax-free",
             "quadratic-tangent",
@@ -202,6 +204,7 @@ const REQUESTS: [Request; 9] = [
         "circle 5 --joints 0,50,120,180,300",
         &[
             "minimax-free",
+            "minimax-ellipse-free",
             "apprich-scaled",
             "curvature-scaled",
             "minimax-g0-free",
@@ -214,6 +217,7 @@ const REQUESTS: [Request; 9] = [
         "arc 5 --end 60 -n 1",
         &[
             "minimax-free",
+            "minimax-ellipse-free",
             "apprich-scaled",
             "curvature-scaled",
             "minimax-g0-free",
@@ -293,7 +297,7 @@ fn the_catalogue_is_told_in_three_forms() {
     let entries = catalogue();
     let table = text(&["methods"]);
     let csv = text(&["methods", "-f", "csv"]);
-    assert_eq!(csv.lines().count(), 27);
+    assert_eq!(csv.lines().count(), 29);
     for (entry, line) in entries.iter().zip(csv.lines().skip(1)) {
         let id = id(entry);
         assert!(line.starts_with(&format!("{id},")), "{line}");

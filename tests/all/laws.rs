@@ -46,7 +46,7 @@ fn the_stated_orders_and_leading_constants_are_those_of_the_curves() {
         assert!(off.abs() < 1e-5, "{method}: leading constant off by {off}");
         fitted += 1;
     }
-    assert_eq!(fitted, 24);
+    assert_eq!(fitted, 26);
 }
 
 /// What two segments share where they join on the bisector of nothing: each is told in the frame of its own start, from (r, 0), so
@@ -118,7 +118,7 @@ fn the_stated_continuity_is_that_of_the_curves() {
         assert_eq!(uneven == Shared::Apart, card.ends == Ends::OffCircle);
         compared += 1;
     }
-    assert_eq!(compared, 24);
+    assert_eq!(compared, 26);
 }
 
 #[test]

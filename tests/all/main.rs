@@ -15,6 +15,7 @@ mod dependencies;
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 mod determinism;
 mod documented_commands;
+mod ellipse_methods;
 mod every_method;
 mod everyday;
 mod examples;

@@ -251,7 +251,9 @@ fn a_stated_coordinate_tolerance_forgives_the_rounding_of_a_printed_path() {
 
 #[test]
 fn the_extremes_of_curvature_are_the_largest_and_least_of_many_samples() {
-    for method in Method::ALL {
+    // The free method of ellipses has none on a slanted one.
+    let methods = Method::ALL.into_iter();
+    for method in methods.filter(|&method| method != Method::MinimaxEllipseFree) {
         let options = Options {
             rule: method.into(),
             cut: Cut::Count(4),

@@ -13,7 +13,7 @@ use super::approximation::Quadrature;
 use super::values;
 use crate::cli::formats::FileFormat;
 
-/// Methods by numbers of segments, on the full circle of radius 1.
+/// Methods by numbers of segments, on the full circle of radius 1 or an ellipse.
 #[derive(Debug, Args)]
 pub(crate) struct CompareArgs {
     /// Methods by id or alias, or all
@@ -22,6 +22,9 @@ pub(crate) struct CompareArgs {
     /// Numbers of segments
     #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
     pub(crate) segments: Vec<usize>,
+    /// Compare on the ellipse with the semi-axes 1 and B, cut at equal parametric angles
+    #[arg(long, value_name = "B", value_parser = values::positive, allow_hyphen_values = true)]
+    pub(crate) ellipse: Option<f64>,
     /// What to compare; a table and JSON take several [possible values: peak, mean, rms, area, length]
     #[arg(long, value_name = "BY", default_value = "peak", value_delimiter = ',', value_parser = |text: &str| text.parse::<Criterion>())]
     pub(crate) by: Vec<Criterion>,

@@ -51,6 +51,8 @@ pub(super) fn family_line(method: Method) -> Pen {
         Method::LancasterBest => (PURPLE, 0),
         Method::LancasterDrawellipse => (PURPLE, 2),
         Method::MinimaxFree => (ORANGE, 0),
+        Method::MinimaxEllipse => (ORANGE, 2),
+        Method::MinimaxEllipseFree => (ORANGE, 3),
         Method::MinimaxG0Free => (ORANGE, 1),
         Method::QuadraticTangent => (SKY_BLUE, 0),
         Method::QuadraticMidpoint => (SKY_BLUE, 1),

@@ -20,7 +20,7 @@ pub struct Oracle {
 }
 
 /// The ids of all methods.
-pub const IDS: [&str; 26] = [
+pub const IDS: [&str; 28] = [
     "midpoint",
     "minimax",
     "goldapp",
@@ -38,7 +38,9 @@ pub const IDS: [&str; 26] = [
     "lancaster-best",
     "lancaster-drawellipse",
     "minimax-g0",
+    "minimax-ellipse",
     "minimax-free",
+    "minimax-ellipse-free",
     "apprich-scaled",
     "curvature-scaled",
     "minimax-g0-free",
@@ -108,7 +110,7 @@ impl UnitArc {
     fn points(&self, id: &str) -> Option<Vec<Point>> {
         Some(match id {
             "midpoint" => self.tangent(&self.midpoint()),
-            "minimax" => self.tangent(&self.minimax()),
+            "minimax" | "minimax-ellipse" => self.tangent(&self.minimax()),
             "goldapp" => self.tangent(&self.goldapp()),
             "curvature" => self.tangent(&self.curvature()),
             "apprich" => self.tangent(&self.apprich().0),
@@ -124,7 +126,7 @@ impl UnitArc {
             "lancaster-best" => self.tangent(&self.lancaster_best()?),
             "lancaster-drawellipse" => self.tangent(&self.lancaster_drawellipse()?),
             "minimax-g0" => self.minimax_g0(),
-            "minimax-free" => balanced(&self.tangent(&self.midpoint())),
+            "minimax-free" | "minimax-ellipse-free" => balanced(&self.tangent(&self.midpoint())),
             "apprich-scaled" => balanced(&self.tangent(&self.apprich().0)),
             "curvature-scaled" => balanced(&self.tangent(&self.curvature())),
             "minimax-g0-free" => self.minimax_g0_free(),

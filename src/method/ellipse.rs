@@ -1,0 +1,289 @@
+//! `minimax-ellipse` and `minimax-ellipse-free`: the least peak of the true distance from an ellipse (derived).
+//!
+//! An affine image of a circle's best cubic is not an ellipse's best. With the ends and tangents on the ellipse two handles k0 and k1
+//! are free, P1 = P0 + k0 T0 and P2 = P3 - k1 T1 with T the derivative by the parametric angle, and the peak is least where the
+//! signed distance reaches +E, -E, +E. Newton's method for (k0, k1, E): to first order an extreme's own motion does not count, so
+//! that the row of an extreme at t, with the normal n there, is
+//!
+//! ```text
+//! 3t(1-t)² n·T0,   -3t²(1-t) n·T1,   -(its sign)
+//! ```
+//!
+//! `free` serves quarters from axis to axis, whose ends lie E inside: -E, +E, -E, +E, -E; the last entry of the row gains
+//! -n·((1-t)²(1+2t) u0 + t²(3-2t) u1), u the unit normals at the ends.
+
+use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Point, Vec2};
+
+use super::{Degree, Method, Piece, Span, minimax};
+use crate::angle::Angle;
+use crate::error::Result;
+use crate::numeric::foot::{Foot, foot};
+use crate::numeric::root;
+use crate::shape::Axes;
+
+/// The flattest ellipse that was tried, and the longest segment.
+const FLATTEST: f64 = 0.02;
+const LARGEST_ANGLE: f64 = 170.0;
+
+/// Undamped steps: four reach 1e-10, five the last digits.
+const MOST_STEPS: usize = 12;
+
+/// A step that ends the search.
+const SETTLED: f64 = 1e-9;
+
+/// The places among which the three extremes are looked for.
+const PLACES: u32 = 24;
+
+/// Below this peak, over the larger radius, the distance is rounding noise, and the circle's handles are as good.
+const FINEST: f64 = 1e-13;
+
+/// About what part of the peak is left where the ends may leave the ellipse.
+const FREE_PEAK: f64 = 0.7;
+
+/// The signs of the distance at the extremes.
+const SIGNS: [f64; 3] = [1.0, -1.0, 1.0];
+
+/// The two handles of a segment, and its peak error over the larger radius.
+#[derive(Debug, Clone, Copy)]
+struct Fit {
+    handles: [f64; 2],
+    peak: f64,
+}
+
+/// A segment of the ellipse whose short axis, from the origin to (`short`, 0), lies along x and whose larger radius is 1.
+struct Segment {
+    radii: Vec2,
+    /// The points of the unit circle at both ends.
+    ends: [Vec2; 2],
+    is_free: bool,
+}
+
+impl Segment {
+    fn new(short: f64, from: f64, size: f64, is_free: bool) -> Self {
+        Self {
+            radii: Vec2::new(short, 1.0),
+            ends: [from, from + size].map(|degrees| Angle::from_degrees(degrees).direction()),
+            is_free,
+        }
+    }
+
+    fn on_ellipse(&self, v: Vec2) -> Vec2 {
+        Vec2::new(self.radii.x * v.x, self.radii.y * v.y)
+    }
+
+    /// The derivatives by the parametric angle at both ends.
+    fn tangents(&self) -> [Vec2; 2] {
+        self.ends.map(|u| self.on_ellipse(Vec2::new(-u.y, u.x)))
+    }
+
+    fn cubic(&self, fit: &Fit) -> CubicBez {
+        let inside = if self.is_free { fit.peak } else { 0.0 };
+        // On an axis the unit normal is the direction itself.
+        let [p0, p3] = self.ends.map(|u| self.on_ellipse(u) - u * inside);
+        let [t0, t1] = self.tangents();
+        let points = [p0, p0 + t0 * fit.handles[0], p3 - t1 * fit.handles[1], p3];
+        let [p0, p1, p2, p3] = points.map(Vec2::to_point);
+        CubicBez::new(p0, p1, p2, p3)
+    }
+
+    fn foot(&self, p: Point) -> Foot {
+        foot(self.radii, p.to_vec2())
+    }
+
+    /// The parameters of the three extremes of the distance between the ends, if there are three.
+    fn extremes(&self, cubic: &CubicBez) -> Option<[f64; 3]> {
+        let derivative = cubic.deriv();
+        let slope = |t: f64| {
+            derivative
+                .eval(t)
+                .to_vec2()
+                .dot(self.foot(cubic.eval(t)).outward)
+        };
+        let place = |i: u32| f64::from(i) / f64::from(PLACES);
+        let mut found = [0.0; 3];
+        let mut count = 0;
+        let mut before = slope(place(1) / 2.0);
+        let mut from = place(1) / 2.0;
+        for i in 1..=PLACES {
+            let to = if i == PLACES {
+                1.0 - place(1) / 2.0
+            } else {
+                place(i)
+            };
+            let after = slope(to);
+            if (before > 0.0) != (after > 0.0) {
+                *found.get_mut(count)? = root(slope, from, to);
+                count += 1;
+            }
+            (before, from) = (after, to);
+        }
+        (count == 3).then_some(found)
+    }
+
+    /// One step of Newton's method, and how far it went.
+    fn step(&self, fit: &Fit) -> Option<(Fit, f64)> {
+        let cubic = self.cubic(fit);
+        let [t0, t1] = self.tangents();
+        let mut rows = [[0.0; 3]; 3];
+        let mut misses = [0.0; 3];
+        for (i, t) in self.extremes(&cubic)?.into_iter().enumerate() {
+            let (s, sign) = (1.0 - t, SIGNS[i]);
+            let Foot { distance, outward } = self.foot(cubic.eval(t));
+            let [u0, u1] = self.ends.map(|u| outward.dot(u));
+            let inward = s * s * (1.0 + 2.0 * t) * u0 + t * t * (3.0 - 2.0 * t) * u1;
+            rows[i] = [
+                3.0 * t * s * s * outward.dot(t0),
+                -3.0 * t * t * s * outward.dot(t1),
+                -sign - if self.is_free { inward } else { 0.0 },
+            ];
+            misses[i] = sign * fit.peak - distance;
+        }
+        let [k0, k1, peak] = solved(&rows, &misses)?;
+        let next = Fit {
+            handles: [fit.handles[0] + k0, fit.handles[1] + k1],
+            peak: fit.peak + peak,
+        };
+        Some((next, k0.abs().max(k1.abs())))
+    }
+
+    /// The best handles, from the circle's; off the ellipse, from the best on it.
+    fn fit(&self, span: &Span) -> Option<Fit> {
+        if self.is_free {
+            let on_ellipse = Self {
+                is_free: false,
+                ..*self
+            }
+            .fit(span)?;
+            return self.improved(Fit {
+                peak: FREE_PEAK * on_ellipse.peak,
+                ..on_ellipse
+            });
+        }
+        let k = minimax::handle(span);
+        self.improved(Fit {
+            handles: [k, k],
+            peak: minimax::error(span).peak(),
+        })
+    }
+
+    /// The best handles from these.
+    fn improved(&self, mut fit: Fit) -> Option<Fit> {
+        if fit.peak < FINEST {
+            return Some(fit);
+        }
+        for _ in 0..MOST_STEPS {
+            let (next, moved) = self.step(&fit)?;
+            fit = next;
+            // The next step would move by about the square.
+            if moved < SETTLED {
+                return fit
+                    .handles
+                    .iter()
+                    .all(|k| (0.0..2.0).contains(k))
+                    .then_some(fit);
+            }
+        }
+        None
+    }
+}
+
+/// The solution of three linear equations, by Cramer's rule.
+fn solved(rows: &[[f64; 3]; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
+    let determinant = |m: &[[f64; 3]; 3]| {
+        let minor = |i: usize, j: usize| m[1][i] * m[2][j] - m[1][j] * m[2][i];
+        m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1)
+    };
+    let whole = determinant(rows);
+    let mut solution = [0.0; 3];
+    for (column, value) in solution.iter_mut().enumerate() {
+        let mut replaced = *rows;
+        for (row, right) in replaced.iter_mut().zip(right) {
+            row[column] = *right;
+        }
+        *value = determinant(&replaced) / whole;
+    }
+    (whole != 0.0).then_some(solution)
+}
+
+/// The least peak of one segment over the larger radius; it begins `from` degrees after an end of the short axis. `None` where
+/// the method does not serve.
+pub(crate) fn peak(short: f64, from: f64, size: f64) -> Option<f64> {
+    serves(short, size).then_some(())?;
+    let fit = Segment::new(short, from, size, false).fit(&Span::from_degrees(size))?;
+    let weight = |u: Vec2| 1.0 / libm::hypot(u.x / short, u.y);
+    // What is not computed is at most the circle's, and its weight at most that of the longer axis nearby.
+    let middle = Angle::from_degrees(from + size / 2.0).direction();
+    Some(if fit.peak < FINEST {
+        fit.peak * weight(middle)
+    } else {
+        fit.peak
+    })
+}
+
+fn serves(short: f64, size: f64) -> bool {
+    short >= FLATTEST && size <= LARGEST_ANGLE
+}
+
+/// The pieces of an ellipse with these axes between joints at these angles, in degrees. Each piece comes as [`super::Rule::pieces`] gives it.
+///
+/// # Errors
+///
+/// [`crate::Error::Impossible`] where the ellipse is flatter than 1:50 or a segment longer than 170 degrees, and for the free variant unless
+/// the ellipse is closed and cut into quarters on its axes.
+pub(crate) fn pieces(
+    method: Method,
+    axes: Axes,
+    angles: &[f64],
+    is_closed: bool,
+) -> Result<Vec<[Piece; 2]>> {
+    let Axes { short, angle: axis } = axes;
+    let is_free = method == Method::MinimaxEllipseFree;
+    let on_axes = angles.iter().all(|angle| (angle - axis) % 90.0 == 0.0);
+    if is_free && !(is_closed && angles.len() == 5 && on_axes) {
+        return Err(method.refuse(
+            "on an ellipse it serves whole ones in quarters from axis to axis".to_owned(),
+            "take -n 4 and --start on an axis, or -m minimax-ellipse, minimax".to_owned(),
+        ));
+    }
+    let piece = |pair: &[f64]| {
+        let (size, sign) = (
+            (pair[1] - pair[0]).abs(),
+            1.0_f64.copysign(pair[1] - pair[0]),
+        );
+        let from = sign * (pair[0] - axis);
+        let fit = serves(short, size)
+            .then(|| Segment::new(short, from, size, is_free).fit(&Span::from_degrees(size)))
+            .flatten();
+        let Some(fit) = fit else {
+            return Err(method.refuse(
+                "it serves ellipses up to 1:50, in segments up to 170 degrees".to_owned(),
+                "take more segments, or -m minimax, which serves every ellipse".to_owned(),
+            ));
+        };
+        let end = |degrees: f64, k: f64| {
+            // The larger radius is 1; on an axis the radius is the axis'.
+            let is_short = (degrees - axis) % 180.0 == 0.0;
+            let radius = if is_short { short } else { 1.0 };
+            let end_radius = if is_free {
+                1.0 - fit.peak / radius
+            } else {
+                1.0
+            };
+            Piece {
+                degree: Degree::Cubic,
+                end_radius,
+                handle: Vec2::new(end_radius, k),
+            }
+        };
+        Ok([end(pair[0], fit.handles[0]), end(pair[1], fit.handles[1])])
+    };
+    angles.windows(2).map(piece).collect()
+}
+
+impl Method {
+    /// Whether the pieces depend on the ellipse that they are placed on.
+    #[must_use]
+    pub(crate) const fn sees_ellipse(self) -> bool {
+        matches!(self, Self::MinimaxEllipse | Self::MinimaxEllipseFree)
+    }
+}
