@@ -10,13 +10,16 @@ mod curve_text;
 mod decimal;
 mod decimals;
 mod doctype;
+mod doubt;
 mod element;
+mod encoding;
 mod end;
 mod facts;
 mod fault;
 mod length;
 mod memo;
 mod namespace;
+mod node;
 mod note;
 mod number;
 mod output;
@@ -35,6 +38,7 @@ mod scratch;
 mod segments;
 mod selector;
 mod splice;
+mod tag;
 mod value;
 
 use std::borrow::Cow;
@@ -45,11 +49,13 @@ use thiserror::Error;
 use crate::joints::Cut;
 use crate::method::{Ends, Rule, Span};
 
+pub use doubt::{Doubt, Trust};
 pub use note::Note;
 pub use paths::{SvgPath, svg_paths};
 pub use property::Kind;
 pub use reason::Reason;
 
+use encoding::Source;
 use facts::Facts;
 use fault::{Fault, FaultKind};
 use place::Places;
@@ -93,6 +99,8 @@ pub struct Options {
     pub precision: Option<u8>,
     /// What to replace.
     pub only: Only,
+    /// The doubts that are set aside.
+    pub trust: Trust,
 }
 
 impl Options {
@@ -201,7 +209,7 @@ pub enum Error {
     },
     /// The document declares or uses an encoding other than UTF-8.
     #[error(
-        "{line}:{column}: the encoding is {encoding}: only UTF-8 is read, convert the file to it first"
+        "{line}:{column}: the encoding is {encoding}, which is not read: convert the file to UTF-8 first"
     )]
     Encoding {
         /// The line, from 1.
@@ -227,29 +235,77 @@ impl Error {
     }
 }
 
-/// Replaces circles, ellipses, rounded rectangles and path arcs of an SVG document by cubic Béziers.
+/// A converted file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ConvertedFile<'a> {
+    /// The new bytes in the encoding of the old ones; where nothing was replaced the old ones, borrowed.
+    pub bytes: Cow<'a, [u8]>,
+    /// What was replaced.
+    pub replaced: Counts,
+    /// What was left, and why.
+    pub notes: Vec<Note>,
+}
+
+/// Replaces circles, ellipses, rounded rectangles and path arcs of an SVG document, and path arcs of an Android `VectorDrawable`, by
+/// cubic Béziers.
 ///
 /// # Errors
 ///
 /// A document that is not well-formed XML, or that declares an encoding other than UTF-8.
 pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Error> {
-    let fail = |fault| Error::new(text, fault);
-    let pass = scratch::with_scratch(options, |scratch| {
-        match rewrite::run(text, options, None, scratch)? {
-            Pass::NeedsFacts => rewrite::run(text, options, Some(&Facts::read(text)?), scratch),
-            done @ Pass::Done(..) => Ok(done),
-        }
-    });
-    let pass = pass.map_err(fail)?;
-    let (new, replaced, notes) = match pass {
-        Pass::Done(new, replaced, notes) => (new, replaced, notes),
-        Pass::NeedsFacts => (None, Counts::default(), Vec::new()),
-    };
+    let (new, replaced, notes) = pass(text.into(), options)?;
     Ok(Converted {
         text: new.map_or(Cow::Borrowed(text), Cow::Owned),
         replaced,
         notes,
     })
+}
+
+/// [`convert`] for the bytes of a file, which may also be in an encoding that holds ASCII as it is, such as ISO 8859-1: every byte
+/// outside of what is replaced stays.
+///
+/// # Errors
+///
+/// Those of [`convert`] and [`decode`].
+pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<ConvertedFile<'a>, Error> {
+    let outcome = decode(bytes).and_then(|text| pass(text.into(), options));
+    let (new, replaced, notes) = match outcome {
+        Err(Error::Encoding { encoding, .. }) if encoding::keeps_ascii(&encoding) => {
+            let text = encoding::widen(bytes);
+            let source = Source {
+                text: &text,
+                is_widened: true,
+            };
+            let (new, replaced, notes) = pass(source, options)?;
+            (new.map(|text| encoding::narrow(&text)), replaced, notes)
+        }
+        outcome => {
+            let (new, replaced, notes) = outcome?;
+            (new.map(|text| text.into_bytes().into()), replaced, notes)
+        }
+    };
+    Ok(ConvertedFile {
+        bytes: new.unwrap_or(Cow::Borrowed(bytes)),
+        replaced,
+        notes,
+    })
+}
+
+/// The new text, if anything was replaced, with what was and what was not.
+fn pass(
+    source: Source<'_>,
+    options: &Options,
+) -> Result<(Option<String>, Counts, Vec<Note>), Error> {
+    let pass = scratch::with_scratch(options, |scratch| {
+        match rewrite::run(source, options, None, scratch)? {
+            Pass::NeedsFacts => rewrite::run(source, options, Some(&Facts::read(source)?), scratch),
+            done @ Pass::Done(..) => Ok(done),
+        }
+    });
+    match pass.map_err(|fault| Error::new(source.text, fault))? {
+        Pass::Done(new, replaced, notes) => Ok((new, replaced, notes)),
+        Pass::NeedsFacts => Ok((None, Counts::default(), Vec::new())),
+    }
 }
 
 /// The text of a file: UTF-8, with or without a byte order mark.
@@ -278,7 +334,7 @@ pub fn decode(bytes: &[u8]) -> Result<&str, Error> {
         let good = String::from_utf8_lossy(good);
         // What the declaration says, if it got so far.
         let declared = good.find("?>").and_then(|end| {
-            let mut scanner = scan::Scanner::new(&good[..end + 2]).ok()?;
+            let mut scanner = scan::Scanner::new(good[..end + 2].into()).ok()?;
             scanner.next().err()
         });
         match declared {

@@ -127,7 +127,7 @@ mod tests {
     use super::Cli;
 
     /// What takes all of its values when it is given several times: positional words, and lists.
-    const LISTS: [&str; 10] = [
+    const LISTS: [&str; 11] = [
         "circle show",
         "ellipse show",
         "arc show",
@@ -135,6 +135,7 @@ mod tests {
         "spline show",
         "sphere show",
         "convert only",
+        "convert trust",
         "compare method",
         "compare segments",
         "compare by",

@@ -118,10 +118,9 @@ fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble>
     } else {
         Vec::new()
     };
-    let text = document::decode(if compressed { &bytes } else { &raw })
-        .map_err(|error| Trouble::Document(error, None))?;
-    let converted = document::convert(text, options).map_err(|error| {
-        let is_path_data = text.trim_start().starts_with(['M', 'm']);
+    let plain = if compressed { &bytes } else { &raw };
+    let converted = document::convert_bytes(plain, options).map_err(|error| {
+        let is_path_data = matches!(plain.trim_ascii_start(), [b'M' | b'm', ..]);
         let hint = is_path_data.then_some("path data alone goes through 'curveto path'");
         Trouble::Document(error, hint)
     })?;
@@ -139,7 +138,7 @@ fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble>
         Destination::File(path) => is_svgz(path),
         _ => compressed,
     };
-    let text = converted.text.as_bytes();
+    let text = &*converted.bytes;
     if !changed && compress == compressed {
         target.write(&raw)?;
     } else if compress {

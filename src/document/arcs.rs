@@ -250,7 +250,7 @@ impl<S: Sink> Writer<'_, '_, S> {
             // Whether it is depends on where it lies, so that such an arc is not kept.
             let nearly_whole = is_nearly_whole(&arc);
             if nearly_whole && self.ends_coincide(segment, &arc) {
-                return Err(Reason::NearlyWhole);
+                Reason::NearlyWhole.stop(self.context.options.trust)?;
             }
             self.draw(segment, &arc)?;
             if let Some(key) = key.filter(|_| !nearly_whole) {
@@ -261,7 +261,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         let Scratch { body, memo, .. } = &*self.scratch;
         let curve = known.map_or_else(|| body.curve(), |index| memo.curve(index));
         if self.context.markers.middle && curve.segments > 1 {
-            return Err(Reason::MarkerOnVertices);
+            Reason::MarkerOnVertices.stop(self.context.options.trust)?;
         }
         let (letter, respell) = if curve.quadratic {
             (b'q', b't')
@@ -330,8 +330,11 @@ impl<S: Sink> Writer<'_, '_, S> {
                     None | Some(b'm' | b'z' | b's' | b't')
                 )
         };
-        if self.context.markers.any || smooth || shows() {
+        if smooth {
             return Err(Reason::EmptyArc);
+        }
+        if self.context.markers.any || shows() {
+            Reason::EmptyArc.stop(self.context.options.trust)?;
         }
         self.sink.edit(self.text_start(segment)..segment.end);
         self.end.letter = 0;

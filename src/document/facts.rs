@@ -7,13 +7,16 @@ use std::collections::{HashMap, HashSet};
 use super::attributes::Attribute;
 use super::css::{self, Sheet};
 use super::doctype::{Doctype, Resolved};
+use super::doubt::Trust;
+use super::encoding::Source;
 use super::fault::Result;
 use super::namespace::Namespace;
+use super::node::{Element, Node};
 use super::own;
 use super::property::{Effect, Kind, Markers, Properties};
 use super::reason::Reason;
 use super::rules::Subject;
-use super::scan::{Element, Node, Scanner};
+use super::scan::Scanner;
 use super::value;
 
 /// So often a `<use>` within what another one refers to is followed; what goes on counts as drawn with markers.
@@ -43,11 +46,13 @@ struct Changed {
 #[derive(Debug, Default)]
 pub(super) struct Facts {
     sheet: Sheet,
-    /// What holds for the whole document, if anything does.
-    everywhere: Option<Reason>,
+    /// What holds for the whole document.
+    everywhere: Vec<Reason>,
     animated: HashMap<Target, Properties>,
     changed: Changed,
     motion_paths: HashSet<String>,
+    /// Whether the path data of an Android drawable are animated.
+    android_morphs: bool,
     has_uses: bool,
     /// The markers that elements of these ids inherit from a `<use>`.
     used: HashMap<String, Markers>,
@@ -65,7 +70,8 @@ pub(super) fn is_sign(element: &Element<'_>, attributes: &[Attribute<'_>]) -> bo
         "link",
         "handler",
     ];
-    NAMES.contains(&element.local) && element.namespace != Namespace::Other
+    element.android_property.is_some()
+        || NAMES.contains(&element.local) && element.namespace != Namespace::Other
         || attributes.iter().any(|attribute| is_handler(attribute))
 }
 
@@ -91,7 +97,7 @@ struct Collecting {
 
 impl Facts {
     /// Reads a whole document.
-    pub(super) fn read(source: &str) -> Result<Self> {
+    pub(super) fn read(source: Source<'_>) -> Result<Self> {
         let mut facts = Self::default();
         let mut scanner = Scanner::new(source)?;
         let mut collecting: Option<Collecting> = None;
@@ -137,7 +143,9 @@ impl Facts {
     }
 
     fn set_everywhere(&mut self, reason: Reason) {
-        self.everywhere.get_or_insert(reason);
+        if !self.everywhere.contains(&reason) {
+            self.everywhere.push(reason);
+        }
     }
 
     /// Notes what an element says; whether its text is a style sheet.
@@ -152,6 +160,10 @@ impl Facts {
                 .find(|attribute| attribute.name == name)?;
             Some(value::text(found.value, &scanner.doctype).unwrap_or_else(|| found.value.into()))
         };
+        let property = element
+            .android_property
+            .and_then(|i| scanner.attributes.get(i));
+        self.android_morphs |= property.is_some_and(|property| property.value == "pathData");
         match element.local {
             _ if element.namespace == Namespace::Other => {}
             "script" | "handler" => self.set_everywhere(Reason::Script),
@@ -219,49 +231,57 @@ impl Facts {
         self.changed.markers |= self.sheet.keyframes.sets.markers().any;
     }
 
-    /// Why an element of this kind cannot be replaced, if the document says so.
+    /// Why an element of this kind cannot be replaced, if the document says so and it is not trusted.
     pub(super) fn forbid(
         &self,
         kind: Kind,
         start: usize,
         class: Option<&str>,
         id: Option<&str>,
+        trust: Trust,
     ) -> Option<Reason> {
-        if let Some(reason) = &self.everywhere {
+        let everywhere = self.everywhere.iter().find(|reason| reason.counts(trust));
+        if let Some(reason) = everywhere {
             return Some(reason.clone());
         }
-        if let Some(selector) = self.sheet.rules.selected_by_name(kind, class, id) {
-            return Some(Reason::SelectedByName(selector.to_owned()));
-        }
+        let selector = self.sheet.rules.selected_by_name(kind, class, id);
         let subject = Subject {
             name: kind.name(),
             class,
             id,
         };
-        if let Some(reason) = style_reason(kind, self.sheet.rules.effect(subject)) {
-            return Some(reason);
-        }
+        let moves_along = id.is_some_and(|id| self.motion_paths.contains(id));
+        [
+            selector.map(|selector| Reason::SelectedByName(selector.to_owned())),
+            style_reason(kind, self.sheet.rules.effect(subject)),
+            self.animated(kind, start, id),
+            moves_along.then_some(Reason::MotionPath),
+        ]
+        .into_iter()
+        .flatten()
+        .find(|reason| reason.counts(trust))
+    }
+
+    /// Why path data of an Android drawable cannot be replaced: what animates them asks for the same commands.
+    pub(super) fn forbid_android(&self, trust: Trust) -> Option<Reason> {
+        let animated = self.android_morphs.then_some(Reason::Animated("pathData"));
+        animated.filter(|reason| reason.counts(trust))
+    }
+
+    /// What animations and keyframes do to the geometry of an element.
+    fn animated(&self, kind: Kind, start: usize, id: Option<&str>) -> Option<Reason> {
         let sensitive = kind.sensitive();
-        let keyframes = self.sheet.keyframes;
-        if keyframes.reads.meets(kind.attributes()) {
-            return style_reason(kind, keyframes);
+        if self.sheet.keyframes.reads.meets(kind.attributes()) {
+            return style_reason(kind, self.sheet.keyframes);
         }
-        let keyframes = keyframes.sets.and(sensitive);
-        if !keyframes.is_empty() {
-            return Some(Reason::Animated(keyframes.first_name()));
-        }
-        let by_place = self.animated.get(&Target::Parent(start));
-        let by_id = id.and_then(|id| self.animated.get(&Target::Id(id.to_owned())));
-        let animated = [by_place, by_id]
+        let by_place = self.animated.get(&Target::Parent(start)).copied();
+        let by_id = id.and_then(|id| self.animated.get(&Target::Id(id.to_owned())).copied());
+        [Some(self.sheet.keyframes.sets), by_place, by_id]
             .into_iter()
             .flatten()
             .map(|set| set.and(sensitive))
-            .find(|set| !set.is_empty());
-        if let Some(set) = animated {
-            return Some(Reason::Animated(set.first_name()));
-        }
-        id.is_some_and(|id| self.motion_paths.contains(id))
-            .then_some(Reason::MotionPath)
+            .find(|set| !set.is_empty())
+            .map(|set| Reason::Animated(set.first_name()))
     }
 
     /// Whether a style rule may round the corners of a rectangle.
@@ -299,7 +319,7 @@ impl Facts {
     }
 
     /// Follows markers through `<use>` into what it refers to, which may hold further ones.
-    fn follow_uses(&mut self, source: &str) -> Result<()> {
+    fn follow_uses(&mut self, source: Source<'_>) -> Result<()> {
         for _ in 0..MOST_ROUNDS {
             if self.changed.markers || !self.follow_uses_once(source)? {
                 return Ok(());
@@ -310,7 +330,7 @@ impl Facts {
     }
 
     /// Goes over the document once; whether that found something new.
-    fn follow_uses_once(&mut self, source: &str) -> Result<bool> {
+    fn follow_uses_once(&mut self, source: Source<'_>) -> Result<bool> {
         let mut scanner = Scanner::new(source)?;
         let (mut open, mut is_new) = (Vec::<Markers>::new(), false);
         loop {

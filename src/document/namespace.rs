@@ -12,6 +12,8 @@ pub(super) enum Namespace {
     Svg,
     Xhtml,
     Xlink,
+    /// The attributes of Android's resources.
+    Android,
     Other,
 }
 
@@ -25,6 +27,8 @@ pub(super) struct Namespaces<'a> {
     declared: Vec<(usize, &'a str)>,
     /// Whether names without a prefix and without a default namespace count as SVG: a fragment, as people paste it into HTML.
     fragment: bool,
+    /// Whether a prefix of Android has been declared.
+    knows_android: bool,
 }
 
 impl<'a> Namespaces<'a> {
@@ -39,12 +43,14 @@ impl<'a> Namespaces<'a> {
                 Some("http://www.w3.org/2000/svg") => Namespace::Svg,
                 Some("http://www.w3.org/1999/xhtml") => Namespace::Xhtml,
                 Some("http://www.w3.org/1999/xlink") => Namespace::Xlink,
+                Some("http://schemas.android.com/apk/res/android") => Namespace::Android,
                 _ => Namespace::Other,
             };
             if attribute.name == "xmlns" {
                 let none = uri.as_deref() == Some("");
                 self.default.push((depth, (!none).then_some(namespace)));
             } else if let Some(prefix) = attribute.name.strip_prefix("xmlns:") {
+                self.knows_android |= namespace == Namespace::Android;
                 self.prefixes.entry(prefix).or_default().push(namespace);
                 self.declared.push((depth, prefix));
             }
@@ -79,6 +85,21 @@ impl<'a> Namespaces<'a> {
             .iter()
             .position(|attribute| attribute.name == "href")
             .or_else(|| attributes.iter().position(is_xlink))
+    }
+
+    /// The index of the attribute of that name in Android's namespace.
+    pub(super) fn android(&self, attributes: &[Attribute<'_>], name: &str) -> Option<usize> {
+        let is_it = |attribute: &Attribute<'_>| {
+            attribute
+                .name
+                .split_once(':')
+                .is_some_and(|(prefix, local)| {
+                    local == name && self.prefix(prefix) == Some(Namespace::Android)
+                })
+        };
+        self.knows_android
+            .then(|| attributes.iter().position(is_it))
+            .flatten()
     }
 
     /// The namespace of a prefix, if it is declared.

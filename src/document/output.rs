@@ -29,6 +29,8 @@ impl Output<'_> {
 /// Brings edits of path data to their place in the file.
 pub(super) struct Sink<'r, 'a> {
     pub(super) output: &'r mut Output<'a>,
+    /// The name of the element whose data they are.
+    pub(super) element: &'static str,
     /// Where the value begins, and the way back from resolved references, where there are some.
     pub(super) origin: Option<(usize, &'r [usize])>,
 }
@@ -49,6 +51,6 @@ impl arcs::Sink for Sink<'_, '_> {
 
     fn note(&mut self, at: usize, reason: Reason) {
         let place = self.place(at);
-        self.output.note("path", place, reason);
+        self.output.note(self.element, place, reason);
     }
 }

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use super::doubt::{Doubt, Trust};
+
 /// Why something is left; [`Reason::code`] is the short form for programs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
@@ -58,30 +60,58 @@ pub enum Reason {
 }
 
 impl Reason {
+    /// The doubt that it stands for, if it is one that may be set aside.
+    #[must_use]
+    pub const fn doubt(&self) -> Option<Doubt> {
+        Some(match self {
+            Self::ExternalStyle => Doubt::ExternalStyle,
+            Self::Script => Doubt::Script,
+            Self::EntityContent => Doubt::EntityContent,
+            Self::SelectedByName(_) => Doubt::StyleSelector,
+            Self::StyleGeometry(_) | Self::StyleReads(_) => Doubt::StyleGeometry,
+            Self::Animated(_) => Doubt::Animation,
+            Self::Marker => Doubt::Marker,
+            Self::MotionPath => Doubt::MotionPath,
+            Self::AttributeDefaults => Doubt::AttributeDefaults,
+            Self::MarkerOnVertices => Doubt::MarkerMid,
+            Self::EmptyArc => Doubt::EmptyArc,
+            Self::NearlyWhole => Doubt::NearlyWhole,
+            _ => return None,
+        })
+    }
+
+    /// Whether it counts, given what is trusted.
+    pub(super) const fn counts(&self, trust: Trust) -> bool {
+        match self.doubt() {
+            Some(doubt) => !trust.contains(doubt),
+            None => true,
+        }
+    }
+
+    /// Itself as an error, where it counts.
+    pub(super) fn stop(self, trust: Trust) -> Result<(), Self> {
+        if self.counts(trust) {
+            Err(self)
+        } else {
+            Ok(())
+        }
+    }
+
     /// A short, stable name.
     #[must_use]
     pub const fn code(&self) -> &'static str {
+        if let Some(doubt) = self.doubt() {
+            return doubt.code();
+        }
         match self {
-            Self::ExternalStyle => "external-style",
-            Self::Script => "script",
-            Self::EntityContent => "entity-content",
-            Self::SelectedByName(_) => "style-selector",
-            Self::StyleGeometry(_) | Self::StyleReads(_) => "style-geometry",
-            Self::Animated(_) => "animation",
-            Self::Marker => "marker",
-            Self::MotionPath => "motion-path",
-            Self::AttributeDefaults => "attribute-defaults",
             Self::Length { .. } => "length",
             Self::NotDrawn(_) => "not-drawn",
             Self::Entity => "entity",
-            Self::MarkerOnVertices => "marker-mid",
-            Self::EmptyArc => "empty-arc",
-            Self::NearlyWhole => "nearly-whole",
             Self::PathError | Self::PathErrorBehindArc => "path-error",
             Self::TooLarge => "too-large",
             Self::Collapses => "precision",
             Self::Refused(_) => "method",
-            Self::Elsewhere(_) => "elsewhere",
+            _ => "elsewhere",
         }
     }
 }
@@ -123,7 +153,7 @@ impl fmt::Display for Reason {
                 )
             }
             Self::NotDrawn(why) => write!(f, "nothing is drawn: {why}"),
-            Self::Entity => f.write_str("its value depends on an entity"),
+            Self::Entity => f.write_str("its value depends on an entity or on another resource"),
             Self::MarkerOnVertices => {
                 f.write_str("a marker may stand on every vertex, and this arc needs new ones")
             }

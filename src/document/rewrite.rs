@@ -4,18 +4,22 @@ use core::ops::Range;
 
 use super::arcs;
 use super::attributes::Attribute;
+use super::doubt::Doubt;
 use super::element::{self, Shape};
+use super::encoding::Source;
 use super::facts::{self, Facts};
 use super::fault::Result;
 use super::namespace::Namespace;
+use super::node::{Element, Node};
 use super::output::{Output, Sink};
 use super::own;
 use super::place::Places;
 use super::property::{Kind, Markers, Properties};
 use super::reason::Reason;
-use super::scan::{Element, Node, Scanner};
+use super::scan::Scanner;
 use super::scratch::Scratch;
 use super::splice::Splice;
+use super::tag;
 use super::value;
 use super::{Counts, Note, Options};
 
@@ -56,7 +60,7 @@ struct Rewriter<'a, 'f> {
 
 /// Rewrites a document.
 pub(super) fn run(
-    source: &str,
+    source: Source<'_>,
     options: &Options,
     facts: Option<&Facts>,
     scratch: &mut Scratch,
@@ -66,8 +70,8 @@ pub(super) fn run(
         options,
         facts,
         output: Output {
-            splice: Splice::new(source),
-            places: Places::new(source),
+            splice: Splice::new(source.text),
+            places: Places::new(source.text),
             notes: Vec::new(),
         },
         counts: Counts::default(),
@@ -128,6 +132,7 @@ impl<'a> Rewriter<'a, '_> {
     /// Replaces an element or notes why not; whether its end tag has a new name.
     fn element(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) -> bool {
         if element.namespace != Namespace::Svg {
+            self.android(element, scanner);
             return false;
         }
         match Kind::named(element.local) {
@@ -175,14 +180,16 @@ impl<'a> Rewriter<'a, '_> {
         element: &Element<'_>,
         scanner: &Scanner<'_>,
     ) -> Option<Reason> {
+        let trust = self.options.trust;
         let by_document = self.facts.and_then(|facts| {
             let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
-            facts.forbid(kind, element.start, class.as_deref(), id.as_deref())
+            let (class, id) = (class.as_deref(), id.as_deref());
+            facts.forbid(kind, element.start, class, id, trust)
         });
         by_document
             .or_else(|| {
                 let own = own::style(&scanner.attributes, &scanner.doctype);
-                facts::style_reason(kind, own)
+                facts::style_reason(kind, own).filter(|reason| reason.counts(trust))
             })
             .or_else(|| {
                 let prefix = element.name.strip_suffix(element.local).unwrap_or_default();
@@ -190,6 +197,7 @@ impl<'a> Rewriter<'a, '_> {
                     .doctype
                     .has_defaults_for(element.name, &format!("{prefix}path"))
                     .then_some(Reason::AttributeDefaults)
+                    .filter(|reason| reason.counts(trust))
             })
     }
 
@@ -219,7 +227,10 @@ impl<'a> Rewriter<'a, '_> {
         let reason = self
             .forbidden(kind, element, scanner)
             .or_else(|| data.as_ref().err().cloned())
-            .or_else(|| markers.any.then_some(Reason::Marker));
+            .or_else(|| {
+                let shows = markers.any && Reason::Marker.counts(self.options.trust);
+                shows.then_some(Reason::Marker)
+            });
         if let Some(reason) = reason {
             self.output.note(kind.name(), element.start, reason);
             return false;
@@ -229,7 +240,13 @@ impl<'a> Rewriter<'a, '_> {
             Ok(ShapeData::Kept(index)) => memo.curve(index),
             _ => body.curve(),
         };
-        replace(kind, element, scanner, data.text, &mut self.output.splice);
+        tag::replace(
+            kind,
+            element,
+            &scanner.attributes,
+            data.text,
+            &mut self.output.splice,
+        );
         self.counts.count(kind, 1);
         true
     }
@@ -275,6 +292,9 @@ impl<'a> Rewriter<'a, '_> {
 
     /// Whether a style may give a rectangle round corners that its attributes do not.
     fn may_be_rounded(&self, scanner: &Scanner<'_>) -> bool {
+        if self.options.trust.contains(Doubt::StyleGeometry) {
+            return false;
+        }
         let by_sheet = self.facts.is_some_and(|facts| {
             let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
             facts.may_round(class.as_deref(), id.as_deref())
@@ -287,13 +307,46 @@ impl<'a> Rewriter<'a, '_> {
     }
 
     fn path(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) {
-        let Some(d) = scanner
-            .attributes
-            .iter()
-            .find(|attribute| attribute.name == "d")
-        else {
+        let mut attributes = scanner.attributes.iter();
+        let Some(d) = attributes.find(|attribute| attribute.name == "d") else {
             return;
         };
+        let forbidden = |this: &Self| this.forbidden(Kind::Path, element, scanner);
+        self.path_data("path", element.start, d, scanner, markers, forbidden);
+    }
+
+    /// The path data of an Android `VectorDrawable`.
+    fn android(&mut self, element: &Element<'_>, scanner: &Scanner<'a>) {
+        let found = element.android_data.and_then(|i| scanner.attributes.get(i));
+        let name = match element.name {
+            "path" => "path",
+            "clip-path" => "clip-path",
+            _ => return,
+        };
+        if let Some(data) = found.filter(|_| self.options.only.contains(Kind::Path)) {
+            let trust = self.options.trust;
+            let forbidden = |this: &Self| {
+                // The text is a resource of another file.
+                if data.value.starts_with(['@', '?']) {
+                    return Some(Reason::Entity);
+                }
+                this.facts.and_then(|facts| facts.forbid_android(trust))
+            };
+            let markers = Markers::default();
+            self.path_data(name, element.start, data, scanner, markers, forbidden);
+        }
+    }
+
+    /// The arcs of an attribute that holds path data.
+    fn path_data(
+        &mut self,
+        name: &'static str,
+        start: usize,
+        d: &Attribute<'a>,
+        scanner: &Scanner<'a>,
+        markers: Markers,
+        forbidden: impl Fn(&Self) -> Option<Reason>,
+    ) {
         if !d.has_references && memchr::memchr2(b'a', b'A', d.value.as_bytes()).is_none() {
             return;
         }
@@ -301,13 +354,13 @@ impl<'a> Rewriter<'a, '_> {
             match value::traced(d.value, &scanner.doctype) {
                 Some(traced) if !traced.text.contains(['a', 'A']) => return,
                 Some(traced) if !traced.entities => Some(traced),
-                _ => return self.output.note("path", d.start, Reason::Entity),
+                _ => return self.output.note(name, d.start, Reason::Entity),
             }
         } else {
             None
         };
-        if let Some(reason) = self.forbidden(Kind::Path, element, scanner) {
-            return self.output.note("path", element.start, reason);
+        if let Some(reason) = forbidden(self) {
+            return self.output.note(name, start, reason);
         }
         let context = arcs::Context {
             options: self.options,
@@ -323,38 +376,11 @@ impl<'a> Rewriter<'a, '_> {
         };
         let mut sink = Sink {
             output: &mut self.output,
+            element: name,
             origin,
         };
         let outcome = arcs::rewrite(text, span, context, self.scratch, &mut sink);
         self.counts.count(Kind::Path, outcome.arcs);
         self.counts.smooth += outcome.smooth;
-    }
-}
-
-/// The tag's name becomes `path`, the first geometry attribute `d`, or a `d` that has no meaning yet gets one; the other ones go
-/// with the space before them.
-fn replace(
-    kind: Kind,
-    element: &Element<'_>,
-    scanner: &Scanner<'_>,
-    data: &[u8],
-    splice: &mut Splice<'_>,
-) {
-    splice.replace(element.local_span.clone(), b"path");
-    let stray = scanner.attributes.iter().any(|a| a.name == "d");
-    let mut written = stray;
-    for attribute in &scanner.attributes {
-        if attribute.name == "d" {
-            splice.replace(attribute.value_span.clone(), data);
-        } else if kind.geometry().contains(&attribute.name) && written {
-            splice.replace(attribute.span.clone(), b"");
-        } else if kind.geometry().contains(&attribute.name) {
-            splice.replace(
-                attribute.start..attribute.start + attribute.name.len(),
-                b"d",
-            );
-            splice.replace(attribute.value_span.clone(), data);
-            written = true;
-        }
     }
 }

@@ -3,7 +3,6 @@
 //! Icons are short and full of tags, so that tags, text and comments are read here in one pass each; quick-xml finds the ends of
 //! everything else that begins with `<!` or `<?`.
 
-use core::ops::Range;
 use std::borrow::Cow;
 
 use quick_xml::Reader;
@@ -12,48 +11,11 @@ use quick_xml::events::Event;
 use super::attributes::{self, Attribute, behind_space};
 use super::characters::{self, BYTE_ORDER_MARK, first_forbidden};
 use super::doctype::{Doctype, Resolved};
+use super::encoding::Source;
 use super::fault::{Fault, Result};
-use super::namespace::{Namespace, Namespaces};
+use super::namespace::Namespaces;
+use super::node::{Element, Node};
 use super::value;
-
-/// One piece of a document.
-#[derive(Debug)]
-pub(super) enum Node<'a> {
-    /// A start tag or an empty element; its attributes are in [`Scanner::attributes`].
-    Start(Element<'a>),
-    /// An end tag; for an empty element there is none.
-    End {
-        /// The local name in the end tag.
-        local: Range<usize>,
-    },
-    /// Character data, and where they begin.
-    Text(&'a str),
-    /// A reference in the content: what it stands for.
-    Reference(Resolved),
-    /// A processing instruction without its `<?` and `?>`.
-    Instruction(&'a str),
-    /// Anything without a meaning here: comments, the declaration, the DOCTYPE.
-    Other,
-    /// The end of the document.
-    Done,
-}
-
-/// A start tag.
-#[derive(Debug, Clone)]
-pub(super) struct Element<'a> {
-    /// The byte of its `<`.
-    pub(super) start: usize,
-    /// The name with its prefix.
-    pub(super) name: &'a str,
-    /// The name without a prefix.
-    pub(super) local: &'a str,
-    pub(super) local_span: Range<usize>,
-    pub(super) namespace: Namespace,
-    /// Whether the tag ends in `/>`.
-    pub(super) empty: bool,
-    /// The index of the attribute that is its link.
-    pub(super) link: Option<usize>,
-}
 
 /// A start tag whose end tag has not come.
 #[derive(Debug, Clone, Copy)]
@@ -68,6 +30,8 @@ struct Open<'a> {
 pub(super) struct Scanner<'a> {
     /// The whole document, with its byte order mark.
     pub(super) source: &'a str,
+    /// Whether it stands for bytes in the encoding that it declares.
+    is_widened: bool,
     /// The attributes of the last start tag.
     pub(super) attributes: Vec<Attribute<'a>>,
     pub(super) doctype: Doctype,
@@ -80,12 +44,17 @@ pub(super) struct Scanner<'a> {
 
 impl<'a> Scanner<'a> {
     /// A scanner at the start of `source`.
-    pub(super) fn new(source: &'a str) -> Result<Self> {
+    pub(super) fn new(source: Source<'a>) -> Result<Self> {
+        let Source {
+            text: source,
+            is_widened,
+        } = source;
         if let Some(at) = first_forbidden(source) {
             return Err(Fault::new(at, "a character that XML does not allow"));
         }
         Ok(Self {
             source,
+            is_widened,
             attributes: Vec::with_capacity(16),
             doctype: Doctype::default(),
             at: if source.starts_with(BYTE_ORDER_MARK) {
@@ -175,6 +144,8 @@ impl<'a> Scanner<'a> {
         let link = may_link
             .then(|| self.namespaces.link(&self.attributes))
             .flatten();
+        let android = |name| self.namespaces.android(&self.attributes, name);
+        let (android_data, android_property) = (android("pathData"), android("propertyName"));
         if empty {
             self.namespaces.leave(self.open.len());
         } else {
@@ -189,6 +160,8 @@ impl<'a> Scanner<'a> {
             namespace,
             empty,
             link,
+            android_data,
+            android_property,
         }))
     }
 
@@ -361,10 +334,11 @@ impl<'a> Scanner<'a> {
                 "the XML declaration does not begin with a version",
             ));
         }
-        if let Some(encoding) = self
-            .attributes
-            .iter()
-            .find(|attribute| attribute.name == "encoding")
+        if !self.is_widened
+            && let Some(encoding) = self
+                .attributes
+                .iter()
+                .find(|attribute| attribute.name == "encoding")
             && !["utf-8", "utf8", "us-ascii", "ascii"]
                 .iter()
                 .any(|known| known.eq_ignore_ascii_case(encoding.value))

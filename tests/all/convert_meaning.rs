@@ -359,3 +359,172 @@ fn path_data_of_a_shape_that_has_no_use_for_them_are_overwritten() {
         &["style-selector"],
     );
 }
+
+// ---- what is trusted
+
+#[test]
+fn what_is_trusted_does_not_hold_back() {
+    use curveto::document::{Doubt, Trust};
+    let cases = [
+        (
+            "style-selector",
+            r#"<style>circle{fill:red}</style><circle r="5"/>"#,
+        ),
+        ("style-geometry", r#"<circle style="r:5px" r="5"/>"#),
+        (
+            "style-geometry",
+            r#"<style>.a{r:5px}</style><circle class="a" r="5"/>"#,
+        ),
+        (
+            "external-style",
+            r#"<style>@import "a.css";</style><circle r="5"/>"#,
+        ),
+        ("script", r#"<circle r="5"/><script>1</script>"#),
+        (
+            "animation",
+            r#"<circle r="5"><animate attributeName="r" values="1;2"/></circle>"#,
+        ),
+        ("marker", r#"<circle r="5" marker-end="url(#m)"/>"#),
+        (
+            "marker-mid",
+            r#"<path marker-mid="url(#m)" d="M0 0a5 5 0 0 1 10 0"/>"#,
+        ),
+        (
+            "motion-path",
+            r##"<mpath href="#p"/><circle id="p" r="5"/>"##,
+        ),
+        ("empty-arc", r#"<path d="M5 5a5 5 0 1 1 0 0"/>"#),
+        (
+            "nearly-whole",
+            r#"<path d="M1000 1000a6 6 0 1 0 0 .00001z"/>"#,
+        ),
+    ];
+    for (code, inner) in cases {
+        is_left(inner, &[code]);
+        let doubt = Doubt::coded(code).unwrap();
+        let trusting = |doubts: &[Doubt]| {
+            let options = Options {
+                trust: Trust::of(doubts),
+                ..Options::default()
+            };
+            let text = svg(inner);
+            let out = document::convert(&text, &options).unwrap();
+            (out.replaced.total(), out.notes.len())
+        };
+        assert_eq!(trusting(&[doubt]), (1, 0), "{inner}");
+        let others: Vec<Doubt> = Doubt::ALL.into_iter().filter(|d| *d != doubt).collect();
+        assert_eq!(trusting(&others), (0, 1), "{inner}");
+    }
+    for code in [
+        "path-error",
+        "precision",
+        "too-large",
+        "length",
+        "not-drawn",
+        "method",
+    ] {
+        assert_eq!(Doubt::coded(code), None);
+    }
+}
+
+#[test]
+fn several_doubts_are_told_one_after_the_other() {
+    use curveto::document::{Doubt, Trust};
+    let text = svg(r#"<script/><style>@import "a";circle{r:1px}</style><circle r="5"/>"#);
+    let mut doubts = Vec::new();
+    for code in [
+        "script",
+        "external-style",
+        "style-selector",
+        "style-geometry",
+    ] {
+        let options = Options {
+            trust: Trust::of(&doubts),
+            ..Options::default()
+        };
+        let out = document::convert(&text, &options).unwrap();
+        assert_eq!(out.notes[0].reason.code(), code);
+        doubts.push(Doubt::coded(code).unwrap());
+    }
+}
+
+// ---- encodings
+
+#[test]
+fn encodings_that_hold_ascii_are_spliced_byte_for_byte() {
+    for name in ["iso-8859-1", "windows-1251", "EUC-JP"] {
+        let head = format!("<?xml version=\"1.0\" encoding=\"{name}\"?><svg><desc>\u{1}");
+        let mut bytes = head.trim_end_matches('\u{1}').as_bytes().to_vec();
+        bytes.extend(0x80..=0xff);
+        bytes.extend(b"</desc><circle class='\xd7\xa0' r='5' id=\"\xe9\"/></svg>");
+        let out = document::convert_bytes(&bytes, &Options::default()).unwrap();
+        assert_eq!((out.replaced.circle, out.notes.len()), (1, 0));
+        let at = bytes
+            .windows(7)
+            .position(|word| word == b"<circle")
+            .unwrap();
+        assert!(out.bytes.starts_with(&bytes[..at]), "{name}");
+        assert!(out.bytes.ends_with(b"Z' id=\"\xe9\"/></svg>"));
+        let again = document::convert_bytes(&out.bytes, &Options::default()).unwrap();
+        assert_eq!(again.bytes, out.bytes);
+    }
+    let rule = b"<?xml version='1.0' encoding='latin1'?><svg><style>.\xe9{r:1px}</style><circle class='\xe9' r='5'/><circle class='\xe8' r='5'/></svg>";
+    let out = document::convert_bytes(rule, &Options::default()).unwrap();
+    assert_eq!((out.replaced.circle, out.notes.len()), (1, 1));
+    let sjis = b"<?xml version='1.0' encoding='Shift_JIS'?><svg>\x83\x5c</svg>";
+    assert!(document::convert_bytes(sjis, &Options::default()).is_err());
+    assert!(document::convert_bytes(b"<svg>\xe9</svg>", &Options::default()).is_err());
+}
+
+// ---- Android
+
+fn drawable(inner: &str) -> String {
+    format!(
+        r#"<vector xmlns:android="http://schemas.android.com/apk/res/android" android:viewportWidth="24">{inner}</vector>"#
+    )
+}
+
+#[test]
+fn arcs_of_android_drawables_become_curves() {
+    let text = drawable(
+        "<group android:name=\"g\">\n<clip-path android:pathData='M0 0a5 5 0 0 1 5 5z'/>\n<path android:fillColor=\"#fff\" android:pathData=\"M0 0A5 5 0 0 1 5 5\" /></group>",
+    );
+    let out = document::convert(&text, &Options::default()).unwrap();
+    assert_eq!((out.replaced.path, out.notes.len()), (2, 0));
+    let expected = text
+        .replace("a5 5 0 0 1 5 5z", "c2.7596 0 5 2.2404 5 5z")
+        .replace("A5 5 0 0 1 5 5", "C2.7596 0 5 2.2404 5 5");
+    assert_eq!(out.text, expected);
+    let renamed = text
+        .replace("android:", "a:")
+        .replace("xmlns:a:=", "xmlns:a=");
+    let renamed = renamed.replace("xmlns:android=", "xmlns:a=");
+    let out = document::convert(&renamed, &Options::default()).unwrap();
+    assert_eq!(out.replaced.path, 2);
+}
+
+#[test]
+fn path_data_of_android_stay_where_they_may_not_change() {
+    const ARC: &str = r#"<path android:pathData="M0 0A5 5 0 0 1 5 5"/>"#;
+    let animated = format!(
+        r#"{ARC}<objectAnimator android:propertyName="pathData" android:valueTo="M0 0A5 5 0 0 1 5 5"/>"#
+    );
+    is_left_whole(&drawable(&animated), &["animation"]);
+    is_left_whole(
+        &drawable(r#"<path android:pathData="@string/arc"/>"#),
+        &["entity"],
+    );
+    is_left_whole(
+        &drawable(r#"<path android:pathData="M0 0x A5 5 0 0 1 5 5"/>"#),
+        &["path-error"],
+    );
+    is_left_whole(&drawable(r#"<path pathData="M0 0A5 5 0 0 1 5 5"/>"#), &[]);
+    is_left_whole(
+        &drawable(r#"<path xmlns:q="urn:q" q:pathData="M0 0A5 5 0 0 1 5 5"/>"#),
+        &[],
+    );
+    let alpha = format!(r#"{ARC}<objectAnimator android:propertyName="alpha"/>"#);
+    let alpha = drawable(&alpha);
+    let out = document::convert(&alpha, &Options::default()).unwrap();
+    assert_eq!((out.replaced.path, out.notes.len()), (1, 0));
+}

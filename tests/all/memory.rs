@@ -61,6 +61,32 @@ fn convert_takes_at_most_three_times_its_file() {
 }
 
 #[test]
+fn a_style_sheet_takes_at_most_four_times_its_size() {
+    let sheet = |size: usize, rule: &dyn Fn(usize) -> String| {
+        let mut rules = String::new();
+        let mut number = 0;
+        while rules.len() < size {
+            rules += &rule(number);
+            number += 1;
+        }
+        format!("<svg><style>{rules}</style><circle class='c7' r='5'/></svg>")
+    };
+    let kinds: [&dyn Fn(usize) -> String; 5] = [
+        &|_| "circle{r:1px}".to_owned(),
+        &|i| format!(".c{i}{{r:1px}}"),
+        &|i| format!("c{i}:not(path){{marker:url(#m)}}"),
+        &|i| format!(".c.d{i}:is(a,path,#b{i}),"),
+        &|i| format!("a{i}:b;"),
+    ];
+    for (index, kind) in kinds.iter().enumerate() {
+        let peak = |size: usize| convert_peak(&sheet(size, kind)) as f64;
+        let size = 2 * MIB;
+        let times = (peak(2 * size) - peak(size)) / size as f64;
+        assert!(times < 4.0, "{times} times its size for kind {index}");
+    }
+}
+
+#[test]
 fn notes_take_little_more_than_what_they_tell_about() {
     let element = "<circle cx=\"50%\" cy=\"50%\" r=\"45%\" fill=\"none\" stroke=\"black\"/>\n";
     let text = |count: usize| format!("<svg>{}</svg>", element.repeat(count));

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use curveto::document::{self, Kind, Only};
+use curveto::document::{self, Doubt, Kind, Only, Trust};
 
 use super::each::EachArgs;
 use super::{TalkArgs, values};
@@ -22,6 +23,9 @@ pub(crate) struct ConvertArgs {
     /// Replace only these
     #[arg(long, value_enum, value_name = "KIND,...", value_delimiter = ',')]
     only: Vec<KindArg>,
+    /// Convert although notes of these codes would hold back: for who knows better
+    #[arg(long, value_name = "CODE,...", value_delimiter = ',', value_parser = doubts())]
+    trust: Vec<Doubt>,
     /// What was replaced and what was left, on standard error; without it, what was left
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub(crate) report: Option<Report>,
@@ -82,6 +86,12 @@ impl From<KindArg> for Kind {
     }
 }
 
+/// The codes that `--trust` takes.
+fn doubts() -> impl TypedValueParser<Value = Doubt> {
+    PossibleValuesParser::new(Doubt::ALL.map(Doubt::code))
+        .try_map(|code| Doubt::coded(&code).ok_or("not a code that can be trusted"))
+}
+
 impl ConvertArgs {
     /// The options of the conversion; refuses what no file could meet.
     pub(crate) fn options(&self) -> Result<document::Options, Failure> {
@@ -99,6 +109,7 @@ impl ConvertArgs {
                 .precision
                 .and_then(values::PrecisionWord::decimals),
             only,
+            trust: Trust::of(&self.trust),
         };
         options.check()?;
         Ok(options)
