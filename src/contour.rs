@@ -63,8 +63,28 @@ pub enum Target {
 pub struct PathDrawing {
     /// Its subpaths, in their order.
     pub subpaths: Vec<Subpath>,
-    /// What gave the control points of the arcs.
-    pub rule: Rule,
+    /// What made it.
+    pub maker: Maker,
+}
+
+/// What makes the segments of a path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Maker {
+    /// What gives the control points of arcs.
+    Rule(Rule),
+    /// Chords.
+    Lines,
+}
+
+impl Maker {
+    /// Its id, as in JSON.
+    #[must_use]
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Rule(rule) => rule.id(),
+            Self::Lines => "lines",
+        }
+    }
 }
 
 /// A finished subpath.
@@ -159,7 +179,7 @@ pub fn draw(
         });
         Ok(PathDrawing {
             subpaths: subpaths.collect::<Result<_>>()?,
-            rule: options.rule,
+            maker: Maker::Rule(options.rule),
         })
     };
     let drawing: PathDrawing = finish(precision)?;

@@ -27,6 +27,7 @@
 
 pub mod angle;
 pub mod approximate;
+pub mod arcs;
 #[cfg(feature = "batch")]
 pub mod batch;
 pub mod compare;

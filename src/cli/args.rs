@@ -25,7 +25,7 @@ pub(crate) use deferred::Deferred;
 pub(crate) use measure::MeasureArgs;
 pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
-pub(crate) use path::PathArgs;
+pub(crate) use path::{Kind as PathKind, PathArgs};
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
 pub(crate) use sphere::SphereArgs;
 pub(crate) use spline::{SplineArgs, SplineSource};
@@ -61,7 +61,7 @@ pub(crate) enum Command {
     Ellipse(Deferred<Draw<EllipseShape>>),
     /// Draw an arc of a circle or an ellipse
     Arc(Deferred<Draw<ArcShape>>),
-    /// Draw SVG path data: every arc becomes Béziers, all else stays as it is
+    /// Draw SVG path data: every arc becomes Béziers, all else stays as it is; or all of it becomes lines
     Path(Deferred<PathArgs>),
     /// Draw the shapes of a stream, one a line in, one a line out
     Batch(Deferred<BatchArgs>),

@@ -3,10 +3,11 @@
 use std::process::ExitCode;
 
 use curveto::approximate::Options;
+use curveto::arcs;
 use curveto::contour::draw;
 use curveto::path::contours;
 
-use super::args::PathArgs;
+use super::args::{PathArgs, PathKind as Kind};
 use super::failure::Failure;
 use super::output::write_drawn;
 use super::{Outcome, input};
@@ -20,13 +21,27 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
             "draw each shape by itself, or leave it out",
         ));
     }
-    let options = Options {
-        rule: args.rule()?,
-        cut: args.approximation.cut(),
-        precision: args.output.rounding(format),
-        transform: args.output.transform(),
+    let contours = contours(&data)?;
+    let (precision, transform) = (args.output.rounding(format), args.output.transform());
+    let mut drawing = match args.kind() {
+        Kind::Beziers(target) => {
+            let options = Options {
+                rule: args.rule()?,
+                cut: args.approximation.cut(),
+                precision,
+                transform,
+            };
+            draw(&contours, target, &options)?
+        }
+        Kind::Lines => {
+            let options = arcs::Options {
+                tolerance: args.only_tolerance()?,
+                precision,
+                transform,
+            };
+            arcs::lines(&contours, &options)?
+        }
     };
-    let mut drawing = draw(&contours(&data)?, args.target(), &options)?;
     if args.open {
         for subpath in &mut drawing.subpaths {
             subpath.curve.closed = false;

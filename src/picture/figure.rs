@@ -4,7 +4,7 @@ use kurbo::Rect;
 
 use super::style::{Style, default_stroke_width};
 use crate::approximate::Drawing;
-use crate::contour::PathDrawing;
+use crate::contour::{Maker, PathDrawing};
 use crate::curve::Curve;
 use crate::number::{compact, rounded_up, significant, text};
 use crate::shape::{Outline, Shape};
@@ -140,8 +140,11 @@ pub(crate) fn path_summary(drawing: &PathDrawing) -> String {
     let closeness = match drawing.error().peak() {
         0.0 => "exact".to_owned(),
         peak => format!(
-            "arcs by {}, within {}",
-            drawing.rule.id(),
+            "{}within {}",
+            match drawing.maker {
+                Maker::Rule(rule) => format!("arcs by {}, ", rule.id()),
+                Maker::Lines => String::new(),
+            },
             significant(rounded_up(peak, 3), 3)
         ),
     };

@@ -112,6 +112,11 @@ impl ApproximationArgs {
         })
     }
 
+    /// Whether no method was asked for.
+    pub(crate) fn has_default_rule(&self) -> bool {
+        self.method.is_empty() && self.handle.is_none() && self.quadrature == Quadrature::Adaptive
+    }
+
     /// Whether nothing was asked for.
     pub(crate) fn is_silent(&self) -> bool {
         self.method.is_empty()

@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use curveto::contour::Target;
-use curveto::{Method, Rule};
+use curveto::{Cut, Method, Rule, Tolerance};
 
 use super::{ApproximationArgs, OutputArgs};
 use crate::cli::failure::Failure;
@@ -34,14 +34,37 @@ enum TargetArg {
     Beziers,
     /// Arcs and cubics become quadratics, cubics within -t or a thousandth of their size
     Quadratics,
+    /// All becomes lines within -t, or a thousandth of half the subpath's size and the rounding of its points
+    Lines,
+}
+
+/// What a path becomes.
+pub(crate) enum Kind {
+    Beziers(Target),
+    Lines,
 }
 
 impl PathArgs {
-    /// What becomes of the Béziers that were given.
-    pub(crate) fn target(&self) -> Target {
+    /// What it becomes.
+    pub(crate) fn kind(&self) -> Kind {
         match self.to {
-            TargetArg::Beziers => Target::Beziers,
-            TargetArg::Quadratics => Target::Quadratics,
+            TargetArg::Beziers => Kind::Beziers(Target::Beziers),
+            TargetArg::Quadratics => Kind::Beziers(Target::Quadratics),
+            TargetArg::Lines => Kind::Lines,
+        }
+    }
+
+    /// The tolerance, where nothing else is asked for.
+    pub(crate) fn only_tolerance(&self) -> Result<Option<Tolerance>, Failure> {
+        match self.approximation.cut() {
+            Cut::Tolerance(tolerance) if self.approximation.has_default_rule() => {
+                Ok(Some(tolerance))
+            }
+            _ if self.approximation.is_silent() => Ok(None),
+            _ => Err(Failure::request_with_hint(
+                "lines follow no method of Béziers: of these options only -t has a say",
+                "-t gives the distance that they may have from the path",
+            )),
         }
     }
 

@@ -13,7 +13,7 @@ use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
 pub struct PathDocument {
     /// The version of this form.
     pub version: u32,
-    /// The id of the method that arcs were drawn by, or `handle`.
+    /// The id of the method that arcs were drawn by, or `handle`; `lines` where all became lines.
     pub method: String,
     /// The subpaths in their order.
     pub subpaths: Vec<SubpathDocument>,
@@ -40,7 +40,7 @@ impl From<&PathDrawing> for PathDocument {
     fn from(drawing: &PathDrawing) -> Self {
         Self {
             version: 1,
-            method: drawing.rule.id().to_owned(),
+            method: drawing.maker.id().to_owned(),
             subpaths: drawing.subpaths.iter().map(Into::into).collect(),
             error: error_document(drawing.error(), drawing.relative_peak()),
             path: path::data(drawing.curves(), false),

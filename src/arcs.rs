@@ -1,0 +1,179 @@
+//! Lines in place of Béziers and arcs: the way back, for machines and for what draws nothing else.
+
+mod chords;
+mod piece;
+
+use kurbo::{Affine, Line, PathSeg, Point, Rect};
+
+use crate::contour::{Contour, Maker, PathDrawing, Step, Subpath};
+use crate::curve::Curve;
+use crate::error::{Error, Result, positive};
+use crate::joints::{MOST_SEGMENTS, Tolerance};
+use crate::number::{Precision, decimals_of};
+use crate::radial_error::RadialError;
+use piece::Piece;
+
+/// The part of the tolerance that rounding may use where no precision is asked for: it costs one chord in a hundred.
+const ROUNDING_PART: f64 = 0.02;
+
+/// The tolerance where none is asked for, as a part of half the larger side of the subpath's box: of the radius, on a circle.
+const DEFAULT_PART: f64 = 1e-3;
+
+/// How lines are made.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// How far they may lie from what was given; a part is one of half the larger side of the subpath's box. Without it, a
+    /// thousandth of that and what rounding to the decimals of the file moves a point.
+    pub tolerance: Option<Tolerance>,
+    /// How points are rounded, those that were given too; without it these stay as they are.
+    pub precision: Option<Precision>,
+    /// A map that is applied before all else.
+    pub transform: Affine,
+}
+
+/// Draws contours as lines within a tolerance: each Bézier and each arc as chords that run as far as their distance lets them, never
+/// more of them than by halving the parameter. Lines stay as they are.
+///
+/// The error is a bound of the distance both ways (Hausdorff), of the points as they are printed.
+///
+/// # Errors
+///
+/// Where the tolerance is not positive or no more than rounding moves a point, and where a Bézier takes more than a million chords.
+///
+/// ```
+/// use curveto::{Tolerance, arcs, path};
+/// let contours = path::contours("M0 0Q50 100 100 0")?;
+/// let tolerance = Some(Tolerance::Absolute(5.0));
+/// let drawing = arcs::lines(&contours, &arcs::Options { tolerance, ..Default::default() })?;
+/// assert!(drawing.error().peak() <= 5.0);
+/// assert_eq!(drawing.curves().next().map(|curve| curve.segments.len()), Some(3));
+/// # Ok::<(), curveto::Error>(())
+/// ```
+pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
+    let subpaths = contours
+        .iter()
+        .map(|contour| subpath_of_lines(contour, options));
+    Ok(PathDrawing {
+        subpaths: subpaths.collect::<Result<_>>()?,
+        maker: Maker::Lines,
+    })
+}
+
+fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
+    let pieces = pieces(contour, options.transform)?;
+    let plan = Plan::new(contour, &pieces, options)?;
+    let mut segments = Vec::new();
+    let mut error = 0.0_f64;
+    for piece in &pieces {
+        let cuts = chords::cuts(piece, plan.room);
+        if segments.len() + cuts.len() > MOST_SEGMENTS {
+            return Err(Error::Count {
+                count: segments.len() + cuts.len(),
+                most: MOST_SEGMENTS,
+            });
+        }
+        let (mut from, mut at) = (plan.end(piece.start()), 0.0);
+        let mut moved = from.distance(piece.start());
+        for cut in cuts {
+            let (truth, to) = if cut < 1.0 {
+                let truth = piece.point(cut);
+                (truth, plan.inner(truth))
+            } else {
+                (piece.end(), plan.end(piece.end()))
+            };
+            let shift = to.distance(truth);
+            error = error.max(piece.chord_distance(at, cut) + shift.max(moved));
+            segments.push(PathSeg::Line(Line::new(from, to)));
+            (from, at, moved) = (to, cut, shift);
+        }
+    }
+    Ok(Subpath {
+        curve: Curve {
+            segments,
+            closed: contour.closed,
+        },
+        error: RadialError::balanced(error),
+        radius: plan.size,
+    })
+}
+
+/// The steps of a contour under a map.
+fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<Piece>> {
+    contour
+        .steps
+        .iter()
+        .map(|step| Piece::new(step, transform))
+        .collect()
+}
+
+/// How far what is made of a subpath may lie from it, and how its points are rounded.
+struct Plan {
+    /// The tolerance without what rounding takes.
+    room: f64,
+    /// How computed points are rounded.
+    precision: Precision,
+    /// Whether points that were given are rounded too.
+    rounds_given: bool,
+    /// Half the larger side of the subpath's box.
+    size: f64,
+}
+
+impl Plan {
+    fn new(contour: &Contour, pieces: &[Piece], options: &Options) -> Result<Self> {
+        let bounds = pieces.iter().map(Piece::bounding_box);
+        let bounds = bounds.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
+        let size = bounds.width().max(bounds.height()) / 2.0;
+        let tolerance = match options.tolerance {
+            Some(tolerance) => positive("tolerance", tolerance.for_radius(size))?,
+            None => DEFAULT_PART * size + farthest_moved(decimals_given(contour)),
+        };
+        let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
+        let largest = corners
+            .into_iter()
+            .fold(0.0, |most: f64, x| most.max(x.abs()));
+        let automatic = Precision::moving_at_most(ROUNDING_PART * tolerance, largest);
+        let precision = options.precision.unwrap_or(automatic);
+        let rounding = match precision {
+            Precision::Full => 0.0,
+            Precision::Fixed(decimals) => farthest_moved(decimals),
+        };
+        let room = tolerance - rounding;
+        // A path of lines alone has nothing to fit.
+        let curved = pieces.iter().any(|piece| !piece.is_line());
+        if curved && room <= 0.0 && size > 0.0 {
+            return Err(Error::Shape(format!(
+                "rounding alone moves a point by up to {rounding}, which is no less than the tolerance {tolerance}: give more decimals or a larger tolerance"
+            )));
+        }
+        Ok(Self {
+            room: room.max(0.0),
+            precision,
+            rounds_given: options.precision.is_some(),
+            size,
+        })
+    }
+
+    fn inner(&self, p: Point) -> Point {
+        Point::new(self.precision.round(p.x), self.precision.round(p.y))
+    }
+
+    /// An end of a step, which stays as it was given.
+    fn end(&self, p: Point) -> Point {
+        if self.rounds_given { self.inner(p) } else { p }
+    }
+}
+
+/// 10^-d/sqrt(2), the farthest that rounding to d decimals moves a point.
+fn farthest_moved(decimals: u8) -> f64 {
+    core::f64::consts::FRAC_1_SQRT_2 / crate::numeric::functions::power(10.0, i32::from(decimals))
+}
+
+/// The most decimals that a coordinate of the contour's points has: those of the file that it came from.
+fn decimals_given(contour: &Contour) -> u8 {
+    let points = contour.steps.iter().flat_map(|step| match step {
+        Step::Given(segment) => crate::curve::control_points(segment),
+        Step::Arc(arc) => arc.ends.map(Vec::from).unwrap_or_default(),
+    });
+    let decimals = points.map(|p| decimals_of(p.x).max(decimals_of(p.y)));
+    decimals.max().unwrap_or(0)
+}

@@ -1,0 +1,179 @@
+//! A step of a contour by its parameter from 0 to 1, and how far a chord of it lies from it.
+
+use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2};
+
+use crate::contour::Step;
+use crate::error::Result;
+use crate::numeric::functions::unit_vector;
+use crate::shape::{Outline, Shape};
+
+/// A step of a contour.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Piece {
+    Line(Line),
+    /// A Bézier, raised to a cubic.
+    Cubic(CubicBez),
+    Arc(Turn),
+}
+
+/// An arc of an ellipse: the image of directions of the unit circle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turn {
+    placement: Affine,
+    /// In radians.
+    start: f64,
+    /// In radians, with its sign.
+    sweep: f64,
+    ends: Option<[Point; 2]>,
+}
+
+impl Piece {
+    pub(super) fn new(step: &Step, transform: Affine) -> Result<Self> {
+        Ok(match step {
+            Step::Given(segment) => match transform * *segment {
+                PathSeg::Line(line) => Self::Line(line),
+                bezier => Self::Cubic(bezier.to_cubic()),
+            },
+            Step::Arc(arc) => {
+                if let Some(outline) = Shape::Arc(*arc).outline() {
+                    Self::Arc(Turn::new(&outline.transformed(transform)?))
+                } else {
+                    let [from, to] = arc.ends.unwrap_or([arc.center; 2]).map(|p| transform * p);
+                    Self::Line(Line::new(from, to))
+                }
+            }
+        })
+    }
+
+    pub(super) const fn is_line(&self) -> bool {
+        matches!(self, Self::Line(_))
+    }
+
+    pub(super) fn start(&self) -> Point {
+        match self {
+            Self::Line(line) => line.p0,
+            Self::Cubic(cubic) => cubic.p0,
+            Self::Arc(turn) => turn.ends.map_or_else(|| turn.point(0.0), |[from, _]| from),
+        }
+    }
+
+    pub(super) fn end(&self) -> Point {
+        match self {
+            Self::Line(line) => line.p1,
+            Self::Cubic(cubic) => cubic.p3,
+            Self::Arc(turn) => turn.ends.map_or_else(|| turn.point(1.0), |[_, to]| to),
+        }
+    }
+
+    pub(super) fn point(&self, t: f64) -> Point {
+        match self {
+            Self::Line(line) => line.eval(t),
+            Self::Cubic(cubic) => cubic.eval(t),
+            Self::Arc(turn) => turn.point(t),
+        }
+    }
+
+    /// A box around it: that of an arc is that of its ellipse's frame.
+    pub(super) fn bounding_box(&self) -> Rect {
+        match self {
+            Self::Line(line) => Rect::from_points(line.p0, line.p1),
+            Self::Cubic(cubic) => kurbo::Shape::bounding_box(cubic),
+            Self::Arc(turn) => turn.bounding_box(),
+        }
+    }
+
+    /// A bound, both ways, of the distance of the part between two parameters from its chord.
+    ///
+    /// Let the part run along its chord from 0 to L in x, at the distance y from the chord's line. Every x of the chord is taken by
+    /// some point of the part, so that no point of the chord is farther than the largest |y|; and no point of the part is farther
+    /// than that and its overshoot of the chord's ends, as the sides of a right triangle.
+    pub(super) fn chord_distance(&self, from: f64, to: f64) -> f64 {
+        match self {
+            Self::Line(_) => 0.0,
+            Self::Cubic(cubic) => cubic_from_chord(&cubic.subsegment(from..to)),
+            Self::Arc(turn) => turn.chord_distance(from, to),
+        }
+    }
+}
+
+/// The largest |y| exactly, y = 3t(1-t)((1-t)a + tb) with a, b of the inner control points, and the overshoot of these.
+fn cubic_from_chord(cubic: &CubicBez) -> f64 {
+    let chord = cubic.p3 - cubic.p0;
+    let length = chord.hypot2().sqrt();
+    let inner = [cubic.p1 - cubic.p0, cubic.p2 - cubic.p0];
+    if length == 0.0 {
+        return inner
+            .map(Vec2::hypot2)
+            .into_iter()
+            .fold(0.0, f64::max)
+            .sqrt();
+    }
+    let along = chord / length;
+    let [a, b] = inner.map(|v| along.cross(v));
+    let height = |t: f64| (3.0 * t * (1.0 - t) * ((1.0 - t) * a + t * b)).abs();
+    // y' = 0: 3(a-b)t² + (2b-4a)t + a = 0.
+    let (p, q, r) = (3.0 * (a - b), 2.0 * b - 4.0 * a, a);
+    let root = (q * q - 4.0 * p * r).max(0.0).sqrt();
+    let s = -0.5 * (q + root.copysign(q));
+    let roots = [s / p, r / s];
+    let inside = |t: &f64| (0.0..=1.0).contains(t);
+    let highest = roots
+        .into_iter()
+        .filter(inside)
+        .map(height)
+        .fold(0.0, f64::max);
+    let over = inner
+        .map(|v| along.dot(v))
+        .map(|x| (-x).max(x - length).max(0.0));
+    // Within the hull the curve goes no farther beyond an end than 4/9 of one control point and 4/9 of the other.
+    let over = 4.0 / 9.0 * (over[0] + over[1]);
+    (highest * highest + over * over).sqrt()
+}
+
+impl Turn {
+    fn new(outline: &Outline) -> Self {
+        Self {
+            placement: outline.placement,
+            start: outline.unit.start.degrees().to_radians(),
+            sweep: outline.unit.sweep.degrees().to_radians(),
+            ends: outline.ends,
+        }
+    }
+
+    fn point(&self, t: f64) -> Point {
+        self.placement * unit_vector(self.start + t * self.sweep).to_point()
+    }
+
+    fn bounding_box(&self) -> Rect {
+        let [a, b, c, d, e, f] = self.placement.as_coeffs();
+        let (x, y) = ((a * a + c * c).sqrt(), (b * b + d * d).sqrt());
+        Rect::new(e - x, f - y, e + x, f + y)
+    }
+
+    /// On the unit circle the chord's line is 1 - cos h from the middle of the arc, half the part being h; the affine image keeps
+    /// that this is the farthest point, as it keeps parallels.
+    fn chord_distance(&self, from: f64, to: f64) -> f64 {
+        let half = 0.5 * (to - from) * self.sweep;
+        if half.abs() > core::f64::consts::FRAC_PI_2 {
+            return f64::INFINITY;
+        }
+        let [a, b, c, d, _, _] = self.placement.as_coeffs();
+        let image = |v: Vec2| Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y);
+        let middle = unit_vector(self.start + 0.5 * (from + to) * self.sweep);
+        let (sin, cos) = libm::sincos(half.abs());
+        let rise = 2.0 * libm::sin(half / 2.0) * libm::sin(half / 2.0);
+        let chord = image(Vec2::new(-middle.y, middle.x));
+        let length = chord.hypot2().sqrt();
+        let along = chord / length;
+        let [across, slant] = [along.cross(image(middle)), along.dot(image(middle))];
+        let height = (rise * across).abs();
+        // Along the chord the part has length·sin φ + slant·(cos φ - cos h); it ends at ±length·sin h.
+        let most = (length * length + slant * slant).sqrt();
+        let over = if libm::atan2(length, slant.abs()) < half.abs() {
+            (most - slant.abs() * cos - length * sin).max(0.0)
+        } else {
+            0.0
+        };
+        (height * height + over * over).sqrt()
+    }
+}
