@@ -131,7 +131,7 @@ impl<S: Sink> Writer<'_, '_, S> {
     fn segment(&mut self, segment: &Segment, known: Option<usize>, behind: &Segments<'_>) {
         match segment.kind() {
             b'a' => {
-                if self.begins_subpath() {
+                if self.context.options.precision.is_some() && self.begins_subpath() {
                     let options = self.context.options;
                     self.collapses =
                         collapse::collapses(options, self.text, segment, behind, self.at.point);

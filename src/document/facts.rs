@@ -70,7 +70,7 @@ pub(super) fn is_sign(element: &Element<'_>, attributes: &[Attribute<'_>]) -> bo
         "link",
         "handler",
     ];
-    element.android_property.is_some()
+    element.android.is_some() && Kind::named(element.local).is_none()
         || NAMES.contains(&element.local) && element.namespace != Namespace::Other
         || attributes.iter().any(|attribute| is_handler(attribute))
 }
@@ -160,10 +160,10 @@ impl Facts {
                 .find(|attribute| attribute.name == name)?;
             Some(value::text(found.value, &scanner.doctype).unwrap_or_else(|| found.value.into()))
         };
-        let property = element
-            .android_property
-            .and_then(|i| scanner.attributes.get(i));
-        self.android_morphs |= property.is_some_and(|property| property.value == "pathData");
+        let property = element.android.and_then(|i| scanner.attributes.get(i));
+        self.android_morphs |= property.is_some_and(|property| {
+            property.name.ends_with("Name") && property.value == "pathData"
+        });
         match element.local {
             _ if element.namespace == Namespace::Other => {}
             "script" | "handler" => self.set_everywhere(Reason::Script),

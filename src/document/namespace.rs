@@ -87,14 +87,15 @@ impl<'a> Namespaces<'a> {
             .or_else(|| attributes.iter().position(is_xlink))
     }
 
-    /// The index of the attribute of that name in Android's namespace.
-    pub(super) fn android(&self, attributes: &[Attribute<'_>], name: &str) -> Option<usize> {
+    /// The index of the attribute of an Android drawable that matters here: its path data, or which property it animates.
+    pub(super) fn android(&self, attributes: &[Attribute<'_>]) -> Option<usize> {
         let is_it = |attribute: &Attribute<'_>| {
             attribute
                 .name
                 .split_once(':')
                 .is_some_and(|(prefix, local)| {
-                    local == name && self.prefix(prefix) == Some(Namespace::Android)
+                    matches!(local, "pathData" | "propertyName")
+                        && self.prefix(prefix) == Some(Namespace::Android)
                 })
         };
         self.knows_android

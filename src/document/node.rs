@@ -40,10 +40,14 @@ pub(super) struct Element<'a> {
     pub(super) namespace: Namespace,
     /// Whether the tag ends in `/>`.
     pub(super) empty: bool,
-    /// The index of the attribute that is its link.
+    /// The index of the attribute that is its link, if it is one of [`Element::LINKING`].
     pub(super) link: Option<usize>,
-    /// The index of its path data, if it is an element of an Android drawable.
-    pub(super) android_data: Option<usize>,
-    /// The index of the name of the property that it animates there.
-    pub(super) android_property: Option<usize>,
+    /// The index of its path data, or of the name of the property that it animates, if it is an element of an Android drawable.
+    pub(super) android: Option<usize>,
+}
+
+impl Element<'_> {
+    /// The elements that mean another one by a link.
+    pub(super) const LINKING: [&'static str; 5] =
+        ["use", "animate", "set", "animateColor", "mpath"];
 }

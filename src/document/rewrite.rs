@@ -317,13 +317,16 @@ impl<'a> Rewriter<'a, '_> {
 
     /// The path data of an Android `VectorDrawable`.
     fn android(&mut self, element: &Element<'_>, scanner: &Scanner<'a>) {
-        let found = element.android_data.and_then(|i| scanner.attributes.get(i));
+        let found = element.android.and_then(|i| scanner.attributes.get(i));
         let name = match element.name {
             "path" => "path",
             "clip-path" => "clip-path",
             _ => return,
         };
-        if let Some(data) = found.filter(|_| self.options.only.contains(Kind::Path)) {
+        let is_data = |data: &&Attribute<'_>| {
+            data.name.ends_with("Data") && self.options.only.contains(Kind::Path)
+        };
+        if let Some(data) = found.filter(is_data) {
             let trust = self.options.trust;
             let forbidden = |this: &Self| {
                 // The text is a resource of another file.

@@ -140,12 +140,11 @@ impl<'a> Scanner<'a> {
             .enter(self.open.len(), &self.attributes, &self.doctype);
         let (prefix, local) = name.split_once(':').unwrap_or(("", name));
         let namespace = self.namespaces.of_element(prefix, local, root);
-        let may_link = self.attributes.iter().any(|a| a.name.ends_with("href"));
-        let link = may_link
+        let link = Element::LINKING
+            .contains(&local)
             .then(|| self.namespaces.link(&self.attributes))
             .flatten();
-        let android = |name| self.namespaces.android(&self.attributes, name);
-        let (android_data, android_property) = (android("pathData"), android("propertyName"));
+        let android = self.namespaces.android(&self.attributes);
         if empty {
             self.namespaces.leave(self.open.len());
         } else {
@@ -160,8 +159,7 @@ impl<'a> Scanner<'a> {
             namespace,
             empty,
             link,
-            android_data,
-            android_property,
+            android,
         }))
     }
 
