@@ -15,8 +15,11 @@ use crate::method::nodal;
 pub use crate::method::nodal::Ends;
 use crate::number::Precision;
 
-/// The arc lengths have settled when none changes by more than this part of itself.
-const SETTLED: f64 = 1e-12;
+/// The arc lengths have settled when none changes by more than this part of itself, where nothing else is asked for.
+pub const SETTLED: f64 = 1e-12;
+
+/// The most lengths that are kept of all rounds.
+const MOST_KEPT: usize = 1 << 20;
 
 /// The accuracy of an arc length, as a part of the length of its control polygon.
 const ACCURACY: f64 = 1e-14;
@@ -103,7 +106,7 @@ impl Quadrature {
 }
 
 /// How a curve runs through its points.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// How far the parameter runs along each segment.
     pub parametrization: Parametrization,
@@ -112,6 +115,19 @@ pub struct Options {
     /// Whether the nodal derivatives are made unit vectors: the curve is then G¹ and no longer C². A derivative that is zero, as
     /// that of a free end, stays zero.
     pub unit_tangents: bool,
+    /// The iteration of arc lengths ends when none changes by more than this part of itself: the criterion of Chen's Figure 8.
+    pub stop: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            parametrization: Parametrization::default(),
+            ends: Ends::default(),
+            unit_tangents: false,
+            stop: SETTLED,
+        }
+    }
 }
 
 /// A composite parametric cubic through points.
@@ -127,6 +143,8 @@ pub struct Spline {
     pub derivatives: Vec<Vec2>,
     /// In how many rounds the arc lengths settled; 0 where they are not asked for.
     pub rounds: usize,
+    /// The arc lengths after each round, the first with the chords; empty where they are not asked for or beyond a million numbers.
+    pub history: Vec<Vec<f64>>,
 }
 
 impl Spline {
@@ -155,6 +173,7 @@ impl Spline {
             lengths: chords.map(|c| options.parametrization.length(c)).collect(),
             derivatives: Vec::new(),
             rounds: 0,
+            history: Vec::new(),
             points,
             options,
         };
@@ -246,6 +265,7 @@ impl Spline {
 
     /// Iterates the parameter lengths to the curve's own arc lengths, as Chen's Figure 8 does.
     fn settle(&mut self, quadrature: Quadrature) -> Result<()> {
+        self.history.push(self.lengths.clone());
         for round in 1..=MOST_ROUNDS {
             self.rounds = round;
             let mut change = 0.0_f64;
@@ -257,9 +277,17 @@ impl Spline {
                 change = change.max((measured - self.lengths[k]).abs() / measured);
                 self.lengths[k] = measured;
             }
+            self.history.push(self.lengths.clone());
             self.solve();
-            if change < SETTLED {
+            if change < self.options.stop {
+                if self.history.len() * self.lengths.len() > MOST_KEPT {
+                    self.history = Vec::new();
+                }
                 return Ok(());
+            }
+            // What will not be told needs no memory.
+            if self.history.len() * self.lengths.len() > MOST_KEPT {
+                self.history.pop();
             }
         }
         Err(Error::Unsettled {

@@ -21,6 +21,8 @@ pub enum Ends {
     /// The derivatives at both ends are zero, Chen's (9): what he calls free is not the natural spline, whose second derivatives are.
     #[default]
     Free,
+    /// The second derivatives at both ends are zero: the natural spline, 2 `D_0` + `D_1` = 3 (`P_1` - `P_0`)/`t_1` at the first end.
+    Natural,
     /// The derivatives at both ends are these, Chen's (8).
     Fixed([Vec2; 2]),
 }
@@ -31,7 +33,7 @@ impl Ends {
     pub const fn least_points(self) -> usize {
         match self {
             Self::Cyclic => 3,
-            Self::Free | Self::Fixed(_) => 2,
+            Self::Free | Self::Natural | Self::Fixed(_) => 2,
         }
     }
 
@@ -39,7 +41,7 @@ impl Ends {
     pub(crate) const fn segments(self, points: usize) -> usize {
         match self {
             Self::Cyclic => points,
-            Self::Free | Self::Fixed(_) => points - 1,
+            Self::Free | Self::Natural | Self::Fixed(_) => points - 1,
         }
     }
 }
@@ -69,6 +71,7 @@ pub(crate) fn derivatives(
     };
     let [first, last] = match ends {
         Ends::Cyclic => return tridiagonal::solve(row, (0..count).map(right).collect(), true),
+        Ends::Natural => return natural(points, &length, row, right),
         Ends::Free => [Vec2::ZERO; 2],
         Ends::Fixed(given) => given,
     };
@@ -83,4 +86,29 @@ pub(crate) fn derivatives(
     solved.insert(0, first);
     solved.push(last);
     solved
+}
+
+/// The derivatives of the natural spline; `row` and `right` are the equations of the inner nodes.
+fn natural(
+    points: &[Point],
+    length: impl Fn(usize) -> f64,
+    row: impl Fn(usize) -> Row,
+    right: impl Fn(usize) -> Vec2,
+) -> Vec<Vec2> {
+    let last = points.len() - 1;
+    let end = |segment: usize| (points[segment + 1] - points[segment]) * (3.0 / length(segment));
+    let rights = (0..=last).map(|i| match i {
+        0 => end(0),
+        _ if i == last => end(last - 1),
+        _ => right(i),
+    });
+    let rows = |i: usize| match i {
+        _ if i == 0 || i == last => Row {
+            lower: 1.0,
+            diagonal: 2.0,
+            upper: 1.0,
+        },
+        _ => row(i),
+    };
+    tridiagonal::solve(rows, rights.collect(), false)
 }

@@ -315,6 +315,7 @@ fn describe_spline(spline: &Spline) -> String {
     let ends = match spline.options.ends {
         Ends::Cyclic => "cyclic",
         Ends::Free => "free",
+        Ends::Natural => "natural",
         Ends::Fixed(_) => "fixed",
     };
     let tangents = if spline.options.unit_tangents {

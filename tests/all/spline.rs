@@ -62,6 +62,7 @@ fn the_second_derivative_is_continuous_at_inner_nodes() {
                     parametrization,
                     ends,
                     unit_tangents: false,
+                    ..Options::default()
                 };
                 let spline = Spline::new(scattered(count), options).unwrap();
                 let jump = second_derivative_jump(&spline);
@@ -80,6 +81,7 @@ fn unit_tangents_give_up_the_second_derivative() {
         parametrization: ARC_LENGTH,
         ends: Ends::Cyclic,
         unit_tangents: true,
+        ..Options::default()
     };
     let spline = Spline::new(scattered(9), options).unwrap();
     assert!(
@@ -118,6 +120,7 @@ fn derivatives_and_lengths_are_those_of_a_dense_solve_in_forty_digits() {
                 _ => Ends::Fixed([Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)]),
             },
             unit_tangents: case["unit_tangents"].as_bool().unwrap(),
+            ..Options::default()
         };
         let spline = Spline::new(points, options).unwrap();
         // Lengths have settled to 1e-12 of themselves, all else is solved.
@@ -157,6 +160,7 @@ fn every_segment_is_as_long_as_its_parameter() {
         parametrization: ARC_LENGTH,
         ends: Ends::Free,
         unit_tangents: false,
+        ..Options::default()
     };
     let spline = Spline::new(scattered(40), options).unwrap();
     assert!((2..100).contains(&spline.rounds));
@@ -178,6 +182,7 @@ fn closed(degrees: &[f64], parametrization: Parametrization, unit_tangents: bool
         parametrization,
         ends: Ends::Cyclic,
         unit_tangents,
+        ..Options::default()
     };
     Spline::new(on_circle(degrees), options).unwrap()
 }
@@ -278,6 +283,7 @@ fn a_curve_through_points_on_a_line_is_that_line() {
         parametrization: ARC_LENGTH,
         ends: Ends::Fixed([speed, speed]),
         unit_tangents: false,
+        ..Options::default()
     };
     let spline = Spline::new(points, options).unwrap();
     for segment in spline.segments() {
@@ -459,8 +465,8 @@ fn bad_requests_are_refused_with_what_would_do() {
             "must be a finite number",
         ),
         (
-            &["--points", "0,0 1,1", "--ends", "natural"],
-            "cyclic, free or fixed:DX,DY,DX,DY",
+            &["--points", "0,0 1,1", "--ends", "loose"],
+            "cyclic, free, natural or fixed:DX,DY,DX,DY",
         ),
         (
             &["--points", "0,0 1,1", "--quadrature", "gauss2"],
@@ -502,5 +508,63 @@ fn rounding_never_flattens_what_is_small_beside_the_whole() {
     assert!(
         path.starts_with("M0 0C0 0 ") && path.contains(" 10 5C"),
         "{path}"
+    );
+}
+
+#[test]
+fn natural_ends_have_no_curvature() {
+    for count in [2, 3, 4, 30] {
+        for parametrization in [Parametrization::Uniform, Parametrization::Chord] {
+            let options = Options {
+                ends: Ends::Natural,
+                parametrization,
+                ..Options::default()
+            };
+            let spline = Spline::new(scattered(count), options).unwrap();
+            let last = count - 2;
+            let first = second_derivatives(&spline.segment(0), spline.lengths[0])[0];
+            let end = second_derivatives(&spline.segment(last), spline.lengths[last])[1];
+            assert!(
+                first.hypot() < 1e-12 && end.hypot() < 1e-12,
+                "{count}: {first:?} {end:?}"
+            );
+            assert!(count < 3 || second_derivative_jump(&spline) < 1e-9);
+        }
+    }
+    let line = printed(&["--points", "0,0 3,3", "--ends", "natural"], "");
+    assert_eq!(line, "M0 0C1 1 2 2 3 3\n");
+}
+
+#[test]
+fn the_iteration_ends_where_it_is_told_and_its_lengths_are_listed() {
+    let arguments = [
+        "--points",
+        "0,0 1,2 3,1 4,4",
+        "--parametrization",
+        "arc-length",
+        "-f",
+        "json",
+    ];
+    let at = |stop: &str| -> Value {
+        serde_json::from_str(&printed(&[&arguments[..], &["--stop", stop]].concat(), "")).unwrap()
+    };
+    let (rough, fine) = (at("1e-3"), at("1e-12"));
+    assert!(rough["rounds"].as_u64() < fine["rounds"].as_u64());
+    for drawing in [&rough, &fine] {
+        let lengths = drawing["lengths"].as_array().unwrap();
+        assert_eq!(
+            lengths.len() as u64,
+            1 + drawing["rounds"].as_u64().unwrap()
+        );
+        assert!((lengths[0][0].as_f64().unwrap() - 5.0_f64.sqrt()).abs() < 1e-15);
+        assert_eq!(
+            lengths.last().unwrap()[2],
+            drawing["segments"][2]["parameter_length"]
+        );
+    }
+    let message = refused(&["--points", "0,0 1,2", "--stop", "1e-3"], "");
+    assert!(
+        message.contains("--parametrization arc-length"),
+        "{message}"
     );
 }

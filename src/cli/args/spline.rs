@@ -44,12 +44,15 @@ struct Way {
     /// Make the nodal derivatives unit vectors, as Chen does with arc length: G1 in place of C2
     #[arg(long)]
     unit_tangents: bool,
-    /// What holds at the ends: cyclic (a closed curve), free (derivatives zero) or fixed:DX,DY,DX,DY (these derivatives)
+    /// What holds at the ends: cyclic (a closed curve), free (derivatives zero), natural (no curvature) or fixed:DX,DY,DX,DY (these derivatives)
     #[arg(long, value_name = "ENDS", value_parser = ends, default_value = "free")]
     ends: Ends,
     /// How arc length is integrated
     #[arg(long, value_enum, value_name = "RULE", default_value_t)]
     quadrature: Quadrature,
+    /// The iteration of arc lengths ends when none changes by more than this part of itself [default: 1e-12]
+    #[arg(long, value_name = "E", value_parser = values::positive, allow_hyphen_values = true)]
+    stop: Option<f64>,
 }
 
 /// How far the parameter runs along each segment.
@@ -87,7 +90,17 @@ impl SplineArgs {
                 "--quadrature gauss2 goes with --parametrization arc-length",
             ));
         }
+        if self.way.stop.is_some() && !measures {
+            return Err(Failure::request_with_hint(
+                format!(
+                    "{} parametrization iterates nothing, so that --stop has nothing to say",
+                    parametrization.name()
+                ),
+                "--stop goes with --parametrization arc-length",
+            ));
+        }
         Ok(Options {
+            stop: self.way.stop.unwrap_or(spline::SETTLED),
             parametrization,
             ends: self.way.ends,
             unit_tangents: self.way.unit_tangents,
@@ -99,9 +112,10 @@ fn ends(text: &str) -> Result<Ends, String> {
     match text {
         "cyclic" => Ok(Ends::Cyclic),
         "free" => Ok(Ends::Free),
+        "natural" => Ok(Ends::Natural),
         _ => {
             let numbers = text.strip_prefix("fixed:").ok_or(
-                "ends are cyclic, free or fixed:DX,DY,DX,DY, with the derivatives at the first and the last point",
+                "ends are cyclic, free, natural or fixed:DX,DY,DX,DY, with the derivatives at the first and the last point",
             )?;
             let numbers: Vec<f64> = numbers
                 .split(',')

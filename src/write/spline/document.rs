@@ -30,9 +30,12 @@ pub struct SplineDocument<'a> {
     /// In how many rounds the arc lengths settled, where they are the parameter.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rounds: Option<usize>,
+    /// The arc lengths round by round, the first with the chords; left out beyond a million numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lengths: Option<&'a [Vec<f64>]>,
     /// Whether the nodal derivatives were made unit vectors.
     pub unit_tangents: bool,
-    /// `cyclic`, `free` or `fixed`.
+    /// `cyclic`, `free`, `natural` or `fixed`.
     pub ends: &'static str,
     /// The derivatives at the first and the last point that fixed ends were given.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -76,6 +79,7 @@ impl<'a> SplineDocument<'a> {
         let (ends, end_derivatives) = match options.ends {
             Ends::Cyclic => ("cyclic", None),
             Ends::Free => ("free", None),
+            Ends::Natural => ("natural", None),
             Ends::Fixed(given) => ("fixed", Some(given.map(|d| [d.x, d.y]))),
         };
         Self {
@@ -85,6 +89,7 @@ impl<'a> SplineDocument<'a> {
             parametrization: options.parametrization.name(),
             quadrature: gauss2.then_some("gauss2"),
             rounds: (spline.rounds > 0).then_some(spline.rounds),
+            lengths: (!spline.history.is_empty()).then_some(&spline.history),
             unit_tangents: options.unit_tangents,
             ends,
             end_derivatives,
