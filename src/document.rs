@@ -1,45 +1,31 @@
 //! SVG documents: arcs become Béziers, every other byte stays.
 
 mod arcs;
-mod attributes;
 mod bezier;
-mod characters;
 mod collapse;
-mod css;
 mod curve_text;
 mod decimal;
 mod decimals;
-mod doctype;
 mod doubt;
 mod element;
-mod encoding;
 mod end;
-mod facts;
-mod fault;
 mod length;
 mod memo;
-mod namespace;
-mod node;
 mod note;
 mod number;
 mod output;
-mod own;
 mod path_data;
 mod paths;
 mod pen;
-mod place;
 mod position;
-mod property;
 mod reason;
 mod rewrite;
-mod rules;
-mod scan;
 mod scratch;
 mod segments;
-mod selector;
 mod splice;
+mod style;
 mod tag;
-mod value;
+mod xml;
 
 use std::borrow::Cow;
 
@@ -52,14 +38,14 @@ use crate::method::{Ends, Rule, Span};
 pub use doubt::{Doubt, Trust};
 pub use note::Note;
 pub use paths::{SvgPath, svg_paths};
-pub use property::Kind;
 pub use reason::Reason;
+pub use style::property::Kind;
 
-use encoding::Source;
-use facts::Facts;
-use fault::{Fault, FaultKind};
-use place::Places;
 use rewrite::Pass;
+use style::facts::Facts;
+use xml::encoding::Source;
+use xml::fault::{Fault, FaultKind};
+use xml::place::Places;
 
 /// The kinds of elements to replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -270,14 +256,18 @@ pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Er
 pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<ConvertedFile<'a>, Error> {
     let outcome = decode(bytes).and_then(|text| pass(text.into(), options));
     let (new, replaced, notes) = match outcome {
-        Err(Error::Encoding { encoding, .. }) if encoding::keeps_ascii(&encoding) => {
-            let text = encoding::widen(bytes);
+        Err(Error::Encoding { encoding, .. }) if xml::encoding::keeps_ascii(&encoding) => {
+            let text = xml::encoding::widen(bytes);
             let source = Source {
                 text: &text,
                 is_widened: true,
             };
             let (new, replaced, notes) = pass(source, options)?;
-            (new.map(|text| encoding::narrow(&text)), replaced, notes)
+            (
+                new.map(|text| xml::encoding::narrow(&text)),
+                replaced,
+                notes,
+            )
         }
         outcome => {
             let (new, replaced, notes) = outcome?;
@@ -334,7 +324,7 @@ pub fn decode(bytes: &[u8]) -> Result<&str, Error> {
         let good = String::from_utf8_lossy(good);
         // What the declaration says, if it got so far.
         let declared = good.find("?>").and_then(|end| {
-            let mut scanner = scan::Scanner::new(good[..end + 2].into()).ok()?;
+            let mut scanner = xml::scan::Scanner::new(good[..end + 2].into()).ok()?;
             scanner.next().err()
         });
         match declared {

@@ -2,9 +2,9 @@
 
 use core::ops::Range;
 
-use super::place::Places;
 use super::reason::Reason;
 use super::splice::Splice;
+use super::xml::place::Places;
 use super::{Note, arcs};
 
 /// The new text, and the notes.

@@ -3,24 +3,24 @@
 use core::ops::Range;
 
 use super::arcs;
-use super::attributes::Attribute;
 use super::doubt::Doubt;
 use super::element::{self, Shape};
-use super::encoding::Source;
-use super::facts::{self, Facts};
-use super::fault::Result;
-use super::namespace::Namespace;
-use super::node::{Element, Node};
 use super::output::{Output, Sink};
-use super::own;
-use super::place::Places;
-use super::property::{Kind, Markers, Properties};
 use super::reason::Reason;
-use super::scan::Scanner;
 use super::scratch::Scratch;
 use super::splice::Splice;
+use super::style::facts::{self, Facts};
+use super::style::own;
+use super::style::property::{Kind, Markers, Properties};
 use super::tag;
-use super::value;
+use super::xml::attributes::Attribute;
+use super::xml::encoding::Source;
+use super::xml::fault::Result;
+use super::xml::namespace::Namespace;
+use super::xml::node::{Element, Node};
+use super::xml::place::Places;
+use super::xml::scan::Scanner;
+use super::xml::value;
 use super::{Counts, Note, Options};
 
 /// What a pass came to.
@@ -101,7 +101,7 @@ pub(super) fn run(
             Node::Instruction(text) if facts.is_none() && text.starts_with("xml-stylesheet") => {
                 return Ok(Pass::NeedsFacts);
             }
-            Node::Reference(super::doctype::Resolved::Text(_, false)) => {}
+            Node::Reference(super::xml::doctype::Resolved::Text(_, false)) => {}
             Node::Reference(_) if facts.is_none() => return Ok(Pass::NeedsFacts),
             Node::Done => break,
             _ => {}

@@ -1,9 +1,9 @@
 //! The tag of a shape becomes that of a path.
 
-use super::attributes::Attribute;
-use super::node::Element;
-use super::property::Kind;
 use super::splice::Splice;
+use super::style::property::Kind;
+use super::xml::attributes::Attribute;
+use super::xml::node::Element;
 
 /// The tag's name becomes `path`, the first geometry attribute `d`, or a `d` that has no meaning yet gets one; the other ones go
 /// with the space before them.

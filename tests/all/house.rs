@@ -166,6 +166,29 @@ fn no_room_imports_from_one_above_it() {
 }
 
 #[test]
+fn documents_are_read_as_xml_before_they_are_styled_and_rewritten() {
+    let (rooms, top) = (["xml", "style"], ["doubt", "reason"]);
+    for file in files() {
+        let Some((own, _)) = file
+            .module
+            .strip_prefix("document::")
+            .and_then(|module| module.split_once("::"))
+        else {
+            continue;
+        };
+        let floor = rooms.iter().position(|room| *room == own).unwrap();
+        for import in &file.imports {
+            let Some(other) = import.strip_prefix("document::") else {
+                continue;
+            };
+            let other = other.split("::").next().unwrap();
+            let is_below = rooms[..=floor].contains(&other) || floor > 0 && top.contains(&other);
+            assert!(is_below, "{} imports {import}", file.module);
+        }
+    }
+}
+
+#[test]
 fn no_files_import_one_another_in_a_circle() {
     let files = files();
     let modules: BTreeSet<&str> = files.iter().map(|file| file.module.as_str()).collect();

@@ -1,13 +1,13 @@
 //! What an element says about itself: its markers, its style attribute.
 
-use super::attributes::Attribute;
 use super::css;
-use super::doctype::Doctype;
 use super::property::{Effect, Markers, Properties};
-use super::value;
+use crate::document::xml::attributes::Attribute;
+use crate::document::xml::doctype::Doctype;
+use crate::document::xml::value;
 
 /// The markers in effect on an element, from what its parent passes on and what it says itself.
-pub(super) fn markers(
+pub(in crate::document) fn markers(
     inherited: Markers,
     attributes: &[Attribute<'_>],
     doctype: &Doctype,
@@ -55,7 +55,7 @@ fn may_say_marker(style: &str) -> bool {
 }
 
 /// What a style attribute does.
-pub(super) fn style(attributes: &[Attribute<'_>], doctype: &Doctype) -> Effect {
+pub(in crate::document) fn style(attributes: &[Attribute<'_>], doctype: &Doctype) -> Effect {
     let Some(style) = attributes
         .iter()
         .find(|attribute| attribute.name == "style")

@@ -12,10 +12,10 @@ const MOST_ITEMS: usize = 64;
 
 /// What a selector is held against.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Subject<'a> {
-    pub(super) name: &'a str,
-    pub(super) class: Option<&'a str>,
-    pub(super) id: Option<&'a str>,
+pub(in crate::document) struct Subject<'a> {
+    pub(in crate::document) name: &'a str,
+    pub(in crate::document) class: Option<&'a str>,
+    pub(in crate::document) id: Option<&'a str>,
 }
 
 /// What rules say, given their classes and ids.
@@ -39,7 +39,7 @@ struct Item {
 
 /// The rules.
 #[derive(Debug, Default)]
-pub(super) struct Rules {
+pub(in crate::document) struct Rules {
     anywhere: Said,
     by_class: HashMap<Box<str>, Vec<Item>>,
     by_id: HashMap<Box<str>, Vec<Item>>,
@@ -99,7 +99,7 @@ impl Item {
 
 impl Rules {
     /// Takes up a compound selector, whatever its rule does.
-    pub(super) fn select(&mut self, compound: Compound) {
+    pub(in crate::document) fn select(&mut self, compound: Compound) {
         if Kind::ALL.iter().any(|kind| compound.is_sensitive(*kind)) {
             let mut said = Said::default();
             said.select(&compound);
@@ -108,7 +108,7 @@ impl Rules {
     }
 
     /// Takes up what a rule does to the elements of a compound selector.
-    pub(super) fn apply(&mut self, mut compound: Compound, effect: Effect) {
+    pub(in crate::document) fn apply(&mut self, mut compound: Compound, effect: Effect) {
         let mut said = Said::default();
         said.apply(compound.name.take().filter(|_| !compound.unknown), effect);
         self.add(compound, said);
@@ -140,7 +140,7 @@ impl Rules {
     }
 
     /// From now on classes and ids are not relied upon.
-    pub(super) fn loosen(&mut self) {
+    pub(in crate::document) fn loosen(&mut self) {
         let items = self.by_class.drain().chain(self.by_id.drain());
         for item in items.flat_map(|(_, items)| items) {
             self.anywhere.merge(item.said);
@@ -161,7 +161,7 @@ impl Rules {
     }
 
     /// The text of a selector that may single out the element by what a replacement changes.
-    pub(super) fn selected_by_name(
+    pub(in crate::document) fn selected_by_name(
         &self,
         kind: Kind,
         class: Option<&str>,
@@ -177,7 +177,7 @@ impl Rules {
     }
 
     /// What the rules may do to an element, before or after it became a path.
-    pub(super) fn effect(&self, subject: Subject<'_>) -> Effect {
+    pub(in crate::document) fn effect(&self, subject: Subject<'_>) -> Effect {
         self.met(subject).fold(Effect::default(), |sum, said| {
             sum.with(said.effect(subject.name))
         })

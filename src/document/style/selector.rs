@@ -9,26 +9,26 @@ const MOST_QUOTED: usize = 60;
 
 /// One compound selector: simple selectors without a combinator between them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(super) struct Compound {
+pub(in crate::document) struct Compound {
     /// The type selector without its prefix; `None` for `*` or none.
-    pub(super) name: Option<Box<str>>,
+    pub(in crate::document) name: Option<Box<str>>,
     /// The type selector of the compound in whose `:is()` or `:not()` this one stands.
     outer_name: Option<Box<str>>,
-    pub(super) classes: Vec<Box<str>>,
-    pub(super) ids: Vec<Box<str>>,
+    pub(in crate::document) classes: Vec<Box<str>>,
+    pub(in crate::document) ids: Vec<Box<str>>,
     /// The attributes among those that a replacement changes of which it speaks.
     attributes: Properties,
     /// Whether it counts siblings by type.
-    pub(super) of_type: bool,
+    pub(in crate::document) of_type: bool,
     /// Whether it could not be read.
-    pub(super) unknown: bool,
+    pub(in crate::document) unknown: bool,
     /// The text, for notes.
-    pub(super) text: Box<str>,
+    pub(in crate::document) text: Box<str>,
 }
 
 impl Compound {
     /// A selector that may say anything, the names of elements included.
-    pub(super) fn unknown() -> Self {
+    pub(in crate::document) fn unknown() -> Self {
         Self {
             unknown: true,
             text: "a rule that could not be read".into(),
@@ -37,7 +37,7 @@ impl Compound {
     }
 
     /// A selector that matches every element but does not depend on names.
-    pub(super) fn any() -> Self {
+    pub(in crate::document) fn any() -> Self {
         Self {
             text: "&".into(),
             ..Self::default()
@@ -45,7 +45,7 @@ impl Compound {
     }
 
     /// Whether it may single out elements of this kind by what a replacement changes.
-    pub(super) fn is_sensitive(&self, kind: Kind) -> bool {
+    pub(in crate::document) fn is_sensitive(&self, kind: Kind) -> bool {
         let names = |name: &Option<Box<str>>| {
             name.as_deref()
                 .is_none_or(|name| name == kind.name() || name == "path")
@@ -59,15 +59,15 @@ impl Compound {
 
 /// The compound selectors of a list.
 #[derive(Debug, Default)]
-pub(super) struct Selectors {
+pub(in crate::document) struct Selectors {
     /// All of them, those within `:is()` and its like included.
-    pub(super) all: Vec<Compound>,
+    pub(in crate::document) all: Vec<Compound>,
     /// Those of the elements that the declarations are for.
-    pub(super) subjects: Vec<Compound>,
+    pub(in crate::document) subjects: Vec<Compound>,
 }
 
 /// Reads a list of selectors.
-pub(super) fn read(text: &str) -> Selectors {
+pub(in crate::document) fn read(text: &str) -> Selectors {
     let mut all = Vec::new();
     let subjects = list(&mut Parser::new(text), &mut all);
     all.extend(subjects.iter().flat_map(Draft::clone_all));

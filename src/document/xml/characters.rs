@@ -1,9 +1,9 @@
 //! The characters of a document.
 
-pub(super) const BYTE_ORDER_MARK: char = '\u{feff}';
+pub(in crate::document) const BYTE_ORDER_MARK: char = '\u{feff}';
 
 /// The first character that XML 1.0 forbids.
-pub(super) fn first_forbidden(text: &str) -> Option<usize> {
+pub(in crate::document) fn first_forbidden(text: &str) -> Option<usize> {
     // The first byte of U+FFFE and U+FFFF, among others.
     const HIGHEST: u8 = 0xef;
     let control = |b: u8| b < 0x20 && b != b'\t' && b != b'\n' && b != b'\r';
@@ -22,7 +22,7 @@ pub(super) fn first_forbidden(text: &str) -> Option<usize> {
 }
 
 /// The text of a fragment of a URL, `%41` read as `A`; what is not UTF-8 then stays as it is.
-pub(super) fn percent_decoded(text: &str) -> String {
+pub(in crate::document) fn percent_decoded(text: &str) -> String {
     let bytes = text.as_bytes();
     let digit = |at: usize| bytes.get(at).and_then(|byte| (*byte as char).to_digit(16));
     let (mut out, mut at) = (Vec::with_capacity(bytes.len()), 0);

@@ -2,7 +2,7 @@
 
 /// Counts forwards from the last place asked for, so that many notes on one long line stay linear.
 #[derive(Debug)]
-pub(super) struct Places<'a> {
+pub(in crate::document) struct Places<'a> {
     text: &'a str,
     offset: usize,
     line: usize,
@@ -10,7 +10,7 @@ pub(super) struct Places<'a> {
 }
 
 impl<'a> Places<'a> {
-    pub(super) const fn new(text: &'a str) -> Self {
+    pub(in crate::document) const fn new(text: &'a str) -> Self {
         Self {
             text,
             offset: 0,
@@ -20,7 +20,7 @@ impl<'a> Places<'a> {
     }
 
     /// The line and the column of a byte offset, both counted from 1; columns count characters, and a byte order mark is none.
-    pub(super) fn locate(&mut self, offset: usize) -> (usize, usize) {
+    pub(in crate::document) fn locate(&mut self, offset: usize) -> (usize, usize) {
         if offset < self.offset {
             *self = Self::new(self.text);
         }

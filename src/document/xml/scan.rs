@@ -27,14 +27,14 @@ struct Open<'a> {
 }
 
 /// Reads the nodes of a document in order.
-pub(super) struct Scanner<'a> {
+pub(in crate::document) struct Scanner<'a> {
     /// The whole document, with its byte order mark.
-    pub(super) source: &'a str,
+    pub(in crate::document) source: &'a str,
     /// Whether it stands for bytes in the encoding that it declares.
     is_widened: bool,
     /// The attributes of the last start tag.
-    pub(super) attributes: Vec<Attribute<'a>>,
-    pub(super) doctype: Doctype,
+    pub(in crate::document) attributes: Vec<Attribute<'a>>,
+    pub(in crate::document) doctype: Doctype,
     /// The byte where the next node begins.
     at: usize,
     namespaces: Namespaces<'a>,
@@ -44,7 +44,7 @@ pub(super) struct Scanner<'a> {
 
 impl<'a> Scanner<'a> {
     /// A scanner at the start of `source`.
-    pub(super) fn new(source: Source<'a>) -> Result<Self> {
+    pub(in crate::document) fn new(source: Source<'a>) -> Result<Self> {
         let Source {
             text: source,
             is_widened,
@@ -69,22 +69,22 @@ impl<'a> Scanner<'a> {
     }
 
     /// How many elements are open.
-    pub(super) fn depth(&self) -> usize {
+    pub(in crate::document) fn depth(&self) -> usize {
         self.open.len()
     }
 
     /// The start of the innermost open tag.
-    pub(super) fn parent(&self) -> Option<usize> {
+    pub(in crate::document) fn parent(&self) -> Option<usize> {
         self.open.last().map(|open| open.start)
     }
 
     /// The start of the tag around the innermost open one.
-    pub(super) fn grandparent(&self) -> Option<usize> {
+    pub(in crate::document) fn grandparent(&self) -> Option<usize> {
         self.open.iter().rev().nth(1).map(|open| open.start)
     }
 
     /// The resolved value of an attribute of the last start tag; a value with an unknown entity reads as the entity.
-    pub(super) fn attribute(&self, name: &str) -> Option<Cow<'a, str>> {
+    pub(in crate::document) fn attribute(&self, name: &str) -> Option<Cow<'a, str>> {
         let found = self
             .attributes
             .iter()
@@ -94,7 +94,7 @@ impl<'a> Scanner<'a> {
 
     /// The id to which the link of the last start tag refers; `None` where it has no link, or one without a fragment. Which
     /// document a URL means is not known here, so that each may mean this one.
-    pub(super) fn linked_id(&self, element: &Element<'_>) -> Option<String> {
+    pub(in crate::document) fn linked_id(&self, element: &Element<'_>) -> Option<String> {
         let attribute = self.attributes.get(element.link?)?;
         let text = value::text(attribute.value, &self.doctype)?;
         let (_, fragment) = text.trim().split_once('#')?;
@@ -102,7 +102,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// The next node.
-    pub(super) fn next(&mut self) -> Result<Node<'a>> {
+    pub(in crate::document) fn next(&mut self) -> Result<Node<'a>> {
         let start = self.at;
         match self.source.as_bytes().get(start..).unwrap_or_default() {
             [] => self.finish(),

@@ -7,7 +7,7 @@ use super::namespace::Namespace;
 
 /// One piece of a document.
 #[derive(Debug)]
-pub(super) enum Node<'a> {
+pub(in crate::document) enum Node<'a> {
     /// A start tag or an empty element; its attributes are in the scanner's `attributes`.
     Start(Element<'a>),
     /// An end tag; for an empty element there is none.
@@ -29,25 +29,25 @@ pub(super) enum Node<'a> {
 
 /// A start tag.
 #[derive(Debug, Clone)]
-pub(super) struct Element<'a> {
+pub(in crate::document) struct Element<'a> {
     /// The byte of its `<`.
-    pub(super) start: usize,
+    pub(in crate::document) start: usize,
     /// The name with its prefix.
-    pub(super) name: &'a str,
+    pub(in crate::document) name: &'a str,
     /// The name without a prefix.
-    pub(super) local: &'a str,
-    pub(super) local_span: Range<usize>,
-    pub(super) namespace: Namespace,
+    pub(in crate::document) local: &'a str,
+    pub(in crate::document) local_span: Range<usize>,
+    pub(in crate::document) namespace: Namespace,
     /// Whether the tag ends in `/>`.
-    pub(super) empty: bool,
+    pub(in crate::document) empty: bool,
     /// The index of the attribute that is its link, if it is one of [`Element::LINKING`].
-    pub(super) link: Option<usize>,
+    pub(in crate::document) link: Option<usize>,
     /// The index of its path data, or of the name of the property that it animates, if it is an element of an Android drawable.
-    pub(super) android: Option<usize>,
+    pub(in crate::document) android: Option<usize>,
 }
 
 impl Element<'_> {
     /// The elements that mean another one by a link.
-    pub(super) const LINKING: [&'static str; 5] =
+    pub(in crate::document) const LINKING: [&'static str; 5] =
         ["use", "animate", "set", "animateColor", "mpath"];
 }

@@ -4,20 +4,20 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::attributes::Attribute;
 use super::css::{self, Sheet};
-use super::doctype::{Doctype, Resolved};
-use super::doubt::Trust;
-use super::encoding::Source;
-use super::fault::Result;
-use super::namespace::Namespace;
-use super::node::{Element, Node};
 use super::own;
 use super::property::{Effect, Kind, Markers, Properties};
-use super::reason::Reason;
 use super::rules::Subject;
-use super::scan::Scanner;
-use super::value;
+use crate::document::doubt::Trust;
+use crate::document::reason::Reason;
+use crate::document::xml::attributes::Attribute;
+use crate::document::xml::doctype::{Doctype, Resolved};
+use crate::document::xml::encoding::Source;
+use crate::document::xml::fault::Result;
+use crate::document::xml::namespace::Namespace;
+use crate::document::xml::node::{Element, Node};
+use crate::document::xml::scan::Scanner;
+use crate::document::xml::value;
 
 /// So often a `<use>` within what another one refers to is followed; what goes on counts as drawn with markers.
 const MOST_ROUNDS: usize = 8;
@@ -44,7 +44,7 @@ struct Changed {
 
 /// The facts.
 #[derive(Debug, Default)]
-pub(super) struct Facts {
+pub(in crate::document) struct Facts {
     sheet: Sheet,
     /// What holds for the whole document.
     everywhere: Vec<Reason>,
@@ -59,7 +59,7 @@ pub(super) struct Facts {
 }
 
 /// Whether an element or one of its attributes may change what holds for other elements.
-pub(super) fn is_sign(element: &Element<'_>, attributes: &[Attribute<'_>]) -> bool {
+pub(in crate::document) fn is_sign(element: &Element<'_>, attributes: &[Attribute<'_>]) -> bool {
     const NAMES: [&str; 8] = [
         "style",
         "script",
@@ -97,7 +97,7 @@ struct Collecting {
 
 impl Facts {
     /// Reads a whole document.
-    pub(super) fn read(source: Source<'_>) -> Result<Self> {
+    pub(in crate::document) fn read(source: Source<'_>) -> Result<Self> {
         let mut facts = Self::default();
         let mut scanner = Scanner::new(source)?;
         let mut collecting: Option<Collecting> = None;
@@ -232,7 +232,7 @@ impl Facts {
     }
 
     /// Why an element of this kind cannot be replaced, if the document says so and it is not trusted.
-    pub(super) fn forbid(
+    pub(in crate::document) fn forbid(
         &self,
         kind: Kind,
         start: usize,
@@ -263,7 +263,7 @@ impl Facts {
     }
 
     /// Why path data of an Android drawable cannot be replaced: what animates them asks for the same commands.
-    pub(super) fn forbid_android(&self, trust: Trust) -> Option<Reason> {
+    pub(in crate::document) fn forbid_android(&self, trust: Trust) -> Option<Reason> {
         let animated = self.android_morphs.then_some(Reason::Animated("pathData"));
         animated.filter(|reason| reason.counts(trust))
     }
@@ -285,7 +285,7 @@ impl Facts {
     }
 
     /// Whether a style rule may round the corners of a rectangle.
-    pub(super) fn may_round(&self, class: Option<&str>, id: Option<&str>) -> bool {
+    pub(in crate::document) fn may_round(&self, class: Option<&str>, id: Option<&str>) -> bool {
         let subject = Subject {
             name: "rect",
             class,
@@ -296,7 +296,7 @@ impl Facts {
     }
 
     /// The markers in effect on an element, from what its parent passes on.
-    pub(super) fn markers(
+    pub(in crate::document) fn markers(
         &self,
         inherited: Markers,
         element: &Element<'_>,
@@ -361,12 +361,12 @@ impl Facts {
 }
 
 /// Whether an element draws another one, which inherits from it.
-pub(super) fn is_use(element: &Element<'_>) -> bool {
+pub(in crate::document) fn is_use(element: &Element<'_>) -> bool {
     element.local == "use" && element.namespace == Namespace::Svg
 }
 
 /// Why what a style does to an element of this kind forbids a replacement, if it does.
-pub(super) fn style_reason(kind: Kind, effect: Effect) -> Option<Reason> {
+pub(in crate::document) fn style_reason(kind: Kind, effect: Effect) -> Option<Reason> {
     let read = effect.reads.and(kind.attributes());
     if !read.is_empty() {
         return Some(Reason::StyleReads(read.first_name()));

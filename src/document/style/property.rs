@@ -2,7 +2,7 @@
 
 /// A set of properties.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Properties(u32);
+pub(in crate::document) struct Properties(u32);
 
 /// The names, each a bit of [`Properties`].
 const NAMES: [&str; 15] = [
@@ -35,20 +35,20 @@ const LOGICAL_SIZES: [&str; 6] = [
 
 /// Which markers are in effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Markers {
+pub(in crate::document) struct Markers {
     /// Some marker.
-    pub(super) any: bool,
+    pub(in crate::document) any: bool,
     /// A marker on inner vertices.
-    pub(super) middle: bool,
+    pub(in crate::document) middle: bool,
 }
 
 impl Markers {
-    pub(super) const ALL: Self = Self {
+    pub(in crate::document) const ALL: Self = Self {
         any: true,
         middle: true,
     };
 
-    pub(super) const fn with(self, other: Self) -> Self {
+    pub(in crate::document) const fn with(self, other: Self) -> Self {
         Self {
             any: self.any || other.any,
             middle: self.middle || other.middle,
@@ -57,17 +57,17 @@ impl Markers {
 }
 
 impl Properties {
-    pub(super) const NONE: Self = Self(0);
-    pub(super) const D: Self = Self(1 << 9);
+    pub(in crate::document) const NONE: Self = Self(0);
+    pub(in crate::document) const D: Self = Self(1 << 9);
     const ALL: Self = Self(1 << 10);
     const MARKER: u32 = 11;
     const MARKER_MID: u32 = 13;
     /// Every property that is known here: for rules that cannot be read.
-    pub(super) const ANY: Self = Self((1 << 15) - 1);
+    pub(in crate::document) const ANY: Self = Self((1 << 15) - 1);
 
     /// The property of that name (ASCII case does not matter in CSS). Sizes along and across the text are width and height, which
     /// one being a matter of the writing mode.
-    pub(super) fn named(name: &str) -> Self {
+    pub(in crate::document) fn named(name: &str) -> Self {
         let is = |known: &&str| known.eq_ignore_ascii_case(name);
         if LOGICAL_SIZES.iter().any(is) {
             return Self(1 << 7 | 1 << 8);
@@ -79,32 +79,32 @@ impl Properties {
     }
 
     /// The attribute of that name, whose case matters.
-    pub(super) fn attribute(name: &str) -> Self {
+    pub(in crate::document) fn attribute(name: &str) -> Self {
         NAMES
             .iter()
             .position(|known| *known == name)
             .map_or(Self::NONE, |bit| Self(1 << bit))
     }
 
-    pub(super) const fn with(self, other: Self) -> Self {
+    pub(in crate::document) const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    pub(super) const fn meets(self, other: Self) -> bool {
+    pub(in crate::document) const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
-    pub(super) const fn is_empty(self) -> bool {
+    pub(in crate::document) const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
     /// The properties in both sets.
-    pub(super) const fn and(self, other: Self) -> Self {
+    pub(in crate::document) const fn and(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
 
     /// The markers among the properties.
-    pub(super) const fn markers(self) -> Markers {
+    pub(in crate::document) const fn markers(self) -> Markers {
         Markers {
             any: self.0 >> Self::MARKER != 0,
             middle: self.0 & (1 << Self::MARKER | 1 << Self::MARKER_MID) != 0,
@@ -112,7 +112,7 @@ impl Properties {
     }
 
     /// The name of the first property of the set.
-    pub(super) fn first_name(self) -> &'static str {
+    pub(in crate::document) fn first_name(self) -> &'static str {
         NAMES
             .get(self.0.trailing_zeros() as usize)
             .copied()
@@ -122,17 +122,17 @@ impl Properties {
 
 /// What a list of declarations says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Effect {
+pub(in crate::document) struct Effect {
     /// The properties that it sets.
-    pub(super) sets: Properties,
+    pub(in crate::document) sets: Properties,
     /// The attributes that it reads with `attr()`.
-    pub(super) reads: Properties,
+    pub(in crate::document) reads: Properties,
     /// Whether the last `marker` in it is `none`.
-    pub(super) no_marker: bool,
+    pub(in crate::document) no_marker: bool,
 }
 
 impl Effect {
-    pub(super) const fn with(self, other: Self) -> Self {
+    pub(in crate::document) const fn with(self, other: Self) -> Self {
         Self {
             sets: self.sets.with(other.sets),
             reads: self.reads.with(other.reads),
@@ -140,7 +140,7 @@ impl Effect {
         }
     }
 
-    pub(super) const fn is_empty(self) -> bool {
+    pub(in crate::document) const fn is_empty(self) -> bool {
         self.sets.is_empty() && self.reads.is_empty()
     }
 }
@@ -180,7 +180,7 @@ impl Kind {
     }
 
     /// The attributes that hold the geometry.
-    pub(super) const fn geometry(self) -> &'static [&'static str] {
+    pub(in crate::document) const fn geometry(self) -> &'static [&'static str] {
         match self {
             Self::Circle => &["cx", "cy", "r"],
             Self::Ellipse => &["cx", "cy", "rx", "ry"],
@@ -190,14 +190,14 @@ impl Kind {
     }
 
     /// The attributes that a replacement changes.
-    pub(super) fn attributes(self) -> Properties {
+    pub(in crate::document) fn attributes(self) -> Properties {
         self.geometry().iter().fold(Properties::D, |set, name| {
             set.with(Properties::attribute(name))
         })
     }
 
     /// The properties that, set by a style or an animation, forbid a replacement.
-    pub(super) fn sensitive(self) -> Properties {
+    pub(in crate::document) fn sensitive(self) -> Properties {
         self.attributes().with(Properties::ALL)
     }
 }

@@ -1,18 +1,18 @@
 //! An error at a byte, before it is told as line and column.
 
 /// The result of reading.
-pub(super) type Result<T> = core::result::Result<T, Fault>;
+pub(in crate::document) type Result<T> = core::result::Result<T, Fault>;
 
 /// Why reading stopped, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Fault {
-    pub(super) at: usize,
-    pub(super) kind: FaultKind,
+pub(in crate::document) struct Fault {
+    pub(in crate::document) at: usize,
+    pub(in crate::document) kind: FaultKind,
 }
 
 /// What is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum FaultKind {
+pub(in crate::document) enum FaultKind {
     /// Not well-formed.
     Malformed(String),
     /// An encoding other than UTF-8.
@@ -20,14 +20,14 @@ pub(super) enum FaultKind {
 }
 
 impl Fault {
-    pub(super) fn new(at: usize, why: impl Into<String>) -> Self {
+    pub(in crate::document) fn new(at: usize, why: impl Into<String>) -> Self {
         Self {
             at,
             kind: FaultKind::Malformed(why.into()),
         }
     }
 
-    pub(super) fn encoding(at: usize, name: &str) -> Self {
+    pub(in crate::document) fn encoding(at: usize, name: &str) -> Self {
         Self {
             at,
             kind: FaultKind::Encoding(name.to_owned()),

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::doctype::{Doctype, Resolved};
 
 /// A value with its references resolved; `None` where one is unknown.
-pub(super) fn text<'a>(raw: &'a str, doctype: &Doctype) -> Option<Cow<'a, str>> {
+pub(in crate::document) fn text<'a>(raw: &'a str, doctype: &Doctype) -> Option<Cow<'a, str>> {
     if !raw.contains('&') {
         return Some(Cow::Borrowed(raw));
     }
@@ -14,16 +14,16 @@ pub(super) fn text<'a>(raw: &'a str, doctype: &Doctype) -> Option<Cow<'a, str>> 
 
 /// A resolved value and the way back.
 #[derive(Debug)]
-pub(super) struct Traced {
-    pub(super) text: String,
+pub(in crate::document) struct Traced {
+    pub(in crate::document) text: String,
     /// For each byte of `text`, and for its end, the byte of the raw value where it begins.
-    pub(super) origin: Vec<usize>,
+    pub(in crate::document) origin: Vec<usize>,
     /// Whether a declared entity takes part: then bytes share an origin and nothing can be replaced inside.
-    pub(super) entities: bool,
+    pub(in crate::document) entities: bool,
 }
 
 /// Resolves the references of a value; `None` where one is unknown.
-pub(super) fn traced(raw: &str, doctype: &Doctype) -> Option<Traced> {
+pub(in crate::document) fn traced(raw: &str, doctype: &Doctype) -> Option<Traced> {
     let mut traced = Traced {
         text: String::with_capacity(raw.len()),
         origin: Vec::new(),

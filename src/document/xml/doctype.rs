@@ -9,7 +9,7 @@ const MAX_DEPTH: usize = 16;
 
 /// The declarations of a document's internal subset.
 #[derive(Debug, Default)]
-pub(super) struct Doctype {
+pub(in crate::document) struct Doctype {
     entities: HashMap<String, Entity>,
     /// Parameter entities, which stand for declarations.
     parameters: HashMap<String, Entity>,
@@ -30,7 +30,7 @@ enum Entity {
 
 /// What a reference stands for.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) enum Resolved {
+pub(in crate::document) enum Resolved {
     /// Text; `true` where it came from a declared entity rather than a character reference.
     Text(String, bool),
     /// An entity whose text is outside the file, too large or not declared.
@@ -43,7 +43,7 @@ const SPACE: [char; 4] = [' ', '\t', '\n', '\r'];
 
 impl Doctype {
     /// Reads what stands between `<!DOCTYPE` and its `>`.
-    pub(super) fn read(text: &str, size: usize) -> Self {
+    pub(in crate::document) fn read(text: &str, size: usize) -> Self {
         let mut this = Self {
             budget: Cell::new(size.saturating_mul(2).saturating_add(1 << 20)),
             ..Self::default()
@@ -123,12 +123,12 @@ impl Doctype {
     }
 
     /// Whether the DTD gives attributes that may make another thing of an element, or of one that becomes a path.
-    pub(super) fn has_defaults_for(&self, name: &str, path: &str) -> bool {
+    pub(in crate::document) fn has_defaults_for(&self, name: &str, path: &str) -> bool {
         self.defaults_matter || self.defaults.contains(name) || self.defaults.contains(path)
     }
 
     /// Whether a reference in the content may bring markup that is not in the document's own text.
-    pub(super) fn may_hold_markup(&self) -> bool {
+    pub(in crate::document) fn may_hold_markup(&self) -> bool {
         self.entities.values().any(|entity| match entity {
             Entity::Text(text) => text.contains(['<', '&', '%']),
             Entity::External => true,
@@ -136,13 +136,13 @@ impl Doctype {
     }
 
     /// Whether `&name;` may stand in a well-formed document.
-    pub(super) fn declares(&self, name: &str) -> bool {
+    pub(in crate::document) fn declares(&self, name: &str) -> bool {
         predefined(name).is_some()
             || !name.starts_with('#') && (self.external || self.entities.contains_key(name))
     }
 
     /// The text of the reference `&name;`.
-    pub(super) fn resolve(&self, name: &str) -> Resolved {
+    pub(in crate::document) fn resolve(&self, name: &str) -> Resolved {
         if let Some(character) = predefined(name) {
             return Resolved::Text(character.to_string(), false);
         }

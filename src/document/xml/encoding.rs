@@ -4,10 +4,10 @@ use std::borrow::Cow;
 
 /// What is read: a text, or a text that stands for bytes in a declared encoding.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Source<'a> {
-    pub(super) text: &'a str,
+pub(in crate::document) struct Source<'a> {
+    pub(in crate::document) text: &'a str,
     /// Whether the text is [`widen`]ed.
-    pub(super) is_widened: bool,
+    pub(in crate::document) is_widened: bool,
 }
 
 impl<'a> From<&'a str> for Source<'a> {
@@ -24,7 +24,7 @@ const BASE: u32 = 0x100;
 
 /// Whether every ASCII byte of a file in this encoding is that character, and never a part of another one. (Those of Shift-JIS, Big5,
 /// GBK and UTF-7 may be.)
-pub(super) fn keeps_ascii(name: &str) -> bool {
+pub(in crate::document) fn keeps_ascii(name: &str) -> bool {
     const NAMES: [&str; 20] = [
         "latin1",
         "latin-1",
@@ -57,7 +57,7 @@ pub(super) fn keeps_ascii(name: &str) -> bool {
 }
 
 /// The bytes as a text of as many characters.
-pub(super) fn widen(bytes: &[u8]) -> String {
+pub(in crate::document) fn widen(bytes: &[u8]) -> String {
     bytes
         .iter()
         .filter_map(|&byte| {
@@ -68,7 +68,7 @@ pub(super) fn widen(bytes: &[u8]) -> String {
 }
 
 /// The bytes for which a widened text stands.
-pub(super) fn narrow(text: &str) -> Cow<'static, [u8]> {
+pub(in crate::document) fn narrow(text: &str) -> Cow<'static, [u8]> {
     let byte = |character: char| {
         let code = u32::from(character);
         (if code >= BASE { code - BASE } else { code }) as u8

@@ -8,7 +8,7 @@ use super::value;
 
 /// The namespaces that matter here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Namespace {
+pub(in crate::document) enum Namespace {
     Svg,
     Xhtml,
     Xlink,
@@ -19,7 +19,7 @@ pub(super) enum Namespace {
 
 /// The declarations in scope.
 #[derive(Debug, Default)]
-pub(super) struct Namespaces<'a> {
+pub(in crate::document) struct Namespaces<'a> {
     /// The default namespaces, each with the depth that declared it.
     default: Vec<(usize, Option<Namespace>)>,
     prefixes: HashMap<&'a str, Vec<Namespace>>,
@@ -33,7 +33,12 @@ pub(super) struct Namespaces<'a> {
 
 impl<'a> Namespaces<'a> {
     /// Takes up the declarations of an element at `depth`.
-    pub(super) fn enter(&mut self, depth: usize, attributes: &[Attribute<'a>], doctype: &Doctype) {
+    pub(in crate::document) fn enter(
+        &mut self,
+        depth: usize,
+        attributes: &[Attribute<'a>],
+        doctype: &Doctype,
+    ) {
         for attribute in attributes
             .iter()
             .filter(|attribute| attribute.name.starts_with("xmlns"))
@@ -58,7 +63,7 @@ impl<'a> Namespaces<'a> {
     }
 
     /// Forgets what the element at `depth` declared.
-    pub(super) fn leave(&mut self, depth: usize) {
+    pub(in crate::document) fn leave(&mut self, depth: usize) {
         while self
             .default
             .pop_if(|(declared, _)| *declared == depth)
@@ -72,7 +77,7 @@ impl<'a> Namespaces<'a> {
     }
 
     /// The index of the attribute that is the element's link: `href`, or else `xlink:href`; in other namespaces it is none.
-    pub(super) fn link(&self, attributes: &[Attribute<'_>]) -> Option<usize> {
+    pub(in crate::document) fn link(&self, attributes: &[Attribute<'_>]) -> Option<usize> {
         let is_xlink = |attribute: &Attribute<'_>| {
             let Some(prefix) = attribute.name.strip_suffix(":href") else {
                 return false;
@@ -88,7 +93,7 @@ impl<'a> Namespaces<'a> {
     }
 
     /// The index of the attribute of an Android drawable that matters here: its path data, or which property it animates.
-    pub(super) fn android(&self, attributes: &[Attribute<'_>]) -> Option<usize> {
+    pub(in crate::document) fn android(&self, attributes: &[Attribute<'_>]) -> Option<usize> {
         let is_it = |attribute: &Attribute<'_>| {
             attribute
                 .name
@@ -109,7 +114,12 @@ impl<'a> Namespaces<'a> {
     }
 
     /// The namespace of an element.
-    pub(super) fn of_element(&mut self, prefix: &str, local: &str, root: bool) -> Namespace {
+    pub(in crate::document) fn of_element(
+        &mut self,
+        prefix: &str,
+        local: &str,
+        root: bool,
+    ) -> Namespace {
         if !prefix.is_empty() {
             return self.prefix(prefix).unwrap_or(Namespace::Other);
         }

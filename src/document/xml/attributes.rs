@@ -7,19 +7,19 @@ use super::fault::{Fault, Result};
 
 /// One attribute.
 #[derive(Debug, Clone)]
-pub(super) struct Attribute<'a> {
+pub(in crate::document) struct Attribute<'a> {
     /// The name with its prefix.
-    pub(super) name: &'a str,
+    pub(in crate::document) name: &'a str,
     /// The value as written, references and all.
-    pub(super) value: &'a str,
+    pub(in crate::document) value: &'a str,
     /// Whether there is a reference in it.
-    pub(super) has_references: bool,
+    pub(in crate::document) has_references: bool,
     /// From the white space before the name to behind the closing quote.
-    pub(super) span: Range<usize>,
+    pub(in crate::document) span: Range<usize>,
     /// Where the name begins.
-    pub(super) start: usize,
+    pub(in crate::document) start: usize,
     /// The value without its quotes.
-    pub(super) value_span: Range<usize>,
+    pub(in crate::document) value_span: Range<usize>,
 }
 
 /// Up to this many attributes are compared pair by pair.
@@ -27,7 +27,7 @@ const FEW: usize = 12;
 
 /// The index behind the white space at `bytes[at..]`.
 #[inline]
-pub(super) fn behind_space(bytes: &[u8], mut at: usize) -> usize {
+pub(in crate::document) fn behind_space(bytes: &[u8], mut at: usize) -> usize {
     while let Some(b' ' | b'\t' | b'\n' | b'\r') = bytes.get(at) {
         at += 1;
     }
@@ -36,7 +36,11 @@ pub(super) fn behind_space(bytes: &[u8], mut at: usize) -> usize {
 
 /// Reads the attributes behind the name of a tag, from `source[at..]` on; gives the index of what stands behind the last one and
 /// white space: mostly the end of the tag.
-pub(super) fn read<'a>(source: &'a str, at: usize, out: &mut Vec<Attribute<'a>>) -> Result<usize> {
+pub(in crate::document) fn read<'a>(
+    source: &'a str,
+    at: usize,
+    out: &mut Vec<Attribute<'a>>,
+) -> Result<usize> {
     out.clear();
     let bytes = source.as_bytes();
     let mut behind = at;
@@ -145,7 +149,7 @@ const fn begins_name(byte: u8) -> bool {
 }
 
 /// The name of an element or an attribute that begins at `source[at..]`, if one does.
-pub(super) fn name(source: &str, at: usize) -> Option<&str> {
+pub(in crate::document) fn name(source: &str, at: usize) -> Option<&str> {
     let rest = source.as_bytes().get(at..)?;
     let length = rest.iter().take_while(|b| NAME[usize::from(**b)]).count();
     rest.first()

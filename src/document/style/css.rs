@@ -11,12 +11,12 @@ use super::selector::{self, Compound};
 
 /// What the style sheets of a document hold.
 #[derive(Debug, Default)]
-pub(super) struct Sheet {
-    pub(super) rules: Rules,
+pub(in crate::document) struct Sheet {
+    pub(in crate::document) rules: Rules,
     /// What `@keyframes` do.
-    pub(super) keyframes: Effect,
+    pub(in crate::document) keyframes: Effect,
     /// Whether it imports another sheet.
-    pub(super) imports: bool,
+    pub(in crate::document) imports: bool,
 }
 
 /// What a block holds.
@@ -61,13 +61,13 @@ impl AtRule {
 }
 
 /// Adds the rules of a style sheet.
-pub(super) fn read(text: &str, sheet: &mut Sheet) {
+pub(in crate::document) fn read(text: &str, sheet: &mut Sheet) {
     let mut effect = Effect::default();
     items(&mut Parser::new(text), Block::Rules, &mut effect, sheet);
 }
 
 /// The declarations of a style attribute.
-pub(super) fn declarations(text: &str) -> Effect {
+pub(in crate::document) fn declarations(text: &str) -> Effect {
     let (mut effect, mut sheet) = (Effect::default(), Sheet::default());
     items(
         &mut Parser::new(text),
@@ -208,7 +208,7 @@ fn declaration(input: &mut Parser<'_>, effect: &mut Effect) {
 }
 
 /// Whether the value of a marker property leaves it off.
-pub(super) fn is_none(text: &str) -> bool {
+pub(in crate::document) fn is_none(text: &str) -> bool {
     Value::read(&mut Parser::new(text)).is_none()
 }
 

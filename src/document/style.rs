@@ -1,0 +1,8 @@
+//! What elements are told from elsewhere: style sheets, style attributes, animations, markers.
+
+pub(super) mod css;
+pub(super) mod facts;
+pub(super) mod own;
+pub(super) mod property;
+pub(super) mod rules;
+pub(super) mod selector;
