@@ -136,7 +136,14 @@ pub(super) fn nearest(_name: &str) -> Vec<&'static str> {
 static CARDS: [Card; 28] = [
     Card {
         id: "midpoint",
-        aliases: &["standard", "lancaster-normal", "mortenson-1"],
+        aliases: &[
+            "standard",
+            "lancaster-normal",
+            "mortenson-1",
+            "dokken",
+            "riskus",
+            "peters",
+        ],
         title: "the standard handle",
         degree: Degree::Cubic,
         ends: Ends::OnCircle,
@@ -148,13 +155,13 @@ static CARDS: [Card; 28] = [
         largest_angle: 180.0,
         criterion: "the midpoint lies on the circle",
         origin: "Lancaster 2005",
-        source: "Don Lancaster, \"Approximating a Circle or an Ellipse Using Four Bezier Cubic Splines\", 2005 (GuruGram 57), his normal number; Mortenson's first, as Chen 1996 tells it",
+        source: "Don Lancaster, \"Approximating a Circle or an Ellipse Using Four Bezier Cubic Splines\", 2005 (GuruGram 57), his normal number; Mortenson's first, as Chen 1996 tells it; Dokken et al. 1990, Riskus and Peters are known for it, none of them read here",
         formula: "k = (4/3) tan(a/4)",
         advice: "where others use it too, or where the curve must nowhere lie inside the circle",
     },
     Card {
         id: "minimax",
-        aliases: &["mortenson-2", "best"],
+        aliases: &["mortenson-2", "best", "mortensen-web"],
         title: "the least peak error",
         degree: Degree::Cubic,
         ends: Ends::OnCircle,
@@ -166,7 +173,7 @@ static CARDS: [Card; 28] = [
         largest_angle: 180.0,
         criterion: "the least peak error with both ends and tangents on the circle",
         origin: "Mortenson",
-        source: "Mortenson's second, as told by Da-Pan Chen, \"Formulations of composite parametric cubic curves and circle approximations\", 1996",
+        source: "Mortenson's second, as told by Da-Pan Chen, \"Formulations of composite parametric cubic curves and circle approximations\", 1996; the number .551915024494 of Mortensen's web page is its quarter, the page not read here",
         formula: "k with r_out + r_mid = 2: k(a, w0), 4 w0³ = 27 ρ (1-w0), ρ = (3 - r_mid)/(1 + r_mid)",
         advice: "by default: the least peak error of all cubics with smooth joints and both ends on the circle",
     },
@@ -190,7 +197,7 @@ static CARDS: [Card; 28] = [
     },
     Card {
         id: "curvature",
-        aliases: &["de-boor"],
+        aliases: &["de-boor", "maisonobe"],
         title: "the circle's curvature at the ends",
         degree: Degree::Cubic,
         ends: Ends::OnCircle,
@@ -202,7 +209,7 @@ static CARDS: [Card; 28] = [
         largest_angle: 180.0,
         criterion: "the curvature at both ends is the circle's",
         origin: "de Boor et al.",
-        source: "de Boor, Höllig, Sabin, \"High accuracy geometric Hermite interpolation\", 1987, as Apprich et al. tell it",
+        source: "de Boor, Höllig, Sabin, \"High accuracy geometric Hermite interpolation\", 1987, as Apprich et al. tell it; Maisonobe 2003 is known for it, not read here",
         formula: "k = (sqrt(s² + 6(1-c)) - s)/3",
         advice: "where pieces of different angles must join with continuous curvature",
     },
@@ -472,7 +479,7 @@ static CARDS: [Card; 28] = [
         largest_angle: 180.0,
         criterion: "the least peak error of all scaled midpoint circles",
         origin: "derived",
-        source: "derived from its criterion",
+        source: "derived from its criterion; Goldapp's variant with free ends balances r² in place of r, not read here",
         formula: "all control points of midpoint times 2/(1 + sqrt(1+E)), E = (4/27) sin⁶(a/4)/cos²(a/4)",
         advice: "for whole circles and ellipses that may miss the quadrant points: two thirds of minimax's error, no corners",
     },
@@ -544,13 +551,13 @@ static CARDS: [Card; 28] = [
         largest_angle: 180.0,
         criterion: "the least peak error of all symmetric cubics",
         origin: "derived",
-        source: "derived from its criterion",
+        source: "derived from its criterion; Rababah balances r² in place of r and so differs in the last digits, not read here",
         formula: "|p|² = 1 + R² + 2R T6(2t-1)",
         advice: "to know how far a cubic can get; it has corners and misses the quadrant points",
     },
     Card {
         id: "quadratic-tangent",
-        aliases: &[],
+        aliases: &["hollig-koch"],
         title: "the tangents' crossing",
         degree: Degree::Quadratic,
         ends: Ends::OnCircle,
@@ -562,7 +569,7 @@ static CARDS: [Card; 28] = [
         largest_angle: 175.0,
         criterion: "the tangents are the circle's",
         origin: "derived",
-        source: "derived from its criterion",
+        source: "derived from its criterion; on a circle Höllig and Koch's is this one, not read here",
         formula: "P1 at radius 1/cos h on the bisector",
         advice: "for quadratics without corners; the curve lies nowhere inside the circle",
     },
@@ -655,6 +662,25 @@ mod tests {
         let count = names.len();
         names.dedup();
         assert_eq!(names.len(), count);
+    }
+
+    #[test]
+    fn names_that_users_look_for_are_known() {
+        for (name, method) in [
+            ("maisonobe", Method::Curvature),
+            ("dokken", Method::Midpoint),
+            ("riskus", Method::Midpoint),
+            ("peters", Method::Midpoint),
+            ("mortensen-web", Method::Minimax),
+            ("hollig-koch", Method::QuadraticTangent),
+        ] {
+            assert_eq!(name.parse::<Method>().unwrap(), method);
+        }
+        // The number of the web page, to its last digit.
+        let quarter = Method::Minimax
+            .piece(&super::super::Span::from_degrees(90.0))
+            .unwrap();
+        assert!((quarter.handle.y - 0.551_915_024_494).abs() < 5e-13);
     }
 
     #[test]
