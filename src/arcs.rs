@@ -1,6 +1,8 @@
-//! Lines in place of Béziers and arcs: the way back, for machines and for what draws nothing else.
+//! Lines and circular arcs in place of Béziers: the way back, for machines and for what draws nothing else.
 
+mod bows;
 mod chords;
+mod fit;
 mod piece;
 
 use kurbo::{Affine, Line, PathSeg, Point, Rect};
@@ -19,7 +21,7 @@ const ROUNDING_PART: f64 = 0.02;
 /// The tolerance where none is asked for, as a part of half the larger side of the subpath's box: of the radius, on a circle.
 const DEFAULT_PART: f64 = 1e-3;
 
-/// How lines are made.
+/// How lines and arcs are made.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
     /// How far they may lie from what was given; a part is one of half the larger side of the subpath's box. Without it, a
@@ -59,6 +61,35 @@ pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     })
 }
 
+/// Draws contours as lines and circular arcs within a tolerance: a run of Béziers that is one arc becomes it, of a round radius where
+/// rounding explains one; a whole circle becomes two halves. Any other Bézier becomes arcs and lines, each as long as the tolerance
+/// lets it be, arcs two by two as biarcs with shared tangents. Lines, circular arcs and the ends of Béziers stay as they are.
+///
+/// The result has courses and no curves. The error is a bound of the distance both ways (Hausdorff), of the numbers as they are
+/// printed.
+///
+/// # Errors
+///
+/// Where the tolerance is not positive or no more than rounding moves a point, and where a path takes more than a million arcs.
+///
+/// ```
+/// use curveto::{Tolerance, arcs, path};
+/// let circle = "M50 0C50 27.6 27.6 50 0 50C-27.6 50-50 27.6-50 0C-50-27.6-27.6-50 0-50C27.6-50 50-27.6 50 0Z";
+/// let drawing = arcs::arcs(&path::contours(circle)?, &arcs::Options::default())?;
+/// let data = path::data_of_courses(drawing.courses(), false);
+/// assert_eq!(data, "M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z");
+/// # Ok::<(), curveto::Error>(())
+/// ```
+pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
+    let subpaths = contours
+        .iter()
+        .map(|contour| bows::subpath(contour, options));
+    Ok(PathDrawing {
+        subpaths: subpaths.collect::<Result<_>>()?,
+        maker: Maker::Arcs,
+    })
+}
+
 fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let pieces = pieces(contour, options.transform)?;
     let plan = Plan::new(contour, &pieces, options)?;
@@ -92,6 +123,7 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
             segments,
             closed: contour.closed,
         },
+        course: None,
         error: RadialError::balanced(error),
         radius: plan.size,
     })
@@ -108,6 +140,7 @@ fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<Piece>> {
 
 /// How far what is made of a subpath may lie from it, and how its points are rounded.
 struct Plan {
+    tolerance: f64,
     /// The tolerance without what rounding takes.
     room: f64,
     /// How computed points are rounded.
@@ -146,6 +179,7 @@ impl Plan {
             )));
         }
         Ok(Self {
+            tolerance,
             room: room.max(0.0),
             precision,
             rounds_given: options.precision.is_some(),

@@ -3,6 +3,7 @@
 use kurbo::{CubicBez, Line, PathSeg, Point, QuadBez, Rect};
 
 use crate::approximate::{self, ROUNDING_SHARE, Sketch, automatic_precision, sketch};
+use crate::course::Course;
 use crate::curve::Curve;
 use crate::error::{Error, Result, positive};
 use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
@@ -74,6 +75,8 @@ pub enum Maker {
     Rule(Rule),
     /// Chords.
     Lines,
+    /// Lines and circular arcs.
+    Arcs,
 }
 
 impl Maker {
@@ -83,6 +86,7 @@ impl Maker {
         match self {
             Self::Rule(rule) => rule.id(),
             Self::Lines => "lines",
+            Self::Arcs => "arcs",
         }
     }
 }
@@ -92,6 +96,8 @@ impl Maker {
 pub struct Subpath {
     /// Its curve, rounded.
     pub curve: Curve,
+    /// The lines and circular arcs that stand in place of the curve, which then has no segments.
+    pub course: Option<Course>,
     /// How far it strays from what was given. Where cubics became quadratics, both sides hold the bound of their distance.
     pub error: RadialError,
     /// What its error is compared with: the largest radius of its arcs, or half the larger side of its box where it has none.
@@ -111,6 +117,13 @@ impl PathDrawing {
     pub fn relative_peak(&self) -> f64 {
         let peaks = self.subpaths.iter().map(Subpath::relative_peak);
         peaks.fold(0.0, f64::max)
+    }
+
+    /// The courses of the subpaths, of those that have one.
+    pub fn courses(&self) -> impl Iterator<Item = &Course> {
+        self.subpaths
+            .iter()
+            .filter_map(|subpath| subpath.course.as_ref())
     }
 
     /// The curves of the subpaths.
@@ -251,6 +264,7 @@ impl Finisher<'_> {
         }
         Ok(Subpath {
             curve,
+            course: None,
             error,
             radius,
         })

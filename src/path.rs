@@ -8,4 +8,4 @@ pub use read::{contours, curves, shortened};
 pub use transform::transform;
 #[cfg(feature = "batch")]
 pub(crate) use write::push_rounding;
-pub use write::{data, push_curve};
+pub use write::{data, data_of_courses, push_curve};

@@ -110,6 +110,10 @@ pub struct Options {
 /// ```
 pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<Vec<u8>> {
     let figure = || work.figure();
+    let drawn = figure();
+    if !drawn.courses.is_empty() {
+        return write_courses(work, &drawn, format, options);
+    }
     let text = match format {
         #[cfg(feature = "serde")]
         Format::Json => work.json()? + "\n",
@@ -129,6 +133,35 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
         }
         Format::Image(image) => {
             return picture(&figure().scene(&options.style)?, image, options.relative);
+        }
+    };
+    Ok(text.into_bytes())
+}
+
+/// Lines and circular arcs, in a format that has them.
+fn write_courses(
+    work: &impl Writable,
+    figure: &Figure,
+    format: Format,
+    options: &Options,
+) -> Result<Vec<u8>> {
+    let courses = &figure.courses;
+    let text = match format {
+        #[cfg(feature = "serde")]
+        Format::Json => work.json()? + "\n",
+        Format::Path => crate::path::data_of_courses(courses, options.relative) + "\n",
+        Format::Dxf => {
+            let traces = courses.iter().cloned().map(Trace::Course);
+            let traces: Vec<_> = traces.map(|trace| (None, trace)).collect();
+            dxf::drawing(&figure.title, &traces)
+        }
+        Format::Gcode => gcode::program(&figure.title, courses, options.precision, options.feed),
+        _ => {
+            return Err(Error::Format {
+                format: format.name(),
+                why: "it has no circular arcs here".to_owned(),
+                remedy: "-f path, json, dxf and gcode have them; --to beziers and --to lines go with every format",
+            });
         }
     };
     Ok(text.into_bytes())

@@ -97,7 +97,7 @@ impl Piece {
 }
 
 /// The largest |y| exactly, y = 3t(1-t)((1-t)a + tb) with a, b of the inner control points, and the overshoot of these.
-fn cubic_from_chord(cubic: &CubicBez) -> f64 {
+pub(super) fn cubic_from_chord(cubic: &CubicBez) -> f64 {
     let chord = cubic.p3 - cubic.p0;
     let length = chord.hypot2().sqrt();
     let inner = [cubic.p1 - cubic.p0, cubic.p2 - cubic.p0];

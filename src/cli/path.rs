@@ -33,18 +33,24 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
             };
             draw(&contours, target, &options)?
         }
-        Kind::Lines => {
+        kind @ (Kind::Lines | Kind::Arcs) => {
             let options = arcs::Options {
                 tolerance: args.only_tolerance()?,
                 precision,
                 transform,
             };
-            arcs::lines(&contours, &options)?
+            match kind {
+                Kind::Arcs => arcs::arcs(&contours, &options)?,
+                _ => arcs::lines(&contours, &options)?,
+            }
         }
     };
     if args.open {
         for subpath in &mut drawing.subpaths {
             subpath.curve.closed = false;
+            if let Some(course) = &mut subpath.course {
+                course.closed = false;
+            }
         }
     }
     let manner = args.output.options(format)?;

@@ -2,6 +2,7 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 
+use crate::course::{Course, Step};
 use crate::curve::Curve;
 use crate::number::{EightDigits, Precision, decimals_of, push_fixed, push_shortest, round};
 
@@ -47,6 +48,68 @@ pub fn push_curve(out: &mut Vec<u8>, curve: &Curve, relative: bool) {
     }
     if curve.closed {
         out.push(if relative { b'z' } else { b'Z' });
+    }
+}
+
+/// The path data of courses: lines and circular arcs.
+#[must_use]
+pub fn data_of_courses<'a>(
+    courses: impl IntoIterator<Item = &'a Course>,
+    relative: bool,
+) -> String {
+    let mut out = Vec::new();
+    for course in courses {
+        push_course(&mut out, course, relative);
+    }
+    String::from_utf8(out).unwrap_or_default()
+}
+
+fn push_course(out: &mut Vec<u8>, course: &Course, relative: bool) {
+    out.push(b'M');
+    push_numbers(out, &[course.start.x, course.start.y]);
+    let mut from = course.start;
+    let steps = match course.steps.as_slice() {
+        [rest @ .., Step::Line(to)] if course.closed && !rest.is_empty() && *to == course.start => {
+            rest
+        }
+        all => all,
+    };
+    let cased = |letter: u8| {
+        if relative {
+            letter.to_ascii_lowercase()
+        } else {
+            letter
+        }
+    };
+    for step in steps {
+        let to = step.to();
+        let end = if relative {
+            decimal_difference(to, from)
+        } else {
+            to.to_vec2()
+        };
+        match step {
+            Step::Line(_) => {
+                out.push(cased(b'L'));
+                push_numbers(out, &[end.x, end.y]);
+            }
+            Step::Arc(arc) => {
+                out.push(cased(b'A'));
+                let sweep = arc.sweep.degrees();
+                let flags =
+                    [sweep.abs() > 180.0, sweep > 0.0].map(|flag| f64::from(u8::from(flag)));
+                push_numbers(
+                    out,
+                    &[
+                        arc.radius, arc.radius, 0.0, flags[0], flags[1], end.x, end.y,
+                    ],
+                );
+            }
+        }
+        from = to;
+    }
+    if course.closed {
+        out.push(cased(b'Z'));
     }
 }
 

@@ -5,6 +5,7 @@ use kurbo::Rect;
 use super::style::{Style, default_stroke_width};
 use crate::approximate::Drawing;
 use crate::contour::{Maker, PathDrawing};
+use crate::course::Course;
 use crate::curve::Curve;
 use crate::number::{compact, rounded_up, significant, text};
 use crate::shape::{Outline, Shape};
@@ -24,6 +25,8 @@ pub struct Figure {
     pub layers: Vec<Layer>,
     /// The true shapes that the curves approximate.
     pub truths: Vec<Outline>,
+    /// Lines and circular arcs in place of curves.
+    pub courses: Vec<Course>,
 }
 
 /// Curves that are drawn alike.
@@ -112,6 +115,7 @@ impl From<&Drawing> for Figure {
                 ..Layer::default()
             }],
             truths: drawing.outline.into_iter().collect(),
+            courses: Vec::new(),
         }
     }
 }
@@ -129,6 +133,7 @@ impl Figure {
                 ..Layer::default()
             }],
             truths: Vec::new(),
+            courses: drawing.courses().cloned().collect(),
         }
     }
 }
@@ -136,14 +141,16 @@ impl Figure {
 /// A path and how closely it was drawn, in a line; the figures are rounded up.
 pub(crate) fn path_summary(drawing: &PathDrawing) -> String {
     let count = drawing.subpaths.len();
-    let segments: usize = drawing.curves().map(|curve| curve.segments.len()).sum();
+    let segments = drawing.curves().map(|curve| curve.segments.len());
+    let steps = drawing.courses().map(|course| course.steps.len());
+    let segments: usize = segments.chain(steps).sum();
     let closeness = match drawing.error().peak() {
         0.0 => "exact".to_owned(),
         peak => format!(
             "{}within {}",
             match drawing.maker {
                 Maker::Rule(rule) => format!("arcs by {}, ", rule.id()),
-                Maker::Lines => String::new(),
+                Maker::Lines | Maker::Arcs => String::new(),
             },
             significant(rounded_up(peak, 3), 3)
         ),
@@ -264,6 +271,7 @@ impl Figure {
             title,
             layers,
             truths: Vec::new(),
+            courses: Vec::new(),
         }
     }
 }
@@ -302,6 +310,7 @@ impl Figure {
                 ..Layer::default()
             }],
             truths: Vec::new(),
+            courses: Vec::new(),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::Writable;
 use crate::contour::PathDrawing;
 use crate::picture::figure::{self, Figure};
 #[cfg(feature = "serde")]
-pub use document::{PathDocument, SubpathDocument};
+pub use document::{ArcDocument, PathDocument, PathSegmentDocument, SubpathDocument};
 
 impl Writable for PathDrawing {
     fn figure(&self) -> Figure {

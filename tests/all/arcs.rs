@@ -1,6 +1,6 @@
-//! `path --to lines`: the tolerance holds both ways, by points sampled densely, and the chords are few.
+//! `path --to lines` and `--to arcs`: the tolerance holds both ways, by points sampled densely, and the pieces are few.
 
-use curveto::arcs::{Options, lines};
+use curveto::arcs::{Options, arcs, lines};
 use curveto::contour::{Contour, PathDrawing, Step};
 use curveto::kurbo::{ParamCurve, PathSeg, Point};
 use curveto::{Tolerance, path};
@@ -174,4 +174,142 @@ fn the_program_draws_lines_for_machines() {
         "0",
     ]);
     assert_eq!(coarse.status.code(), Some(2));
+}
+
+fn bowed(data: &str, tolerance: Option<f64>) -> PathDrawing {
+    let options = Options {
+        tolerance: tolerance.map(Tolerance::Absolute),
+        ..Options::default()
+    };
+    arcs(&path::contours(data).unwrap(), &options).unwrap()
+}
+
+fn bowed_data(data: &str, tolerance: Option<f64>) -> String {
+    path::data_of_courses(bowed(data, tolerance).courses(), false)
+}
+
+/// Path data of lines and circular arcs as chords so short that they count as the curve itself, by SVG's formulas for end points.
+fn chords(data: &str) -> Vec<PathSeg> {
+    let mut points = Vec::new();
+    for contour in path::contours(data).unwrap() {
+        for step in contour.steps {
+            match step {
+                Step::Given(segment) => points.extend([segment.start(), segment.end()]),
+                Step::Arc(arc) => points.extend((0..=2000).map(|i| {
+                    let angle = arc.start.radians() + arc.sweep.radians() * f64::from(i) / 2000.0;
+                    let (sin, cos) = angle.sin_cos();
+                    arc.center + arc.radii.x * curveto::kurbo::Vec2::new(cos, sin)
+                })),
+            }
+        }
+    }
+    let line = |pair: &[Point]| PathSeg::Line(curveto::kurbo::Line::new(pair[0], pair[1]));
+    points.windows(2).map(line).collect()
+}
+
+fn ends(segments: &[PathSeg]) -> Vec<Point> {
+    let start = segments.iter().map(PathSeg::start);
+    start.chain(segments.last().map(PathSeg::end)).collect()
+}
+
+fn points_apart(a: &[Point], b: &[Point]) -> f64 {
+    let one_way = |from: &[Point], to: &[Point]| {
+        let near = from.iter().step_by(7).map(|&p| from_chords(p, to));
+        near.fold(0.0, f64::max)
+    };
+    one_way(a, b).max(one_way(b, a))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+    #[test]
+    fn arcs_stay_within_the_tolerance_both_ways(
+        numbers in prop::collection::vec(-100.0..100.0_f64, 8),
+        tolerance in 0.02..5.0_f64,
+    ) {
+        let [x, y, rest @ ..] = &numbers[..] else { unreachable!() };
+        let rest: Vec<String> = rest.iter().map(f64::to_string).collect();
+        let data = format!("M{x} {y}C{}", rest.join(" "));
+        let contours = path::contours(&data).unwrap();
+        let drawing = bowed(&data, Some(tolerance));
+        let stated = drawing.error().peak();
+        prop_assert!(stated <= tolerance, "{data}: {stated}");
+        let printed = path::data_of_courses(drawing.courses(), false);
+        let found = points_apart(&sampled(&given(&contours[0])), &ends(&chords(&printed)));
+        // The samples lie on chords of the curve themselves.
+        prop_assert!(found <= stated + 0.05, "{data}: {found} beyond {stated}");
+    }
+}
+
+#[test]
+fn circles_of_others_become_the_circles_that_were_meant() {
+    for (data, radius) in [
+        (
+            "M22 12c0 5.5192-4.4808 10-10 10C6.4808 22 2 17.5192 2 12 2 6.4808 6.4808 2 12 2 17.5192 2 22 6.4808 22 12Z",
+            "10",
+        ),
+        (
+            "M22 12c0 5.523-4.477 10-10 10S2 17.523 2 12 6.477 2 12 2s10 4.477 10 10z",
+            "10",
+        ),
+        (
+            "M7.5 0C7.5 4.1 4.1 7.5 0 7.5S-7.5 4.1-7.5 0-4.1-7.5 0-7.5 7.5-4.1 7.5 0Z",
+            "7.5",
+        ),
+    ] {
+        let found = bowed_data(data, None);
+        let arc = format!("A{radius} {radius} 0 ");
+        assert_eq!(found.matches(&arc).count(), 2, "{found}");
+        assert_eq!(found.matches('A').count(), 2, "{found}");
+        assert!(found.ends_with('Z'));
+    }
+}
+
+#[test]
+fn a_rounded_rectangle_keeps_its_lines_and_its_corners() {
+    let data = "M4 0H20C22.209 0 24 1.791 24 4V24H0V4C0 1.791 1.791 0 4 0Z";
+    assert_eq!(
+        bowed_data(data, None),
+        "M4 0L20 0A4 4 0 0 1 24 4L24 24L0 24L0 4A4 4 0 0 1 4 0Z"
+    );
+}
+
+#[test]
+fn a_quarter_of_an_ellipse_takes_at_most_twelve_arcs() {
+    let drawing = bowed("M1 0A1 0.5 0 0 1 0 0.5", Some(1e-4));
+    let steps = drawing
+        .courses()
+        .map(|course| course.steps.len())
+        .sum::<usize>();
+    assert!(steps <= 12, "{steps}");
+    assert!(drawing.error().peak() <= 1e-4);
+}
+
+#[test]
+fn corners_and_cusps_and_dots_stay() {
+    let corner = "M0 0C10 0 10 0 10 10C10 0 10 0 20 0";
+    let found = bowed_data(corner, Some(0.01));
+    assert!(found.contains("L10 10A"), "{found}");
+    let cusp = bowed("M0 0C100 100 0 100 100 0", Some(0.01));
+    assert!(cusp.error().peak() <= 0.01);
+    assert_eq!(bowed_data("M5 5C5 5 5 5 5 5Z", None), "M5 5L5 5Z");
+}
+
+#[test]
+fn the_program_draws_arcs_for_machines() {
+    let circle = "M10 0C10 5.523 5.523 10 0 10S-10 5.523-10 0-5.523-10 0-10 10-5.523 10 0Z";
+    let gcode = printed(&["path", circle, "--to", "arcs", "-f", "gcode"]);
+    assert_eq!(gcode.matches("G3 ").count(), 2, "{gcode}");
+    assert!(gcode.contains("X-10 Y0 I-10 J0"), "{gcode}");
+    let dxf = printed(&["path", circle, "--to", "arcs", "-f", "dxf"]);
+    assert!(dxf.contains("LWPOLYLINE"), "{dxf}");
+    let json = printed(&["path", circle, "--to", "arcs", "-f", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let arc = &json["subpaths"][0]["segments"][0]["arc"];
+    assert_eq!(arc["radii"][0].as_f64(), Some(10.0));
+    assert_eq!(arc["to"][0].as_f64(), Some(-10.0));
+    let refused = run(&["path", circle, "--to", "arcs", "-f", "ps"]);
+    assert_eq!(refused.status.code(), Some(2));
+    let relative = printed(&["path", circle, "--to", "arcs", "--relative"]);
+    assert_eq!(relative, "M10 0a10 10 0 0 1-20 0a10 10 0 0 1 20 0z\n");
 }

@@ -36,12 +36,15 @@ enum TargetArg {
     Quadratics,
     /// All becomes lines within -t, or a thousandth of half the subpath's size and the rounding of its points
     Lines,
+    /// All becomes lines and circular arcs within -t (without it as for lines); for path, json, dxf and gcode
+    Arcs,
 }
 
 /// What a path becomes.
 pub(crate) enum Kind {
     Beziers(Target),
     Lines,
+    Arcs,
 }
 
 impl PathArgs {
@@ -51,6 +54,7 @@ impl PathArgs {
             TargetArg::Beziers => Kind::Beziers(Target::Beziers),
             TargetArg::Quadratics => Kind::Beziers(Target::Quadratics),
             TargetArg::Lines => Kind::Lines,
+            TargetArg::Arcs => Kind::Arcs,
         }
     }
 
@@ -62,7 +66,7 @@ impl PathArgs {
             }
             _ if self.approximation.is_silent() => Ok(None),
             _ => Err(Failure::request_with_hint(
-                "lines follow no method of Béziers: of these options only -t has a say",
+                "lines and circular arcs follow no method of Béziers: of these options only -t has a say",
                 "-t gives the distance that they may have from the path",
             )),
         }

@@ -1,8 +1,10 @@
 //! The JSON of a path.
 
+use kurbo::{Line, PathSeg};
 use serde::Serialize;
 
 use crate::contour::{PathDrawing, Subpath};
+use crate::course::{Course, Step};
 use crate::path;
 use crate::radial_error::RadialError;
 use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
@@ -13,7 +15,7 @@ use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
 pub struct PathDocument {
     /// The version of this form.
     pub version: u32,
-    /// The id of the method that arcs were drawn by, or `handle`; `lines` where all became lines.
+    /// The id of the method that arcs were drawn by, or `handle`; `lines` and `arcs` where all became these.
     pub method: String,
     /// The subpaths in their order.
     pub subpaths: Vec<SubpathDocument>,
@@ -30,10 +32,61 @@ pub struct SubpathDocument {
     /// Whether it is closed.
     pub closed: bool,
     /// The segments in their order.
-    pub segments: Vec<SegmentDocument>,
+    pub segments: Vec<PathSegmentDocument>,
     /// The error of the points as printed; relative to the largest radius of its arcs, or without arcs to half the larger side of
     /// its box.
     pub error: ErrorDocument,
+}
+
+/// A segment of a path.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(untagged)]
+pub enum PathSegmentDocument {
+    /// A line or a Bézier.
+    Points(SegmentDocument),
+    /// A circular arc from where the segment before it ends.
+    Arc {
+        /// The arc, as SVG has it.
+        arc: ArcDocument,
+    },
+}
+
+/// An arc as SVG has it.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ArcDocument {
+    /// Its radii.
+    pub radii: [f64; 2],
+    /// The angle of its first axis, in degrees.
+    pub rotation: f64,
+    /// Whether it takes the longer way.
+    pub large_arc: bool,
+    /// Whether it runs in the direction of growing angles.
+    pub sweep: bool,
+    /// Where it ends.
+    pub to: [f64; 2],
+}
+
+fn course_segments(course: &Course) -> Vec<PathSegmentDocument> {
+    let mut from = course.start;
+    let segment = |step: &Step| {
+        let line = PathSeg::Line(Line::new(from, step.to()));
+        from = step.to();
+        match step {
+            Step::Line(_) => PathSegmentDocument::Points(segment_document(&line, None)),
+            Step::Arc(arc) => PathSegmentDocument::Arc {
+                arc: ArcDocument {
+                    radii: [arc.radius; 2],
+                    rotation: 0.0,
+                    large_arc: arc.sweep.degrees().abs() > 180.0,
+                    sweep: arc.sweep.degrees() > 0.0,
+                    to: [arc.to.x, arc.to.y],
+                },
+            },
+        }
+    };
+    course.steps.iter().map(segment).collect()
 }
 
 impl From<&PathDrawing> for PathDocument {
@@ -43,7 +96,8 @@ impl From<&PathDrawing> for PathDocument {
             method: drawing.maker.id().to_owned(),
             subpaths: drawing.subpaths.iter().map(Into::into).collect(),
             error: error_document(drawing.error(), drawing.relative_peak()),
-            path: path::data(drawing.curves(), false),
+            path: path::data(drawing.curves(), false)
+                + &path::data_of_courses(drawing.courses(), false),
         }
     }
 }
@@ -53,9 +107,16 @@ impl From<&Subpath> for SubpathDocument {
         let segments = subpath.curve.segments.iter();
         Self {
             closed: subpath.curve.closed,
-            segments: segments
-                .map(|segment| segment_document(segment, None))
-                .collect(),
+            segments: subpath.course.as_ref().map_or_else(
+                || {
+                    let document = |segment| segment_document(segment, None);
+                    segments
+                        .map(document)
+                        .map(PathSegmentDocument::Points)
+                        .collect()
+                },
+                course_segments,
+            ),
             error: error_document(subpath.error, subpath.relative_peak()),
         }
     }
