@@ -7,7 +7,7 @@
 
 use core::iter;
 
-use kurbo::{ParamCurve, ParamCurveDeriv, PathSeg, Point, Vec2};
+use kurbo::{CubicBez, Line, ParamCurve, ParamCurveDeriv, PathSeg, Point, QuadBez, Vec2};
 
 use crate::numeric::bernstein::{Parameters, Polynomial, binomial};
 use crate::numeric::double::Double;
@@ -47,6 +47,7 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
         }
         return;
     }
+    let (segment, truth) = &about_the_centre(segment, truth);
     let search = Search { segment, truth };
     visit(0.0, search.distance(0.0));
     let crossings = Profile::new(segment, truth).crossings();
@@ -68,6 +69,26 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
         }
     }
     visit(1.0, search.distance(1.0));
+}
+
+/// The segment and the shape with the shape's centre as the origin.
+///
+/// Far from the origin the points of a small shape share their leading digits; each difference loses at most half a unit in its
+/// own last place, while a point evaluated at its absolute coordinates would lose one of theirs.
+fn about_the_centre(segment: &PathSeg, truth: &Truth) -> (PathSeg, Truth) {
+    let own = |p: Point| (p - truth.center).to_point();
+    let segment = match *segment {
+        PathSeg::Line(l) => PathSeg::Line(Line::new(own(l.p0), own(l.p1))),
+        PathSeg::Quad(q) => PathSeg::Quad(QuadBez::new(own(q.p0), own(q.p1), own(q.p2))),
+        PathSeg::Cubic(c) => {
+            PathSeg::Cubic(CubicBez::new(own(c.p0), own(c.p1), own(c.p2), own(c.p3)))
+        }
+    };
+    let truth = Truth {
+        center: Point::ORIGIN,
+        ..*truth
+    };
+    (segment, truth)
 }
 
 /// How far the segment lies from the long axis of the ellipse, with a sign, in the frame where that is the unit circle.
@@ -130,20 +151,22 @@ impl Search<'_> {
 }
 
 /// The signed distance of one segment from the true shape as a function of t, positive outside.
-pub(crate) struct Profile<'a> {
-    segment: &'a PathSeg,
-    truth: &'a Truth,
+pub(crate) struct Profile {
+    segment: PathSeg,
+    truth: Truth,
     /// |p|² - r² about a circle; in the frame where an ellipse is the unit circle for one.
     excess: Polynomial,
 }
 
-impl<'a> Profile<'a> {
-    pub(crate) fn new(segment: &'a PathSeg, truth: &'a Truth) -> Self {
-        let excess = if truth.is_circle() {
-            excess(segment, truth.center, truth.radii.x)
+impl Profile {
+    pub(crate) fn new(segment: &PathSeg, truth: &Truth) -> Self {
+        let (own, own_truth) = about_the_centre(segment, truth);
+        let (segment, truth, excess) = if truth.is_circle() {
+            let excess = excess(segment, truth.center, truth.radii.x);
+            (*segment, *truth, excess)
         } else {
-            let framed = truth.placement().inverse() * *segment;
-            excess(&framed, Point::ORIGIN, 1.0)
+            let framed = own_truth.placement().inverse() * own;
+            (own, own_truth, excess(&framed, Point::ORIGIN, 1.0))
         };
         Self {
             segment,
@@ -155,9 +178,9 @@ impl<'a> Profile<'a> {
     /// The signed distance at t.
     pub(crate) fn at(&self, t: f64) -> f64 {
         if self.truth.is_circle() {
-            distance_from_circle(self.segment, self.truth, &self.excess, t)
+            distance_from_circle(&self.segment, &self.truth, &self.excess, t)
         } else {
-            distance(self.truth, self.segment.eval(t))
+            distance(&self.truth, self.segment.eval(t))
         }
     }
 
@@ -199,7 +222,8 @@ fn distance_from_circle(segment: &PathSeg, truth: &Truth, excess: &Polynomial, t
     let excess = excess.at(t);
     let square = radius * radius + excess;
     if square < radius * radius / 4.0 {
-        return (segment.eval(t) - truth.center).hypot() - radius;
+        let (own, _) = about_the_centre(segment, truth);
+        return own.eval(t).to_vec2().hypot() - radius;
     }
     excess / (radius + square.sqrt())
 }

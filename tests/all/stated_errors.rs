@@ -165,3 +165,38 @@ fn peaks_without_a_slope_are_found() {
         "{crossing}"
     );
 }
+
+/// Far from the origin the points of a tiny ellipse share their leading digits, which the distance must not lose.
+#[test]
+fn a_tiny_ellipse_far_from_the_origin_states_no_less_than_the_truth() {
+    let (radii, centre) = ([1.03e-7, 0.001_974_92], [-811_458.0, -618_711.0]);
+    let words = "ellipse 1.03e-07 0.00197492 --rotation 0 --center -811458,-618711 --start 594.2705418056371 --reverse -n 5 -m minimax-free -p auto -f json";
+    let words: Vec<&str> = words.split(' ').collect();
+    let document = crate::judges::program::json(&words);
+    let (mut outward, mut inward) = (0.0_f64, 0.0_f64);
+    for segment in document["segments"].as_array().unwrap() {
+        let points: Vec<oracle::Point> = segment["points"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|p| [0, 1].map(|i| real(p[i].as_f64().unwrap())))
+            .collect();
+        let found = oracle::ellipse_distance_extremes(
+            &points,
+            centre.map(real),
+            radii.map(real),
+            &oracle::int(0),
+        );
+        outward = outward.max(to_f64(&found.0));
+        inward = inward.max(to_f64(&found.1));
+    }
+    let near = |stated: &serde_json::Value, truth: f64| {
+        let stated = stated.as_f64().unwrap();
+        (stated - truth).abs() <= 1e-9 * truth + 1e-15 * radii[1]
+    };
+    assert!(
+        near(&document["error"]["outward"], outward) && near(&document["error"]["inward"], inward),
+        "{} stated, {outward:e} {inward:e} true",
+        document["error"]
+    );
+}
