@@ -429,6 +429,9 @@ impl<'a> Request<'a> {
             if peak + moved <= tolerance {
                 return true;
             }
+            if peak - moved > tolerance {
+                return false;
+            }
         }
         radial::error(&sketch.rounded().segments, truth).peak() <= tolerance
     }

@@ -462,3 +462,21 @@ fn a_huge_radius_costs_no_tolerance() {
     let path = printed(&["arc", "--svg", "M0 0A1e10 1e10 0 0 1 1 0", "-t", "1e-6"]);
     assert!(path.starts_with("M0 0C"), "{path}");
 }
+
+#[test]
+fn a_method_that_needs_thousands_of_segments_answers() {
+    let output = run(&[
+        "circle",
+        "116",
+        "-m",
+        "apprich-plus",
+        "-t",
+        "4.76e-06",
+        "-v",
+    ]);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        message.contains("segments by apprich-plus, within 0.00000"),
+        "{message}"
+    );
+}
