@@ -109,46 +109,39 @@ pub struct Options {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<Vec<u8>> {
-    let figure = || work.figure();
-    let drawn = figure();
-    if !drawn.courses.is_empty() {
-        return write_courses(work, &drawn, format, options);
+    #[cfg(feature = "serde")]
+    if format == Format::Json {
+        return Ok((work.json()? + "\n").into_bytes());
+    }
+    let figure = work.figure();
+    if !figure.courses.is_empty() {
+        return write_courses(&figure, format, options);
     }
     let text = match format {
-        #[cfg(feature = "serde")]
-        Format::Json => work.json()? + "\n",
-        Format::Path => crate::path::data(figure().curves(), options.relative) + "\n",
-        Format::Ps => postscript::operators(figure().curves()),
-        Format::Tikz => tikz::commands(figure().curves())?,
-        Format::Canvas => canvas::calls(figure().curves()),
-        Format::Glif => glif::glyph(&figure()),
-        Format::Dxf => {
-            let figure = figure();
-            dxf::drawing(&figure.title, &traces(&figure, options))
-        }
+        Format::Path => crate::path::data(figure.curves(), options.relative) + "\n",
+        Format::Ps => postscript::operators(figure.curves()),
+        Format::Tikz => tikz::commands(figure.curves())?,
+        Format::Canvas => canvas::calls(figure.curves()),
+        Format::Glif => glif::glyph(&figure),
+        Format::Dxf => dxf::drawing(&figure.title, &traces(&figure, options)),
         Format::Gcode => {
-            let figure = figure();
             let courses = courses(&figure)?;
             gcode::program(&figure.title, &courses, options.precision, options.feed)
         }
         Format::Image(image) => {
-            return picture(&figure().scene(&options.style)?, image, options.relative);
+            return picture(&figure.scene(&options.style)?, image, options.relative);
         }
+        // Written above.
+        #[cfg(feature = "serde")]
+        Format::Json => String::new(),
     };
     Ok(text.into_bytes())
 }
 
 /// Lines and circular arcs, in a format that has them.
-fn write_courses(
-    work: &impl Writable,
-    figure: &Figure,
-    format: Format,
-    options: &Options,
-) -> Result<Vec<u8>> {
+fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<Vec<u8>> {
     let courses = &figure.courses;
     let text = match format {
-        #[cfg(feature = "serde")]
-        Format::Json => work.json()? + "\n",
         Format::Path => crate::path::data_of_courses(courses, options.relative) + "\n",
         Format::Dxf => {
             let traces = courses.iter().cloned().map(Trace::Course);
