@@ -1,8 +1,9 @@
 //! A shape, a rule and a cut become a curve whose error is known.
 
+mod extremes;
 mod fewest;
 
-use core::f64::consts::FRAC_1_SQRT_2;
+pub use extremes::approximate_at_extremes;
 
 use kurbo::{Affine, PathSeg, Point};
 
@@ -139,57 +140,6 @@ pub(crate) fn approximate_between(shape: &Shape, options: &Options) -> Result<Dr
         }
         .drawing(),
         None => Ok(straight(shape, options)),
-    }
-}
-
-/// How many parts of a piece between two extremes are tried for a tolerance.
-const MOST_PARTS: usize = 256;
-
-/// Draws a shape with joints at all of its horizontal and vertical extremes, as type wants them; `cut` tells into how many parts
-/// each piece between them is cut, one by default, or for which tolerance.
-///
-/// # Errors
-///
-/// As [`approximate`].
-///
-/// ```
-/// use curveto::{Angle, Ellipse, Options, Shape, approximate::approximate_at_extremes};
-/// let slanted = Shape::Ellipse(Ellipse::new((0.0, 0.0), (30.0, 20.0), Angle::from_degrees(30.0))?);
-/// let drawing = approximate_at_extremes(&slanted, &Options::default())?;
-/// let first = drawing.curve.start().unwrap_or_default();
-/// let right = drawing.curve.bounding_box().map_or(0.0, |bounds| bounds.x1);
-/// assert_eq!(drawing.curve.segments.len(), 4);
-/// assert!((drawing.curve.segments.iter().any(|s| (kurbo::ParamCurve::end(s).x - right).abs() < 1e-9)), "{first}");
-/// # Ok::<(), curveto::Error>(())
-/// ```
-pub fn approximate_at_extremes(shape: &Shape, options: &Options) -> Result<Drawing> {
-    let Some(request) = Request::new(shape, options)? else {
-        return Ok(straight(shape, options));
-    };
-    let outline = &request.outline;
-    let extremes = outline.extremes();
-    let draw = |parts: usize| {
-        let cut = Cut::At(Joints::between_extremes(&outline.unit, &extremes, parts));
-        let options = Options {
-            cut,
-            ..options.clone()
-        };
-        approximate(shape, &options)
-    };
-    match options.cut {
-        Cut::Count(parts) => draw(parts),
-        Cut::Tolerance(tolerance) => {
-            let tolerance = tolerance.for_radius(outline.truth.larger_radius());
-            request.check_tolerance(tolerance)?;
-            for parts in 1..=MOST_PARTS {
-                let drawing = draw(parts)?;
-                if drawing.error.peak() <= tolerance {
-                    return Ok(drawing);
-                }
-            }
-            Err(request.refusal(tolerance, None))
-        }
-        _ => draw(1),
     }
 }
 
@@ -424,8 +374,8 @@ impl<'a> Request<'a> {
     /// Whether the curve as it is written is within the tolerance; measured only where rounding decides.
     fn is_within(&self, sketch: &Sketch, tolerance: f64) -> bool {
         let truth = &self.outline.truth;
-        if let (Some(peak), Precision::Fixed(decimals)) = (sketch.peak, sketch.precision) {
-            let moved = farthest_moved(decimals) + 8.0 * f64::EPSILON * self.reach();
+        if let (Some(peak), Precision::Fixed(_)) = (sketch.peak, sketch.precision) {
+            let moved = sketch.precision.farthest_moved() + 8.0 * f64::EPSILON * self.reach();
             if peak + moved <= tolerance {
                 return true;
             }
@@ -456,9 +406,4 @@ pub(crate) fn automatic_precision<'a>(
         }
     }
     Precision::moving_at_most(ROUNDING_SHARE * error, largest)
-}
-
-/// 10^-d/sqrt(2), the farthest that rounding to d decimals moves a point.
-fn farthest_moved(decimals: u8) -> f64 {
-    FRAC_1_SQRT_2 / power(10.0, i32::from(decimals))
 }

@@ -158,7 +158,9 @@ impl Plan {
         let size = bounds.width().max(bounds.height()) / 2.0;
         let tolerance = match options.tolerance {
             Some(tolerance) => positive("tolerance", tolerance.for_radius(size))?,
-            None => DEFAULT_PART * size + farthest_moved(decimals_given(contour)),
+            None => {
+                DEFAULT_PART * size + Precision::Fixed(decimals_given(contour)).farthest_moved()
+            }
         };
         let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
         let largest = corners
@@ -166,10 +168,7 @@ impl Plan {
             .fold(0.0, |most: f64, x| most.max(x.abs()));
         let automatic = Precision::moving_at_most(ROUNDING_PART * tolerance, largest);
         let precision = options.precision.unwrap_or(automatic);
-        let rounding = match precision {
-            Precision::Full => 0.0,
-            Precision::Fixed(decimals) => farthest_moved(decimals),
-        };
+        let rounding = precision.farthest_moved();
         let room = tolerance - rounding;
         // A path of lines alone has nothing to fit.
         let curved = pieces.iter().any(|piece| !piece.is_line());
@@ -195,11 +194,6 @@ impl Plan {
     fn end(&self, p: Point) -> Point {
         if self.rounds_given { self.inner(p) } else { p }
     }
-}
-
-/// 10^-d/sqrt(2), the farthest that rounding to d decimals moves a point.
-fn farthest_moved(decimals: u8) -> f64 {
-    core::f64::consts::FRAC_1_SQRT_2 / crate::numeric::functions::power(10.0, i32::from(decimals))
 }
 
 /// The most decimals that a coordinate of the contour's points has: those of the file that it came from.

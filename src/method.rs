@@ -144,7 +144,7 @@ impl Piece {
 
 impl Method {
     /// The piece of the unit circle's arc of angle `span`. `minimax-ellipse` and its free variant see the ellipse too, and have their
-    /// own pieces there, which [`crate::approximate()`] draws.
+    /// own pieces there, one for each place.
     ///
     /// # Errors
     ///

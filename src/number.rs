@@ -43,6 +43,17 @@ impl Precision {
         Self::Full
     }
 
+    /// 10^-d/sqrt(2), the farthest that rounding to d decimals moves a point; 0 in full.
+    #[must_use]
+    pub fn farthest_moved(self) -> f64 {
+        match self {
+            Self::Full => 0.0,
+            Self::Fixed(decimals) => {
+                core::f64::consts::FRAC_1_SQRT_2 / functions::power(10.0, i32::from(decimals))
+            }
+        }
+    }
+
     /// Appends `x` to `out`, by [`push_shortest`] or [`push_fixed`].
     #[inline]
     pub fn push(self, out: &mut Vec<u8>, x: f64) {

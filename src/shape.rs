@@ -2,12 +2,16 @@
 
 pub mod endpoint;
 pub mod machine;
+mod outline;
 
-use kurbo::{Affine, Point, Vec2};
+pub(crate) use outline::Axes;
+pub use outline::{Outline, Truth, UnitArc};
+
+use kurbo::{Point, Vec2};
 
 use crate::angle::Angle;
 use crate::error::{Error, Result, finite, positive};
-use crate::numeric::functions::unit_vector;
+use outline::positive_radii;
 
 /// A shape that can be drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,190 +80,6 @@ pub struct Line {
     pub from: Point,
     /// Its last point.
     pub to: Point,
-}
-
-/// A piece of the unit circle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct UnitArc {
-    /// Where it starts.
-    pub start: Angle,
-    /// How far it runs.
-    pub sweep: Angle,
-    /// Whether its end is its start.
-    pub closed: bool,
-}
-
-/// A piece of the unit circle and where it lies in user space.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outline {
-    /// The piece.
-    pub unit: UnitArc,
-    /// The map from the unit circle to user space.
-    pub placement: Affine,
-    /// The ellipse that the unit circle becomes.
-    pub truth: Truth,
-    /// End points to be kept to the last digit.
-    pub ends: Option<[Point; 2]>,
-}
-
-/// The true ellipse that a curve is measured against.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Truth {
-    /// Its centre.
-    pub center: Point,
-    /// Its radii along its own axes.
-    pub radii: Vec2,
-    /// (cosine, sine) of the angle from the x axis to the axis of the first radius.
-    pub axis: Vec2,
-}
-
-impl Truth {
-    /// A circle.
-    #[must_use]
-    pub const fn circle(center: Point, radius: f64) -> Self {
-        Self {
-            center,
-            radii: Vec2::new(radius, radius),
-            axis: Vec2::new(1.0, 0.0),
-        }
-    }
-
-    /// The larger radius.
-    #[must_use]
-    #[inline]
-    pub fn larger_radius(&self) -> f64 {
-        self.radii.x.max(self.radii.y)
-    }
-
-    /// Whether both radii are the same.
-    #[must_use]
-    pub fn is_circle(&self) -> bool {
-        self.radii.x == self.radii.y
-    }
-
-    /// The image of a vector of the unit circle's plane, the centre left out.
-    #[inline]
-    #[must_use]
-    pub(crate) fn image(&self, v: Vec2) -> Vec2 {
-        let (x, y) = (v.x * self.radii.x, v.y * self.radii.y);
-        Vec2::new(
-            self.axis.x * x - self.axis.y * y,
-            self.axis.y * x + self.axis.x * y,
-        )
-    }
-
-    /// The map from the unit circle.
-    #[must_use]
-    pub fn placement(&self) -> Affine {
-        let (u, v) = (
-            self.axis * self.radii.x,
-            Vec2::new(-self.axis.y, self.axis.x) * self.radii.y,
-        );
-        Affine::new([u.x, u.y, v.x, v.y, self.center.x, self.center.y])
-    }
-
-    /// The ellipse that an affine map makes of the unit circle.
-    fn of(placement: Affine) -> Result<Self> {
-        let [a, b, c, d, e, f] = placement.as_coeffs();
-        for (what, value) in [
-            ("x coordinate of the transform", e),
-            ("y coordinate of the transform", f),
-        ] {
-            finite(what, value)?;
-        }
-        let center = Point::new(e, f);
-        if (a == d && b == -c) || (a == -d && b == c) {
-            return Ok(Self::circle(
-                center,
-                positive("scale of the transform", libm::hypot(a, b))?,
-            ));
-        }
-        let radii = kurbo::Ellipse::from_affine(placement).radii();
-        let larger = positive("scale of the transform", radii.x.max(radii.y))?;
-        // By the area, because the singular values' own formula cancels for flat ellipses.
-        let smaller = placement.determinant().abs() / larger;
-        if smaller <= f64::EPSILON * larger {
-            let message = "the transform flattens the shape to a line: nothing is left to draw";
-            return Err(Error::Shape(message.to_owned()));
-        }
-        let radii = positive_radii(Vec2::new(larger, smaller))?;
-        Ok(Self {
-            center,
-            radii,
-            // The larger singular value's direction; kurbo has the same formula, but asks the platform.
-            axis: unit_vector(
-                libm::atan2(2.0 * (a * b + c * d), a * a - b * b + c * c - d * d) / 2.0,
-            ),
-        })
-    }
-}
-
-/// The axes of an ellipse, as its unit circle sees them.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Axes {
-    /// The smaller radius over the larger one.
-    pub(crate) short: f64,
-    /// The parametric angle of an end of the short axis, in degrees.
-    pub(crate) angle: f64,
-}
-
-impl Outline {
-    /// The axes; those of a circle lie anywhere.
-    ///
-    /// With M the placement and u(θ) = (cos θ, sin θ), |M u|² = |first|² cos² θ + |second|² sin² θ + 2 first·second sin θ cos θ.
-    pub(crate) fn axes(&self) -> Axes {
-        let scale = self.truth.larger_radius();
-        let [a, b, c, d, _, _] = self.placement.as_coeffs().map(|x| x / scale);
-        let (even, odd) = (
-            f64::midpoint(c * c + d * d, -(a * a + b * b)),
-            -(a * c + b * d),
-        );
-        Axes {
-            short: (a * d - b * c).abs(),
-            // A placement by radii and a rotation has its axes at 0 and 90 degrees; rounding must not turn them.
-            angle: if odd.abs() > 1e-14 * even.abs() {
-                libm::atan2(odd, even).to_degrees() / 2.0
-            } else if even < 0.0 {
-                90.0
-            } else {
-                0.0
-            },
-        }
-    }
-
-    /// The parametric angles, within one turn, at which the ellipse is farthest to the right, to the left, up and down, in this
-    /// order of pairs: x = a cos θ + c sin θ is extreme where tan θ = c/a, and y = b cos θ + d sin θ where tan θ = d/b.
-    #[must_use]
-    pub fn extremes(&self) -> [Angle; 4] {
-        let [a, b, c, d, _, _] = self.placement.as_coeffs();
-        let angle = |cos: f64, sin: f64| match (cos == 0.0, sin == 0.0) {
-            // Exact where the axes are level.
-            (_, true) => 0.0,
-            (true, false) => 90.0,
-            _ => libm::atan2(sin, cos).to_degrees(),
-        };
-        let (x, y) = (angle(a, c), angle(b, d));
-        [x, x + 180.0, y, y + 180.0].map(Angle::from_degrees)
-    }
-
-    /// The outline under a further affine map of user space.
-    ///
-    /// # Errors
-    ///
-    /// Where the map is not finite or flattens the plane.
-    pub fn transformed(self, map: Affine) -> Result<Self> {
-        if map == Affine::IDENTITY {
-            return Ok(self);
-        }
-        let placement = map * self.placement;
-        let ends = self.ends.map(|ends| ends.map(|end| map * end));
-        Ok(Self {
-            placement,
-            truth: Truth::of(placement)?,
-            ends,
-            ..self
-        })
-    }
 }
 
 impl Circle {
@@ -418,26 +238,4 @@ impl Shape {
 #[inline]
 fn finite_point(what: &'static str, p: Point) -> Result<Point> {
     Ok(Point::new(finite(what, p.x)?, finite(what, p.y)?))
-}
-
-/// How many times one radius may be the other: beyond, an ellipse in double precision is a line.
-const FLATTEST: f64 = 1e12;
-
-#[inline]
-fn positive_radii(radii: Vec2) -> Result<Vec2> {
-    let what = if radii.x == radii.y {
-        "radius"
-    } else {
-        "radii"
-    };
-    let radii = Vec2::new(positive(what, radii.x)?, positive(what, radii.y)?);
-    let (small, large) = (radii.x.min(radii.y), radii.x.max(radii.y));
-    if large > FLATTEST * small {
-        let message = format!(
-            "an ellipse with the radii {} and {} is too flat: one radius may be up to {FLATTEST:e} of the other",
-            radii.x, radii.y
-        );
-        return Err(Error::Shape(message));
-    }
-    Ok(radii)
 }

@@ -263,9 +263,18 @@ impl Spline {
         }
     }
 
+    /// Keeps the lengths of this round, or of none where they are too many.
+    fn record(&mut self) {
+        if (self.rounds + 1) * self.lengths.len() <= MOST_KEPT {
+            self.history.push(self.lengths.clone());
+        } else {
+            self.history = Vec::new();
+        }
+    }
+
     /// Iterates the parameter lengths to the curve's own arc lengths, as Chen's Figure 8 does.
     fn settle(&mut self, quadrature: Quadrature) -> Result<()> {
-        self.history.push(self.lengths.clone());
+        self.record();
         for round in 1..=MOST_ROUNDS {
             self.rounds = round;
             let mut change = 0.0_f64;
@@ -277,17 +286,10 @@ impl Spline {
                 change = change.max((measured - self.lengths[k]).abs() / measured);
                 self.lengths[k] = measured;
             }
-            self.history.push(self.lengths.clone());
+            self.record();
             self.solve();
             if change < self.options.stop {
-                if self.history.len() * self.lengths.len() > MOST_KEPT {
-                    self.history = Vec::new();
-                }
                 return Ok(());
-            }
-            // What will not be told needs no memory.
-            if self.history.len() * self.lengths.len() > MOST_KEPT {
-                self.history.pop();
             }
         }
         Err(Error::Unsettled {

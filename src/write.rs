@@ -27,6 +27,8 @@ pub mod tikz;
 
 pub use format::{Format, Image};
 
+use core::cell::LazyCell;
+
 use crate::approximate::Drawing;
 use crate::course::Course;
 use crate::error::{Error, Result};
@@ -109,15 +111,12 @@ pub struct Options {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<Vec<u8>> {
-    #[cfg(feature = "serde")]
-    if format == Format::Json {
-        return Ok((work.json()? + "\n").into_bytes());
-    }
-    let figure = work.figure();
-    if !figure.courses.is_empty() {
-        return write_courses(&figure, format, options);
-    }
+    // JSON has no use for it.
+    let figure = LazyCell::new(|| work.figure());
     let text = match format {
+        #[cfg(feature = "serde")]
+        Format::Json => work.json()? + "\n",
+        _ if !figure.courses.is_empty() => return write_courses(&figure, format, options),
         Format::Path => crate::path::data(figure.curves(), options.relative) + "\n",
         Format::Ps => postscript::operators(figure.curves()),
         Format::Tikz => tikz::commands(figure.curves())?,
@@ -131,9 +130,6 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
         Format::Image(image) => {
             return picture(&figure.scene(&options.style)?, image, options.relative);
         }
-        // Written above.
-        #[cfg(feature = "serde")]
-        Format::Json => String::new(),
     };
     Ok(text.into_bytes())
 }

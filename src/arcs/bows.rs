@@ -4,7 +4,7 @@ use kurbo::{CubicBez, PathSeg, Point};
 
 use super::fit::{self, Fit, Rules};
 use super::piece::{Piece, cubic_from_chord};
-use super::{Options, Plan, decimals_given, farthest_moved, pieces};
+use super::{Options, Plan, decimals_given, pieces};
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step, Subpath};
 use crate::course::{self, CircularArc, Course};
@@ -35,10 +35,11 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
     // The ends of an arc may be rounded along it, and its radius.
     let rounding = plan.tolerance - plan.room;
     let slack = ELLIPSE_PART * plan.tolerance;
+    let decimals = decimals_given(contour);
     let rules = Rules {
         room: plan.room - 2.0 * rounding - slack,
-        decimals: decimals_given(contour),
-        moved: farthest_moved(decimals_given(contour)),
+        decimals,
+        moved: Precision::Fixed(decimals).farthest_moved(),
     };
     let (spans, slack) = spans(contour, &given, options, &rules, slack)?;
     let start = given.first().map(Piece::start).unwrap_or_default();
@@ -241,18 +242,15 @@ fn rounded(fit: &Fit, from: Point, to: Point, plan: &Plan) -> Option<(Option<Arc
         let strayed = fit.parts.iter().map(cubic_from_chord).fold(0.0, f64::max);
         return Some((None, strayed + moved));
     };
-    let decimals = match plan.precision {
-        Precision::Fixed(decimals) if plan.rounds_given => decimals..=decimals,
-        Precision::Fixed(decimals) => decimals..=decimals + MORE_DECIMALS,
-        Precision::Full => 20..=20,
+    let precisions = match plan.precision {
+        Precision::Fixed(decimals) if !plan.rounds_given => (decimals..=decimals + MORE_DECIMALS)
+            .map(Precision::Fixed)
+            .collect(),
+        precision => vec![precision],
     };
     let mut best: Option<(Arc, f64)> = None;
-    for decimals in decimals {
-        let radius = if decimals < 20 {
-            crate::number::round(arc.radii.x, decimals)
-        } else {
-            arc.radii.x
-        };
+    for precision in precisions {
+        let radius = precision.round(arc.radii.x);
         if let Some(found) = fit::with_radius(from, to, arc, radius) {
             let strayed = fit::distance(&fit.parts, from, to, &found);
             if best.is_none_or(|(_, least)| strayed < least) {

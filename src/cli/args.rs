@@ -61,7 +61,7 @@ pub(crate) enum Command {
     Ellipse(Deferred<Draw<EllipseShape>>),
     /// Draw an arc of a circle or an ellipse
     Arc(Deferred<Draw<ArcShape>>),
-    /// Draw SVG path data: every arc becomes Béziers, all else stays as it is; or all of it becomes lines
+    /// Draw SVG path data: every arc becomes Béziers, all else stays as it is; or all of it becomes lines or circular arcs
     Path(Deferred<PathArgs>),
     /// Draw the shapes of a stream, one a line in, one a line out
     Batch(Deferred<BatchArgs>),

@@ -22,8 +22,31 @@ use crate::shape::{Ellipse, Outline, Shape, Truth};
 /// From so many decimals on the last digits of every sum show, and they are to be those of the engine.
 const LAST_DIGITS: u32 = 12;
 
-/// Fills `out` with an arc. It is drawn from `arc.from`, and the points are offsets from there.
+/// What draws that which cannot be placed here.
+type Engine = fn(&Shape, &approximate::Options) -> crate::Result<Drawing>;
+
+/// Fills `out` with an arc of a path, whose ends stay as they are. It is drawn from `arc.from`, and the points are offsets from there.
 pub(super) fn arc(
+    arc: &SvgArc,
+    options: &Options,
+    memo: &mut Memo,
+    out: &mut Beziers,
+) -> Result<(), Reason> {
+    arc_by(approximate_between, arc, options, memo, out)
+}
+
+/// As [`arc`] for the corner of a rectangle, whose ends are rounded as all others where a precision is asked for.
+pub(super) fn corner(
+    arc: &SvgArc,
+    options: &Options,
+    memo: &mut Memo,
+    out: &mut Beziers,
+) -> Result<(), Reason> {
+    arc_by(approximate, arc, options, memo, out)
+}
+
+fn arc_by(
+    engine: Engine,
     arc: &SvgArc,
     options: &Options,
     memo: &mut Memo,
@@ -46,22 +69,8 @@ pub(super) fn arc(
     };
     match count {
         Some(count) => equal(&outline, arc, count, options, memo, out),
-        None => by_engine(approximate_between, &shape, arc.from, options, out).map(|_| ()),
+        None => by_engine(engine, &shape, arc.from, options, out).map(|_| ()),
     }
-}
-
-/// Fills `out` with the corner of a rectangle between two points, which are rounded as all others where a precision is asked for.
-pub(super) fn corner(
-    arc: &SvgArc,
-    options: &Options,
-    memo: &mut Memo,
-    out: &mut Beziers,
-) -> Result<(), Reason> {
-    if options.precision.is_none() || count(options, Angle::from_degrees(90.0)).is_some() {
-        return self::arc(arc, options, memo, out);
-    }
-    let shape = arc.shape().map_err(|error| refused(&error))?;
-    by_engine(approximate, &shape, arc.from, options, out).map(|_| ())
 }
 
 /// Fills `out` with an ellipse that starts at `center` + (`radii.x`, 0) and runs towards +y, as offsets from its centre; returns the
@@ -111,8 +120,8 @@ fn refused(error: &crate::Error) -> Reason {
 /// The number of segments, where the arc can be placed here.
 fn count(options: &Options, sweep: Angle) -> Option<usize> {
     let serves = match options.rule {
-        Rule::Method(Method::Chen1 | Method::MinimaxEllipse) => false,
-        Rule::Method(method) => method.card().ends == Ends::OnCircle,
+        Rule::Method(Method::Chen1) => false,
+        Rule::Method(method) => method.card().ends == Ends::OnCircle && !method.sees_ellipse(),
         _ => true,
     };
     match options.cut {
@@ -124,7 +133,7 @@ fn count(options: &Options, sweep: Angle) -> Option<usize> {
 
 /// Anything, as the engine draws it.
 fn by_engine(
-    engine: fn(&Shape, &approximate::Options) -> crate::Result<Drawing>,
+    engine: Engine,
     shape: &Shape,
     from: Point,
     options: &Options,

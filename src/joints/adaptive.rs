@@ -11,31 +11,19 @@
 //! Marching through the sweep with segments as long as an error T lets them be takes f(T) of them, and no cut takes fewer where
 //! a longer segment errs more; f falls with T as T^(-1/order), so that the T of a whole count is found in a few steps.
 
-use core::iter;
+mod errors;
 
-use kurbo::{ParamCurve, Point, Vec2};
+use core::iter;
 
 use super::Joints;
 use crate::angle::Angle;
 use crate::error::Result;
-use crate::method::{Ends, Method, Rule, Span, ellipse};
-use crate::numeric::foot::foot;
-use crate::numeric::root;
-use crate::shape::{Axes, Outline, UnitArc};
+use crate::method::{Ends, Method, Rule};
+use crate::shape::{Outline, UnitArc};
+use errors::Errors;
 
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
 const GRID: f64 = 1.0 / (1 << 30) as f64;
-
-/// The parts into which a segment is cut to look for its peak; the peak between two samples follows from a parabola.
-const SAMPLES: usize = 12;
-
-/// A smaller radial error drowns in the rounding of samples; the formula tells it, at both lobes and in the middle.
-const NOISE: f64 = 1e-11;
-const LOBES: [f64; 3] = [0.18, 0.5, 0.82];
-
-/// Where the error is a larger part of the smallest radius of curvature than this, the first order is too rough, and the error
-/// no longer grows with the length of a segment alone.
-const FIRST_ORDER: f64 = 1e-4;
 
 /// How many lengths are tried then, evenly by their ratio, and how often what lies between two of them is halved.
 const LONGER: u32 = 12;
@@ -62,19 +50,14 @@ pub(crate) fn serves(rule: Rule) -> bool {
     }
 }
 
-/// The weights of a placement, and the method's error.
+/// An arc, and how far the method's segments stray from it.
 pub(crate) struct Balance {
     arc: UnitArc,
-    rule: Rule,
-    /// w(θ)^-2 = 1 + swing cos²(θ - axis), in degrees, over the larger radius.
-    swing: f64,
+    errors: Errors,
+    /// The parametric angle of an end of the short axis, in degrees.
     axis: f64,
     order: f64,
     largest_angle: f64,
-    /// The smaller radius over the larger one.
-    short: f64,
-    /// Whether a piece costs no search.
-    is_quick: bool,
 }
 
 impl Balance {
@@ -84,90 +67,30 @@ impl Balance {
             return None;
         }
         let card = rule.method()?.card();
-        let Axes { short, angle } = outline.axes();
+        let axes = outline.axes();
         Some(Self {
             arc: outline.unit,
-            rule,
-            swing: (1.0 - short) * (1.0 + short) / (short * short),
-            axis: angle,
-            short,
-            is_quick: matches!(
-                rule,
-                Rule::Method(
-                    Method::Midpoint
-                        | Method::Minimax
-                        | Method::Goldapp
-                        | Method::Curvature
-                        | Method::Apprich
-                        | Method::Area
-                        | Method::Chen3
-                )
-            ),
+            errors: Errors::new(rule, axes.short),
+            axis: axes.angle,
             order: f64::from(card.order),
             largest_angle: card.largest_angle,
         })
     }
 
+    /// So many degrees after the start, counted upwards from the short axis: that leaves every distance as it is.
+    fn past_axis(&self, way: f64) -> f64 {
+        let sign = 1.0_f64.copysign(self.arc.sweep.degrees());
+        sign * (self.arc.start.degrees() - self.axis) + way
+    }
+
     /// The error of a segment of `size` degrees that begins `way` degrees after the start, over the larger radius.
     fn error(&self, way: f64, size: f64) -> f64 {
-        let sign = 1.0_f64.copysign(self.arc.sweep.degrees());
-        // The axis of the weights along x, the sweep upwards: both leave ρ and w as they are.
-        let from = sign * (self.arc.start.degrees() - self.axis) + way;
-        if self.rule == Rule::Method(Method::MinimaxEllipse) {
-            return ellipse::peak(self.short, from, size).unwrap_or(f64::INFINITY);
-        }
-        let span = Span::from_degrees(size);
-        let (Ok(piece), Ok(error)) = (self.rule.piece(&span), self.rule.radial_error(&span)) else {
-            return f64::INFINITY;
-        };
-        if error.peak() < NOISE {
-            let weight = |part: f64| self.weight(from + part * size);
-            return error.peak() * LOBES.map(weight).into_iter().fold(0.0, f64::max);
-        }
-        let ends = [from, from + size].map(|degrees| Angle::from_degrees(degrees).direction());
-        let segment = piece.between(ends);
-        let mut errors = [0.0; SAMPLES + 1];
-        let (mut before, mut tip) = (0.0, 0.0_f64);
-        for (i, error) in errors.iter_mut().enumerate().skip(1) {
-            let t = i as f64 / SAMPLES as f64;
-            let point = segment.eval(t);
-            if i < SAMPLES {
-                *error = self.strays(point);
-            }
-            // Where the curve passes a sharp end the distance has a peak that falls between samples.
-            let side = if i == 1 { segment.start().x } else { before };
-            if (side > 0.0) != (point.x > 0.0) {
-                let from = (i - 1) as f64 / SAMPLES as f64;
-                let crossing = root(|t| segment.eval(t).x, from, t);
-                tip = tip.max(self.strays(segment.eval(crossing)));
-            }
-            before = point.x;
-        }
-        peak(&errors).max(tip)
-    }
-
-    /// w at so many degrees from the axis of the least weights, over the larger radius.
-    fn weight(&self, degrees: f64) -> f64 {
-        let cos = libm::cos(degrees.to_radians());
-        (1.0 + self.swing * cos * cos).sqrt().recip()
-    }
-
-    /// How far a point in the frame where the ellipse is the unit circle, its short axis along x, lies from the ellipse.
-    fn strays(&self, point: Point) -> f64 {
-        let square = point.to_vec2().hypot2();
-        // r - 1 by r² - 1, which keeps its digits.
-        let radial = (square - 1.0).abs() / (square.sqrt() + 1.0);
-        let error = radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt();
-        if self.is_rough(error) {
-            let p = Vec2::new(self.short * point.x, point.y);
-            return foot(Vec2::new(self.short, 1.0), p).distance.abs();
-        }
-        error
+        self.errors.of(self.past_axis(way), size)
     }
 
     /// The longest segment from `way`, up to `most`, whose error is `allowed`, starting the search from `guess`.
     fn longest(&self, way: f64, allowed: f64, guess: f64, most: f64) -> f64 {
-        if !self.is_rough(allowed) {
+        if !self.errors.is_rough(allowed) {
             return self.settled(way, allowed, guess);
         }
         // The sharp ends of a flat ellipse are harmless at a joint, so that a longer segment may err less than a shorter one.
@@ -185,8 +108,7 @@ impl Balance {
                 high = middle;
             }
         }
-        let sign = 1.0_f64.copysign(self.arc.sweep.degrees());
-        let quarters = (sign * (self.arc.start.degrees() - self.axis) + way + low) / 90.0;
+        let quarters = (self.past_axis(way) + low) / 90.0;
         let to_axis = low + 90.0 * (quarters.ceil() - quarters);
         let axes = [to_axis, to_axis + 90.0].into_iter();
         axes.filter(|&size| within(size)).fold(low, f64::max)
@@ -196,13 +118,11 @@ impl Balance {
     fn safe(&self, allowed: f64) -> f64 {
         let mut size = 45.0_f64.min(self.largest_angle);
         for _ in 0..MOST_STEPS {
-            let error = self.rule.radial_error(&Span::from_degrees(size));
-            let error = error.map_or(f64::INFINITY, |error| error.peak());
+            let error = self.errors.on_circle(size);
             if error <= allowed && error > 0.9 * allowed {
                 break;
             }
-            let factor = libm::pow(0.95 * allowed / error, 1.0 / self.order);
-            let next = (size * factor.clamp(0.25, 4.0)).min(self.largest_angle);
+            let next = self.resized(size, 0.95 * allowed / error);
             if next == size {
                 break;
             }
@@ -211,12 +131,17 @@ impl Balance {
         size
     }
 
+    /// A segment's length for so many times its error, by the method's order.
+    fn resized(&self, size: f64, times: f64) -> f64 {
+        let factor = libm::pow(times, 1.0 / self.order);
+        (size * factor.clamp(0.25, 4.0)).min(self.largest_angle)
+    }
+
     /// The length at which the error is `allowed`, near `guess`.
     fn settled(&self, way: f64, allowed: f64, guess: f64) -> f64 {
         let mut size = guess.min(self.largest_angle);
         for _ in 0..MOST_STEPS {
-            let factor = libm::pow(allowed / self.error(way, size), 1.0 / self.order);
-            let next = (size * factor.clamp(0.25, 4.0)).min(self.largest_angle);
+            let next = self.resized(size, allowed / self.error(way, size));
             let settled = (next - size).abs() <= 1e-7 * size;
             size = next;
             if settled {
@@ -263,19 +188,15 @@ impl Balance {
     /// last one may be shorter.
     pub(crate) fn greedy(&self, allowed: f64) -> impl Iterator<Item = Joints> {
         let whole = self.computed(false);
-        let mut forth = Vec::new();
-        self.march(whole, allowed, MOST, &mut forth);
-        forth.push(whole);
-        let back = (!self.arc.closed).then(|| {
-            let from = |end: f64| Angle::from_degrees(end);
-            let arc = UnitArc {
-                start: from(self.arc.start.degrees() + self.arc.sweep.degrees()),
-                sweep: from(-self.arc.sweep.degrees()),
-                ..self.arc
-            };
+        let longest = |balance: &Self| {
             let mut ways = Vec::new();
-            Self { arc, ..*self }.march(whole, allowed, MOST, &mut ways);
+            balance.march(whole, allowed, MOST, &mut ways);
             ways.push(whole);
+            ways
+        };
+        let forth = longest(self);
+        let back = (!self.arc.closed).then(|| {
+            let ways = longest(&self.reversed());
             ways.iter().rev().map(|way| whole - way).collect()
         });
         let joints = |ways: Vec<f64>| Joints::after(&self.arc, &ways);
@@ -283,6 +204,19 @@ impl Balance {
             .chain(back)
             .filter(|ways| ways.len() <= MOST)
             .map(joints)
+    }
+
+    /// The arc from its end to its start.
+    fn reversed(&self) -> Self {
+        let (start, sweep) = (self.arc.start.degrees(), self.arc.sweep.degrees());
+        Self {
+            arc: UnitArc {
+                start: Angle::from_degrees(start + sweep),
+                sweep: Angle::from_degrees(-sweep),
+                ..self.arc
+            },
+            ..*self
+        }
     }
 
     /// Joints that equalise the error of so many segments; an even number of a closed shape's mirror in both axes.
@@ -331,7 +265,7 @@ impl Balance {
         let count = pieces as f64;
         let mut joints = Vec::with_capacity(pieces + 1);
         let mut allowed = self.error(0.0, whole / count);
-        if self.is_rough(allowed) {
+        if self.errors.is_rough(allowed) {
             return self.narrowed(whole, pieces);
         }
         for _ in 0..MOST_STEPS {
@@ -345,9 +279,7 @@ impl Balance {
         }
         None
     }
-}
 
-impl Balance {
     /// As [`Self::equalised`] where longer segments may err less: the error is narrowed down between that of equal angles and a
     /// thousandth of it.
     fn narrowed(&self, whole: f64, pieces: usize) -> Option<Vec<f64>> {
@@ -367,35 +299,6 @@ impl Balance {
             }
         }
         found
-    }
-
-    /// Whether the first order does not tell errors of this size, and the method's formula is short enough to find out.
-    fn is_rough(&self, error: f64) -> bool {
-        self.is_quick && error > FIRST_ORDER * self.short * self.short
-    }
-}
-
-/// The largest of evenly spaced samples of a smooth curve, by the parabola through it and its neighbours.
-fn peak(samples: &[f64]) -> f64 {
-    let highest = samples
-        .iter()
-        .copied()
-        .enumerate()
-        .max_by(|a, b| a.1.total_cmp(&b.1));
-    let Some((i, top)) = highest else {
-        return 0.0;
-    };
-    let (Some(before), Some(after)) = (
-        i.checked_sub(1).and_then(|i| samples.get(i)),
-        samples.get(i + 1),
-    ) else {
-        return top;
-    };
-    let (slope, bend) = ((after - before) / 2.0, before - 2.0 * top + after);
-    if bend < 0.0 {
-        top - slope * slope / (2.0 * bend)
-    } else {
-        top
     }
 }
 

@@ -205,23 +205,21 @@ fn solved(rows: &[[f64; 3]; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
     (whole != 0.0).then_some(solution)
 }
 
-/// The least peak of one segment over the larger radius; it begins `from` degrees after an end of the short axis. `None` where
-/// the method does not serve.
-pub(crate) fn peak(short: f64, from: f64, size: f64) -> Option<f64> {
-    serves(short, size).then_some(())?;
-    let fit = Segment::new(short, from, size, false).fit(&Span::from_degrees(size))?;
-    let weight = |u: Vec2| 1.0 / libm::hypot(u.x / short, u.y);
-    // What is not computed is at most the circle's, and its weight at most that of the longer axis nearby.
-    let middle = Angle::from_degrees(from + size / 2.0).direction();
-    Some(if fit.peak < FINEST {
-        fit.peak * weight(middle)
-    } else {
-        fit.peak
-    })
+/// The best handles of a segment that begins `from` degrees after an end of the short axis; `None` where the method does not serve.
+fn best(short: f64, from: f64, size: f64, is_free: bool) -> Option<Fit> {
+    (short >= FLATTEST && size <= LARGEST_ANGLE).then_some(())?;
+    Segment::new(short, from, size, is_free).fit(&Span::from_degrees(size))
 }
 
-fn serves(short: f64, size: f64) -> bool {
-    short >= FLATTEST && size <= LARGEST_ANGLE
+/// The least peak of such a segment over the larger radius.
+pub(crate) fn peak(short: f64, from: f64, size: f64) -> Option<f64> {
+    let fit = best(short, from, size, false)?;
+    if fit.peak >= FINEST {
+        return Some(fit.peak);
+    }
+    // The circle's own; it weighs on the short segment as it does in the middle.
+    let middle = Angle::from_degrees(from + size / 2.0).direction();
+    Some(fit.peak / libm::hypot(middle.x / short, middle.y))
 }
 
 /// The pieces of an ellipse with these axes between joints at these angles, in degrees. Each piece comes as [`super::Rule::pieces`] gives it.
@@ -246,15 +244,10 @@ pub(crate) fn pieces(
         ));
     }
     let piece = |pair: &[f64]| {
-        let (size, sign) = (
-            (pair[1] - pair[0]).abs(),
-            1.0_f64.copysign(pair[1] - pair[0]),
-        );
-        let from = sign * (pair[0] - axis);
-        let fit = serves(short, size)
-            .then(|| Segment::new(short, from, size, is_free).fit(&Span::from_degrees(size)))
-            .flatten();
-        let Some(fit) = fit else {
+        let sweep = pair[1] - pair[0];
+        // Upwards, which leaves the distances as they are.
+        let from = 1.0_f64.copysign(sweep) * (pair[0] - axis);
+        let Some(fit) = best(short, from, sweep.abs(), is_free) else {
             return Err(method.refuse(
                 "it serves ellipses up to 1:50, in segments up to 170 degrees".to_owned(),
                 "take more segments, or -m minimax, which serves every ellipse".to_owned(),

@@ -29,25 +29,35 @@ pub fn push_curve(out: &mut Vec<u8>, curve: &Curve, relative: bool) {
             PathSeg::Quad(q) => (b'Q', &[q.p1, q.p2]),
             PathSeg::Cubic(c) => (b'C', &[c.p1, c.p2, c.p3]),
         };
-        out.push(if relative {
-            letter.to_ascii_lowercase()
-        } else {
-            letter
-        });
+        push_letter(out, letter, relative);
         let mut numbers = [0.0; 6];
         for (pair, &p) in numbers.chunks_exact_mut(2).zip(points) {
-            let v = if relative {
-                decimal_difference(p, current)
-            } else {
-                p.to_vec2()
-            };
+            let v = counted(p, current, relative);
             (pair[0], pair[1]) = (v.x, v.y);
         }
         push_numbers(out, &numbers[..2 * points.len()]);
         current = points[points.len() - 1];
     }
     if curve.closed {
-        out.push(if relative { b'z' } else { b'Z' });
+        push_letter(out, b'Z', relative);
+    }
+}
+
+/// Appends a command's letter, small where it is relative.
+fn push_letter(out: &mut Vec<u8>, letter: u8, relative: bool) {
+    out.push(if relative {
+        letter.to_ascii_lowercase()
+    } else {
+        letter
+    });
+}
+
+/// The numbers for a point: itself, or as a relative command counts it from the current one.
+fn counted(p: Point, current: Point, relative: bool) -> Vec2 {
+    if relative {
+        decimal_difference(p, current)
+    } else {
+        p.to_vec2()
     }
 }
 
@@ -74,27 +84,16 @@ fn push_course(out: &mut Vec<u8>, course: &Course, relative: bool) {
         }
         all => all,
     };
-    let cased = |letter: u8| {
-        if relative {
-            letter.to_ascii_lowercase()
-        } else {
-            letter
-        }
-    };
     for step in steps {
         let to = step.to();
-        let end = if relative {
-            decimal_difference(to, from)
-        } else {
-            to.to_vec2()
-        };
+        let end = counted(to, from, relative);
         match step {
             Step::Line(_) => {
-                out.push(cased(b'L'));
+                push_letter(out, b'L', relative);
                 push_numbers(out, &[end.x, end.y]);
             }
             Step::Arc(arc) => {
-                out.push(cased(b'A'));
+                push_letter(out, b'A', relative);
                 let sweep = arc.sweep.degrees();
                 let flags =
                     [sweep.abs() > 180.0, sweep > 0.0].map(|flag| f64::from(u8::from(flag)));
@@ -109,7 +108,7 @@ fn push_course(out: &mut Vec<u8>, course: &Course, relative: bool) {
         from = to;
     }
     if course.closed {
-        out.push(cased(b'Z'));
+        push_letter(out, b'Z', relative);
     }
 }
 

@@ -53,12 +53,24 @@ fn from_chords(p: Point, points: &[Point]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
+/// The data of one cubic.
+fn cubic(numbers: &[f64]) -> String {
+    let texts: Vec<String> = numbers.iter().map(f64::to_string).collect();
+    format!("M{}C{}", texts[..2].join(" "), texts[2..].join(" "))
+}
+
+/// The largest distance of the points of each, some of them left out, from the other.
+fn points_apart(a: &[Point], b: &[Point], stride: usize) -> f64 {
+    let one_way = |from: &[Point], to: &[Point]| {
+        let near = from.iter().step_by(stride).map(|&p| from_chords(p, to));
+        near.fold(0.0, f64::max)
+    };
+    one_way(a, b).max(one_way(b, a))
+}
+
 /// The largest distance of the sampled points of each from the other.
 fn apart(a: &[PathSeg], b: &[PathSeg]) -> f64 {
-    let (a, b) = (sampled(a), sampled(b));
-    let one_way =
-        |from: &[Point], to: &[Point]| from.iter().map(|&p| from_chords(p, to)).fold(0.0, f64::max);
-    one_way(&a, &b).max(one_way(&b, &a))
+    points_apart(&sampled(a), &sampled(b), 1)
 }
 
 proptest! {
@@ -68,9 +80,7 @@ proptest! {
         numbers in prop::collection::vec(-100.0..100.0_f64, 8),
         tolerance in 0.05..5.0_f64,
     ) {
-        let [x, y, rest @ ..] = &numbers[..] else { unreachable!() };
-        let rest: Vec<String> = rest.iter().map(f64::to_string).collect();
-        let data = format!("M{x} {y}C{}", rest.join(" "));
+        let data = cubic(&numbers);
         let contours = path::contours(&data).unwrap();
         let drawing = drawn(&data, tolerance);
         let stated = drawing.error().peak();
@@ -212,14 +222,6 @@ fn ends(segments: &[PathSeg]) -> Vec<Point> {
     start.chain(segments.last().map(PathSeg::end)).collect()
 }
 
-fn points_apart(a: &[Point], b: &[Point]) -> f64 {
-    let one_way = |from: &[Point], to: &[Point]| {
-        let near = from.iter().step_by(7).map(|&p| from_chords(p, to));
-        near.fold(0.0, f64::max)
-    };
-    one_way(a, b).max(one_way(b, a))
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
     #[test]
@@ -227,15 +229,13 @@ proptest! {
         numbers in prop::collection::vec(-100.0..100.0_f64, 8),
         tolerance in 0.02..5.0_f64,
     ) {
-        let [x, y, rest @ ..] = &numbers[..] else { unreachable!() };
-        let rest: Vec<String> = rest.iter().map(f64::to_string).collect();
-        let data = format!("M{x} {y}C{}", rest.join(" "));
+        let data = cubic(&numbers);
         let contours = path::contours(&data).unwrap();
         let drawing = bowed(&data, Some(tolerance));
         let stated = drawing.error().peak();
         prop_assert!(stated <= tolerance, "{data}: {stated}");
         let printed = path::data_of_courses(drawing.courses(), false);
-        let found = points_apart(&sampled(&given(&contours[0])), &ends(&chords(&printed)));
+        let found = points_apart(&sampled(&given(&contours[0])), &ends(&chords(&printed)), 7);
         // The samples lie on chords of the curve themselves.
         prop_assert!(found <= stated + 0.05, "{data}: {found} beyond {stated}");
     }

@@ -9,6 +9,7 @@ use kurbo::{ParamCurve, PathSeg, Point};
 use proptest::prelude::*;
 
 use crate::judges::program::{json, printed, refused, run};
+use crate::judges::random::uniform;
 
 /// What the program prints for this input, and on standard error.
 fn piped(arguments: &[&str], input: &[u8]) -> [String; 2] {
@@ -376,13 +377,9 @@ fn path_in(document: &str) -> String {
 #[test]
 fn the_single_command_batch_and_convert_give_the_same_numbers() {
     let mut seed = 11_u64;
-    let mut uniform = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        (seed >> 11) as f64 / (1_u64 << 53) as f64
-    };
     for i in 0..60 {
         // Decimal numbers of few digits, halves among them, which rounding decides.
-        let mut number = |scale: f64| (uniform() * scale * 20.0).round() / 20.0;
+        let mut number = |scale: f64| (uniform(&mut seed) * scale * 20.0).round() / 20.0;
         let (cx, cy) = (number(40.0) - 20.0, number(40.0) - 20.0);
         let (rx, ry) = (3.0 + number(30.0), 3.0 + number(30.0));
         let tolerance = [0.8, 0.3, 0.06][i % 3];

@@ -2,6 +2,7 @@
 //! On ellipses `minimax-g0` keeps the tolerance by joints that equalise its error, and saves segments.
 
 use crate::judges::oracle;
+use crate::judges::random::uniform;
 
 use curveto::method::Span;
 use curveto::number::Precision;
@@ -239,12 +240,6 @@ fn fewest_by_force(radii: (f64, f64), start: f64, sweep: f64, tolerance: f64) ->
         way += low;
     }
     usize::MAX
-}
-
-/// As a random generator of a few lines: the same requests on every run.
-fn uniform(seed: &mut u64) -> f64 {
-    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-    (*seed >> 11) as f64 / (1_u64 << 53) as f64
 }
 
 #[test]

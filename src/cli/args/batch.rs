@@ -6,8 +6,8 @@ use clap::{Args, ValueEnum};
 use curveto::batch::{OnError, Options};
 use curveto::write::Format;
 
-use super::TalkArgs;
 use super::each::EachArgs;
+use super::{TalkArgs, values};
 use crate::cli::failure::Failure;
 
 /// The forms of a line, for `--help` and the manual page.
@@ -84,10 +84,7 @@ impl BatchArgs {
             format,
             rule: self.each.rule(),
             cut: self.each.cut()?,
-            precision: match self.each.precision {
-                Some(word) => word.precision(),
-                None => format.precision(),
-            },
+            precision: values::rounding(self.each.precision, format),
             on_error: match self.on_error {
                 OnErrorArg::Stop => OnError::Stop,
                 OnErrorArg::Skip => OnError::Skip,

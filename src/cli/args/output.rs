@@ -89,10 +89,7 @@ impl OutputArgs {
 
     /// How the points are to be rounded: as it was asked for, else as the format wants it, else by what is drawn.
     pub(crate) fn rounding(&self, format: Format) -> Option<Precision> {
-        match self.precision {
-            Some(word) => word.precision(),
-            None => format.precision(),
-        }
+        values::rounding(self.precision, format)
     }
 
     /// The transform, or the identity.

@@ -6,6 +6,7 @@ use std::num::NonZeroUsize;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
 use curveto::number::Precision;
+use curveto::write::Format;
 use curveto::{Angle, Method, Tolerance};
 use kurbo::{Affine, Point, Vec2};
 
@@ -164,6 +165,11 @@ impl PrecisionWord {
     pub(crate) fn precision(self) -> Option<Precision> {
         self.decimals().map(Precision::Fixed)
     }
+}
+
+/// How points are to be rounded: as it was asked for, else as the format wants it, else by what is drawn.
+pub(super) fn rounding(asked: Option<PrecisionWord>, format: Format) -> Option<Precision> {
+    asked.map_or_else(|| format.precision(), PrecisionWord::precision)
 }
 
 pub(super) fn precision(text: &str) -> Read<PrecisionWord> {

@@ -1,10 +1,16 @@
-//! Random documents, path data and lines: well-formed ones, and ones with a few bytes damaged.
+//! Random numbers, and documents, path data and lines: well-formed ones, and ones with a few bytes damaged.
 
 use std::path::Path;
 use std::sync::OnceLock;
 
 use proptest::prelude::*;
 use proptest::sample::Index;
+
+/// A number from 0 to 1, the same ones on every run.
+pub(crate) fn uniform(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+    (*seed >> 11) as f64 / (1_u64 << 53) as f64
+}
 
 fn pick(list: &[&'static str]) -> impl Strategy<Value = &'static str> + use<> {
     prop::sample::select(list.to_vec())

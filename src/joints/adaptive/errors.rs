@@ -1,0 +1,141 @@
+//! How far a method's segments stray from an ellipse: quickly, and right to first order at least.
+
+use kurbo::{ParamCurve, Point, Vec2};
+
+use crate::angle::Angle;
+use crate::method::{Method, Rule, Span, ellipse};
+use crate::numeric::foot::foot;
+use crate::numeric::root;
+
+/// The parts into which a segment is cut to look for its peak; the peak between two samples follows from a parabola.
+const SAMPLES: usize = 12;
+
+/// A smaller radial error drowns in the rounding of samples; the formula tells it, at both lobes and in the middle.
+const NOISE: f64 = 1e-11;
+const LOBES: [f64; 3] = [0.18, 0.5, 0.82];
+
+/// Where the error is a larger part of the smallest radius of curvature than this, the first order is too rough, and the error
+/// no longer grows with the length of a segment alone.
+const FIRST_ORDER: f64 = 1e-4;
+
+/// A method on an ellipse. Angles count from an end of its short axis.
+#[derive(Clone, Copy)]
+pub(super) struct Errors {
+    rule: Rule,
+    /// The smaller radius over the larger one.
+    short: f64,
+    /// w(θ)^-2 = 1 + swing cos² θ, over the larger radius.
+    swing: f64,
+    /// Whether a piece costs no search.
+    is_quick: bool,
+}
+
+impl Errors {
+    pub(super) fn new(rule: Rule, short: f64) -> Self {
+        Self {
+            rule,
+            short,
+            swing: (1.0 - short) * (1.0 + short) / (short * short),
+            is_quick: matches!(
+                rule,
+                Rule::Method(
+                    Method::Midpoint
+                        | Method::Minimax
+                        | Method::Goldapp
+                        | Method::Curvature
+                        | Method::Apprich
+                        | Method::Area
+                        | Method::Chen3
+                )
+            ),
+        }
+    }
+
+    /// The error of a segment of `size` degrees on the unit circle.
+    pub(super) fn on_circle(&self, size: f64) -> f64 {
+        let error = self.rule.radial_error(&Span::from_degrees(size));
+        error.map_or(f64::INFINITY, |error| error.peak())
+    }
+
+    /// The error of a segment of `size` degrees that begins `from` degrees after the short axis, over the larger radius.
+    pub(super) fn of(&self, from: f64, size: f64) -> f64 {
+        if self.rule == Rule::Method(Method::MinimaxEllipse) {
+            return ellipse::peak(self.short, from, size).unwrap_or(f64::INFINITY);
+        }
+        let span = Span::from_degrees(size);
+        let (Ok(piece), Ok(error)) = (self.rule.piece(&span), self.rule.radial_error(&span)) else {
+            return f64::INFINITY;
+        };
+        if error.peak() < NOISE {
+            let weight = |part: f64| self.weight(from + part * size);
+            return error.peak() * LOBES.map(weight).into_iter().fold(0.0, f64::max);
+        }
+        let ends = [from, from + size].map(|degrees| Angle::from_degrees(degrees).direction());
+        let segment = piece.between(ends);
+        let mut errors = [0.0; SAMPLES + 1];
+        let (mut before, mut tip) = (segment.start().x, 0.0_f64);
+        for (i, error) in errors.iter_mut().enumerate().skip(1) {
+            let t = i as f64 / SAMPLES as f64;
+            let point = segment.eval(t);
+            if i < SAMPLES {
+                *error = self.strays(point);
+            }
+            // Where the curve passes a sharp end the distance has a peak that falls between samples.
+            if (before > 0.0) != (point.x > 0.0) {
+                let from = (i - 1) as f64 / SAMPLES as f64;
+                let crossing = root(|t| segment.eval(t).x, from, t);
+                tip = tip.max(self.strays(segment.eval(crossing)));
+            }
+            before = point.x;
+        }
+        peak(&errors).max(tip)
+    }
+
+    /// w at so many degrees, over the larger radius.
+    fn weight(&self, degrees: f64) -> f64 {
+        let cos = libm::cos(degrees.to_radians());
+        (1.0 + self.swing * cos * cos).sqrt().recip()
+    }
+
+    /// How far a point in the frame where the ellipse is the unit circle, its short axis along x, lies from the ellipse.
+    fn strays(&self, point: Point) -> f64 {
+        let square = point.to_vec2().hypot2();
+        // r - 1 by r² - 1, which keeps its digits.
+        let radial = (square - 1.0).abs() / (square.sqrt() + 1.0);
+        let error = radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt();
+        if self.is_rough(error) {
+            let p = Vec2::new(self.short * point.x, point.y);
+            return foot(Vec2::new(self.short, 1.0), p).distance.abs();
+        }
+        error
+    }
+
+    /// Whether the first order does not tell errors of this size, and the method's formula is short enough to find out.
+    pub(super) fn is_rough(&self, error: f64) -> bool {
+        self.is_quick && error > FIRST_ORDER * self.short * self.short
+    }
+}
+
+/// The largest of evenly spaced samples of a smooth curve, by the parabola through it and its neighbours.
+fn peak(samples: &[f64]) -> f64 {
+    let highest = samples
+        .iter()
+        .copied()
+        .enumerate()
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    let Some((i, top)) = highest else {
+        return 0.0;
+    };
+    let (Some(before), Some(after)) = (
+        i.checked_sub(1).and_then(|i| samples.get(i)),
+        samples.get(i + 1),
+    ) else {
+        return top;
+    };
+    let (slope, bend) = ((after - before) / 2.0, before - 2.0 * top + after);
+    if bend < 0.0 {
+        top - slope * slope / (2.0 * bend)
+    } else {
+        top
+    }
+}
