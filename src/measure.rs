@@ -10,6 +10,7 @@ pub mod profile;
 pub mod radial;
 pub mod reference;
 pub mod report;
+pub mod samples;
 
 pub use profile::Quantity;
 pub use reference::Reference;

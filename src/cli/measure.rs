@@ -1,5 +1,6 @@
 //! `measure`.
 
+mod samples;
 mod table;
 
 use std::io::Write;
@@ -179,8 +180,23 @@ fn tell(subjects: &[Subject], args: &ReportArgs, always_array: bool) -> Outcome 
     if let Some(file) = &args.plot {
         draw_plot(subjects, file, args)?;
     }
+    let format = choose(args.format, args.output.as_deref())?;
+    let text = match args.samples {
+        Some(count) => samples::text(subjects, count, format, always_array)?,
+        None => report_text(subjects, format, always_array)?,
+    };
+    Target::new(args.output.as_deref()).write(text.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Every figure of each subject.
+fn report_text(
+    subjects: &[Subject],
+    format: ReportFormat,
+    always_array: bool,
+) -> Result<String, Failure> {
     let measurements: Vec<&Measurement> = subjects.iter().map(|s| &s.measurement).collect();
-    let text = match choose(args.format, args.output.as_deref())? {
+    Ok(match format {
         ReportFormat::Table => {
             let tables: Vec<String> = measurements.iter().map(|m| table::render(m)).collect();
             tables.join("\n")
@@ -190,9 +206,7 @@ fn tell(subjects: &[Subject], args: &ReportArgs, always_array: bool) -> Outcome 
             [one] if !always_array => json::to_string(one)? + "\n",
             all => json::to_string(&all)? + "\n",
         },
-    };
-    Target::new(args.output.as_deref()).write(text.as_bytes())?;
-    Ok(ExitCode::SUCCESS)
+    })
 }
 
 /// Draws the quantity along every subject.

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::json::{ShapeDocument, shape_document};
 use crate::approximate::Drawing;
 use crate::error::Result;
+use crate::measure::samples::Sample;
 use crate::measure::{Reference, Report, report};
 use crate::method::Rule;
 use crate::number::text;
@@ -115,6 +116,34 @@ pub fn csv(measurements: &[&Measurement]) -> String {
         let fields = COLUMNS.map(|(_, field)| field(measurement));
         out += &fields.join(",");
         out.push('\n');
+    }
+    out
+}
+
+/// A curve point by point, with what it is about.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Samples<'a> {
+    /// The version of this form.
+    pub version: u32,
+    /// What was sampled.
+    pub subject: &'a Subject,
+    /// The points, segment by segment at equal steps of t, both ends of each segment among them.
+    pub samples: Vec<Sample>,
+}
+
+/// One line of CSV for each point, below a line of names.
+#[must_use]
+pub fn samples_csv(all: &[Samples<'_>]) -> String {
+    let mut out = "subject,method,segment,t,x,y,radius,error,degrees\n".to_owned();
+    for samples in all {
+        let subject = csv_text(&samples.subject.title);
+        let method = samples.subject.method.as_deref().unwrap_or_default();
+        for s in &samples.samples {
+            let figures = [s.t, s.x, s.y, s.radius, s.error, s.degrees].map(text);
+            let whose = [subject.as_str(), method, &s.segment.to_string()].join(",");
+            out.extend([whose.as_str(), ",", &figures.join(","), "\n"]);
+        }
     }
     out
 }

@@ -16,6 +16,7 @@ mod dependencies;
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 mod determinism;
 mod documented_commands;
+mod documents;
 mod ellipse_methods;
 mod every_method;
 mod everyday;

@@ -8,18 +8,19 @@ use std::process::Command;
 use curveto::compare::Comparison;
 use curveto::write::catalogue::{CatalogueDocument, MethodDocument};
 use curveto::write::json::DrawingDocument;
-use curveto::write::measurement::Measurement;
+use curveto::write::measurement::{Measurement, Samples};
 use curveto::write::path::PathDocument;
 use curveto::write::sphere::SphereDocument;
 use curveto::write::spline::SplineDocument;
 use schemars::{Schema, schema_for};
 use serde_json::Value;
 
-fn published() -> [(&'static str, Schema); 8] {
+fn published() -> [(&'static str, Schema); 9] {
     [
         ("drawing", schema_for!(DrawingDocument)),
         ("path", schema_for!(PathDocument)),
         ("measurement", schema_for!(Measurement)),
+        ("samples", schema_for!(Samples<'_>)),
         ("comparison", schema_for!(Comparison)),
         ("spline", schema_for!(SplineDocument)),
         ("sphere", schema_for!(SphereDocument)),
@@ -179,7 +180,7 @@ fn flattened(schema: &Value, root: &Value) -> Value {
 const PATH: &str = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
 
 /// Each schema, and commands that print what it describes.
-const CASES: [(&str, &[&str]); 18] = [
+const CASES: [(&str, &[&str]); 19] = [
     ("drawing", &["circle", "50", "-f", "json"]),
     (
         "drawing",
@@ -196,6 +197,10 @@ const CASES: [(&str, &[&str]); 18] = [
         &["arc", "--svg", "M0 0A0 0 0 0 1 5 5", "-f", "json"],
     ),
     ("measurement", &["measure", "circle", "50", "-f", "json"]),
+    (
+        "samples",
+        &["measure", "circle", "50", "--samples", "3", "-f", "json"],
+    ),
     (
         "measurement",
         &[

@@ -136,6 +136,9 @@ pub(crate) struct ReportArgs {
     /// Write the report to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+    /// Report N points of each segment at equal steps of t, both ends among them: t, x, y, radius, error, degrees
+    #[arg(long, value_name = "N", value_parser = values::count)]
+    pub(crate) samples: Option<usize>,
     /// How far rounding may have moved each coordinate, in user units: jumps at joints that this explains do not count
     /// [default: four units in the last place of the largest coordinate]
     #[arg(long, value_name = "D", value_parser = values::number)]

@@ -117,14 +117,14 @@ fn continuity(c: &ContinuityReport) -> [Line; 2] {
 }
 
 /// A table without lines, its first columns close together.
-fn plain() -> Table {
+pub(super) fn plain() -> Table {
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
     table
 }
 
 /// The lines of a table without blanks at their ends.
-fn lines(table: &Table) -> String {
+pub(super) fn lines(table: &Table) -> String {
     table
         .lines()
         .fold(String::new(), |text, line| text + line.trim_end() + "\n")
@@ -238,7 +238,7 @@ fn side(joint: &Joint, name: &str, side: Option<Curvature>) -> [String; 8] {
 }
 
 /// Sets so many blanks between columns, and these columns to the right.
-fn close_up(table: &mut Table, gap: u16, right: &[usize]) {
+pub(super) fn close_up(table: &mut Table, gap: u16, right: &[usize]) {
     for (i, column) in table.column_iter_mut().enumerate() {
         column.set_padding((0, gap));
         if right.contains(&i) {
