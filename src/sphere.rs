@@ -48,12 +48,13 @@ pub struct View {
 }
 
 /// How to draw it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Options {
     /// What gives the control points.
     pub rule: Rule,
-    /// The number of segments of a whole circle; `None` for one for every quarter turn.
-    pub segments: Option<usize>,
+    /// Where a whole circle is cut; a half circle gets half of so many segments. Angles are longitudes on a parallel, counted from
+    /// the north pole on a meridian, and as they are seen on the outline. An absolute tolerance is in radii.
+    pub cut: Cut,
     /// How control points are rounded; `None` picks the fewest decimals that add no more than a tenth of the error.
     pub precision: Option<Precision>,
     /// Applied to the projected control points.
@@ -146,15 +147,17 @@ impl Sphere {
     pub fn seen(&self, view: View, options: &Options) -> Result<Picture> {
         let count = self.meridians.div_ceil(2) + self.parallels + 1;
         let most = MOST_SEGMENTS / count;
-        if let Some(count) = options.segments.filter(|&count| count > most) {
+        if let Cut::Count(count) = options.cut
+            && count > most
+        {
             return Err(Error::Count { count, most });
         }
         let space = Space::new(self, view)?;
-        let units = Units::new(self, options)?;
+        let units = Units::new(self, view, options)?;
         let mut picture = Picture {
             sphere: *self,
             view,
-            options: *options,
+            options: options.clone(),
             front: Vec::new(),
             back: Vec::new(),
             outline: Part {
@@ -254,22 +257,28 @@ impl Picture {
 /// The most meridians, and the most parallels.
 const MOST_LINES: usize = 10_000;
 
-/// What the lines are images of: the unit circle by the rule, and its half where meridians are half circles.
+/// What the lines are images of: the unit circle by the rule, as meridians and the outline take it and as parallels do, which
+/// begin at the longitude of the view; and its half where meridians are half circles.
 struct Units {
     circle: Drawing,
+    parallel: Drawing,
     half: Option<Drawing>,
 }
 
 impl Units {
-    fn new(sphere: &Sphere, options: &Options) -> Result<Self> {
+    fn new(sphere: &Sphere, view: View, options: &Options) -> Result<Self> {
         let circle = Shape::Circle(Circle::new((0.0, 0.0), 1.0)?);
         let half_turn = Angle::from_degrees(180.0);
         let half = Arc::new((0.0, 0.0), (1.0, 1.0), Angle::ZERO, Angle::ZERO, half_turn)?;
-        let segments = options.segments;
-        let draw_half = || draw(&Shape::Arc(half), segments.map(|n| n.div_ceil(2)), options);
         let in_pairs = sphere.meridians.is_multiple_of(2);
+        let draw_half = || draw(&Shape::Arc(half), half_cut(&options.cut), options);
+        let whole = draw(&circle, options.cut.clone(), options)?;
         Ok(Self {
-            circle: draw(&circle, segments, options)?,
+            parallel: match &options.cut {
+                Cut::At(joints) => draw(&circle, cut_from(joints, view.longitude), options)?,
+                _ => whole.clone(),
+            },
+            circle: whole,
             half: (!in_pairs).then(draw_half).transpose()?,
         })
     }
@@ -277,23 +286,47 @@ impl Units {
     /// The curve in the plane of a line.
     fn curve(&self, line: Line) -> &Curve {
         match (line, &self.half) {
+            (Line::Parallel(_), _) => &self.parallel.curve,
             (Line::Meridian(_), Some(half)) => &half.curve,
             _ => &self.circle.curve,
         }
     }
 
     fn error(&self) -> RadialError {
-        self.half
-            .iter()
-            .fold(self.circle.error, |error, half| error.with(half.error))
+        [&self.parallel]
+            .into_iter()
+            .chain(&self.half)
+            .fold(self.circle.error, |error, unit| error.with(unit.error))
     }
 }
 
+/// The cut of the first half of a circle that is cut so.
+fn half_cut(cut: &Cut) -> Cut {
+    let turned = |joint: &Angle| joint.degrees().rem_euclid(360.0);
+    match cut {
+        Cut::Count(count) => Cut::Count(count.div_ceil(2)),
+        Cut::At(joints) => Cut::At(
+            joints
+                .iter()
+                .copied()
+                .filter(|joint| turned(joint) > 0.0 && turned(joint) < 180.0)
+                .collect(),
+        ),
+        other => other.clone(),
+    }
+}
+
+/// Joints at these angles, counted from `zero`.
+fn cut_from(joints: &[Angle], zero: Angle) -> Cut {
+    let from_zero = |joint: &Angle| Angle::from_degrees(joint.degrees() - zero.degrees());
+    Cut::At(joints.iter().map(from_zero).collect())
+}
+
 /// The shape by the rule, in full digits.
-fn draw(shape: &Shape, segments: Option<usize>, options: &Options) -> Result<Drawing> {
+fn draw(shape: &Shape, cut: Cut, options: &Options) -> Result<Drawing> {
     let options = approximate::Options {
         rule: options.rule,
-        cut: segments.map_or(Cut::Quarters, Cut::Count),
+        cut,
         precision: Some(Precision::Full),
         transform: Affine::IDENTITY,
     };

@@ -20,7 +20,7 @@ pub(super) fn run(args: &SphereArgs) -> Outcome {
     };
     let options = Options {
         rule: Rule::Method(args.method),
-        segments: args.segments,
+        cut: args.cut(),
         precision: args.output.rounding(format),
         transform: args.output.transform(),
     };

@@ -260,3 +260,86 @@ fn impossible_spheres_are_refused() {
         assert!(message.contains(told), "{arguments:?}: {message}");
     }
 }
+
+/// Chen's eight points, 30 and 60 degrees apart in turn.
+const UNEVEN: &str = "0,30,90,120,180,210,270,300";
+
+#[test]
+fn arcs_of_different_spans_have_their_joints_where_they_were_asked_for() {
+    let words = [
+        "sphere", "100", "--view", "25,35", "-m", "chen-3", "--joints", UNEVEN,
+    ];
+    let found = program::json(&words);
+    let circle = program::json(&["circle", "100", "-m", "chen-3", "--joints", UNEVEN]);
+    for key in ["outward", "inward"] {
+        let of = |value: &serde_json::Value| value["error"][key].as_f64().unwrap();
+        assert!((of(&found) - of(&circle)).abs() < 1e-9);
+    }
+    let joints: Vec<f64> = UNEVEN.split(',').map(|a| a.parse().unwrap()).collect();
+    let [view_longitude, view_latitude] = [25.0_f64, 35.0].map(f64::to_radians);
+    let seen_at = |longitude: f64, latitude: f64| {
+        let east = latitude.cos() * (longitude - view_longitude).sin();
+        let toward = latitude.cos() * (longitude - view_longitude).cos();
+        let up = latitude.sin() * view_latitude.cos() - toward * view_latitude.sin();
+        [100.0 * east, -100.0 * up]
+    };
+    let mut placed = 0;
+    for part in ["front", "back"]
+        .iter()
+        .flat_map(|side| found[side].as_array().unwrap())
+    {
+        let degrees = |key: &str| part[key].as_f64().map(f64::to_radians);
+        let expected: Vec<[f64; 2]> = joints
+            .iter()
+            .map(|joint| match (degrees("latitude"), degrees("longitude")) {
+                (Some(latitude), _) => seen_at(joint.to_radians(), latitude),
+                (_, longitude) => {
+                    let latitude = core::f64::consts::FRAC_PI_2 - joint.to_radians();
+                    seen_at(longitude.unwrap(), latitude)
+                }
+            })
+            .collect();
+        // Parts begin and end at the limb too: the ends between two segments are joints.
+        for segment in &part["segments"].as_array().unwrap()[1..] {
+            let p: Vec<f64> = segment["points"][0]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|x| x.as_f64().unwrap())
+                .collect();
+            assert!(
+                expected
+                    .iter()
+                    .any(|q| (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-9),
+                "{part} {p:?}"
+            );
+            placed += 1;
+        }
+    }
+    assert!(placed > 60, "{placed}");
+}
+
+#[test]
+fn joints_of_half_circles_are_those_inside_them() {
+    let words = [
+        "sphere",
+        "10",
+        "--meridians",
+        "1",
+        "--parallels",
+        "0",
+        "--view",
+        "0,0",
+        "--joints",
+        UNEVEN,
+    ];
+    let found = program::json(&words);
+    let meridian = &found["front"].as_array().unwrap()[0];
+    assert_eq!(meridian["line"], "meridian");
+    // 30, 90 and 120 degrees from the north pole lie inside.
+    assert_eq!(meridian["segments"].as_array().unwrap().len(), 4);
+    assert!(program::refused(&[&words[..], &["-m", "minimax-free"]].concat()).contains("hint:"));
+    assert!(
+        program::refused(&["sphere", "10", "--joints", "0,180", "-n", "4"]).contains("--segments")
+    );
+}

@@ -1,7 +1,7 @@
 //! The words for a sphere.
 
-use clap::{Args, ValueEnum};
-use curveto::{Angle, Method};
+use clap::{ArgAction, Args, ValueEnum};
+use curveto::{Angle, Cut, Method};
 use kurbo::Point;
 
 use super::OutputArgs;
@@ -37,11 +37,34 @@ pub(crate) struct SphereArgs {
         value_name = "N",
         value_parser = values::count,
         allow_hyphen_values = true,
+        conflicts_with = "joints",
         help_heading = "How it is approximated"
     )]
-    pub(crate) segments: Option<usize>,
+    segments: Option<usize>,
+    /// Joints of every circle at these angles instead: longitudes on a parallel, from the north pole on a meridian
+    #[arg(
+        long,
+        value_name = "A,B,...",
+        value_delimiter = ',',
+        value_parser = values::angle,
+        allow_hyphen_values = true,
+        action = ArgAction::Set,
+        help_heading = "How it is approximated"
+    )]
+    joints: Vec<Angle>,
     #[command(flatten)]
     pub(crate) output: OutputArgs,
+}
+
+impl SphereArgs {
+    /// Where a whole circle is cut.
+    pub(crate) fn cut(&self) -> Cut {
+        match self.segments {
+            Some(count) => Cut::Count(count),
+            None if self.joints.is_empty() => Cut::Quarters,
+            None => Cut::At(self.joints.clone()),
+        }
+    }
 }
 
 /// What becomes of the hidden halves.
