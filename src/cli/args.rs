@@ -11,6 +11,7 @@ pub(crate) mod methods;
 mod output;
 mod path;
 mod picture;
+mod procset;
 pub(crate) mod shape;
 mod sphere;
 mod spline;
@@ -26,6 +27,7 @@ pub(crate) use measure::MeasureArgs;
 pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
 pub(crate) use path::{Kind as PathKind, PathArgs};
+pub(crate) use procset::ProcsetArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
 pub(crate) use sphere::SphereArgs;
 pub(crate) use spline::{SplineArgs, SplineSource};
@@ -35,7 +37,6 @@ pub(crate) use values::PrecisionWord;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
-use curveto::Method;
 
 /// Draw circles, ellipses and arcs as Bézier curves, and say how far they stray.
 #[derive(Debug, Parser)]
@@ -97,16 +98,6 @@ pub(crate) struct Draw<S: Args> {
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct ProcsetArgs {
-    /// The method whose quarter-circle handle the procedures use
-    #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::MethodReader)]
-    pub(crate) method: Method,
-    /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
-}
-
-#[derive(Debug, Args)]
 pub(crate) struct CompletionsArgs {
     /// The shell
     #[arg(value_name = "SHELL", value_enum)]
@@ -127,7 +118,7 @@ mod tests {
     use super::Cli;
 
     /// What takes all of its values when it is given several times: positional words, and lists.
-    const LISTS: [&str; 11] = [
+    const LISTS: [&str; 12] = [
         "circle show",
         "ellipse show",
         "arc show",
@@ -136,6 +127,7 @@ mod tests {
         "sphere show",
         "convert only",
         "convert trust",
+        "procset with",
         "compare method",
         "compare segments",
         "compare by",

@@ -195,12 +195,30 @@ fn ascii(text: &str) -> String {
         .collect()
 }
 
-/// PostScript procedures `drawellipse` and `drawcircle` with the rule's quarter-circle handle, after Lancaster.
+/// More of Lancaster's procedures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Procedures {
+    /// `reportpath`: prints the current path, each point as x before y.
+    Reporter,
+    /// `acos`, `asin`, `trig.acos` and `trig.asin`, in degrees.
+    Trig,
+}
+
+impl Procedures {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Reporter => REPORTER,
+            Self::Trig => TRIG,
+        }
+    }
+}
+
+/// PostScript procedures `drawellipse` and `drawcircle` with the rule's quarter-circle handle, after Lancaster, and these others.
 ///
 /// # Errors
 ///
 /// Where the rule has no quarter, or its quarter is no cubic that one number describes.
-pub fn procset(rule: Rule) -> Result<String> {
+pub fn procset(rule: Rule, with: &[Procedures]) -> Result<String> {
     let piece = rule.piece(&Span::from_degrees(90.0))?;
     let one_number = piece.end_radius == 1.0
         && piece.handle.x == 1.0
@@ -213,10 +231,12 @@ pub fn procset(rule: Rule) -> Result<String> {
         ));
     }
     let error = rule.radial_error(&Span::from_degrees(90.0))?;
-    Ok(PROCSET
+    let others: String = with.iter().map(|procedures| procedures.text()).collect();
+    let ellipses = PROCSET
         .replace("@METHOD@", rule.id())
         .replace("@MAGIC@", &text(piece.handle.y))
-        .replace("@PEAK@", &significant(rounded_up(error.peak(), 4), 4)))
+        .replace("@PEAK@", &significant(rounded_up(error.peak(), 4), 4));
+    Ok(ellipses + &others)
 }
 
 const PROCSET: &str = "\
@@ -241,5 +261,41 @@ const PROCSET: &str = "\
   end
 } bind def
 /drawcircle { dup drawellipse } bind def
+%%EndResource
+";
+
+/// `pathforall` leaves each point with y on top: what takes from the top of the stack prints y before x, as Lancaster's does.
+const REPORTER: &str = "\
+%%BeginResource: procset curveto-reporter 1 0
+% The current path in user space, after Don Lancaster's reporter (2005), each point as x before y.
+%   reportpath   prints one operator a line: x y moveto, x y lineto, x1 y1 x2 y2 x3 y3 curveto, closepath
+/reportpath {
+  1 dict begin
+  /say { 32 string cvs print ( ) print } def
+  { exch say say (moveto\\n) print }
+  { exch say say (lineto\\n) print }
+  { 6 -1 1 { -1 roll say } for (curveto\\n) print }
+  { (closepath\\n) print }
+  pathforall flush
+  end
+} bind def
+%%EndResource
+";
+
+/// The third side is sqrt((h-x)(h+x)), which keeps its digits where x is nearly h; his is sqrt(h^2-x^2).
+const TRIG: &str = "\
+%%BeginResource: procset curveto-trig 1 0
+% Inverse trigonometry in degrees, after Don Lancaster (2005); his asin gives 330 for -0.5, since atan runs from 0 to 360.
+%   XSIDE HYPOTENUSE acos   from 0 to 180
+%   YSIDE HYPOTENUSE asin   from -90 to 90
+%   COSINE trig.acos        from 0 to 180
+%   SINE trig.asin          from -90 to 90
+/acos { exch dup 3 1 roll 2 copy sub 3 1 roll add mul abs sqrt exch atan } bind def
+/asin {
+  exch dup 3 1 roll 2 copy sub 3 1 roll add mul abs sqrt atan
+  dup 180 gt { 360 sub } if
+} bind def
+/trig.acos { 1 acos } bind def
+/trig.asin { 1 asin } bind def
 %%EndResource
 ";
