@@ -1,18 +1,19 @@
-//! Methods compared on the full circle of radius 1, or an ellipse, by the number of segments.
+//! Methods compared on the full circle of radius 1, or an ellipse, by the number of segments; or on one segment by its angle.
 
-use core::f64::consts::{PI, TAU};
 use core::fmt;
 use core::str::FromStr;
 
 use crate::angle::Angle;
-use crate::approximate::{Drawing, Options, approximate};
+use crate::approximate::{Options, approximate};
+use crate::curve::Curve;
 use crate::error::{Error, Result};
-use crate::joints::Cut;
+use crate::joints::{Cut, Joints};
 use crate::measure::extent;
 use crate::measure::radial::{self, Profile};
-use crate::method::Rule;
-use crate::number::Precision;
-use crate::shape::{Ellipse, Shape, Truth};
+use crate::method::{Rule, Span};
+use crate::number::{Precision, text};
+use crate::place::place;
+use crate::shape::{Arc, Ellipse, Outline, Shape};
 
 /// What methods are compared by. All are relative to the true circle of radius 1, or ellipse of larger radius 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -23,6 +24,8 @@ pub enum Criterion {
     /// The largest distance from the circle.
     #[default]
     Peak,
+    /// The largest of |r² - 1|, r the distance from the centre, on an ellipse 1 and the distance: Apprich's E, Goldapp's criterion.
+    Square,
     /// The mean distance over t.
     Mean,
     /// The root mean square of the distance over t.
@@ -35,13 +38,21 @@ pub enum Criterion {
 
 impl Criterion {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Peak, Self::Mean, Self::Rms, Self::Area, Self::Length];
+    pub const ALL: [Self; 6] = [
+        Self::Peak,
+        Self::Square,
+        Self::Mean,
+        Self::Rms,
+        Self::Area,
+        Self::Length,
+    ];
 
     /// The name by which it is asked for.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Peak => "peak",
+            Self::Square => "square",
             Self::Mean => "mean",
             Self::Rms => "rms",
             Self::Area => "area",
@@ -54,6 +65,7 @@ impl Criterion {
     pub const fn title(self) -> &'static str {
         match self {
             Self::Peak => "peak error",
+            Self::Square => "peak of |r² − 1|",
             Self::Mean => "mean error",
             Self::Rms => "root mean square error",
             Self::Area => "error of the area",
@@ -66,6 +78,7 @@ impl Criterion {
     pub const fn label(self) -> &'static str {
         match self {
             Self::Peak => "peak error (radii)",
+            Self::Square => "peak of |r² − 1| (square radii)",
             Self::Mean => "mean of |r − 1| over t (radii)",
             Self::Rms => "root mean square of r − 1 over t (radii)",
             Self::Area => "error of the area over the true area",
@@ -73,13 +86,21 @@ impl Criterion {
         }
     }
 
-    /// The figure of a drawing.
-    fn of(self, drawing: &Drawing, truth: &Truth) -> f64 {
-        let segments = &drawing.curve.segments;
+    /// The figure of a curve.
+    fn of(self, curve: &Curve, outline: &Outline) -> f64 {
+        let (segments, truth) = (&curve.segments, &outline.truth);
         let count = segments.len() as f64;
+        let turn = outline.unit.sweep.degrees().to_radians();
         // All segments of equal angles are one segment turned: measuring one of them would do, measuring all shows it.
         match self {
             Self::Peak => radial::error(segments, truth).peak(),
+            Self::Square => {
+                let error = radial::error(segments, truth);
+                f64::max(
+                    error.outward * (2.0 + error.outward),
+                    error.inward * (2.0 - error.inward),
+                )
+            }
             Self::Mean => {
                 segments
                     .iter()
@@ -99,11 +120,11 @@ impl Criterion {
                     .iter()
                     .map(|s| extent::sector_area(s, truth.center))
                     .sum();
-                (area / (PI * truth.radii.x * truth.radii.y) - 1.0).abs()
+                (area / (turn / 2.0 * truth.radii.x * truth.radii.y) - 1.0).abs()
             }
             Self::Length => {
                 let length: f64 = segments.iter().map(extent::length).sum();
-                (length / extent::ellipse_length(truth.radii, 0.0, TAU) - 1.0).abs()
+                (length / extent::ellipse_length(truth.radii, 0.0, turn) - 1.0).abs()
             }
         }
     }
@@ -134,7 +155,7 @@ impl FromStr for Criterion {
 /// Errors below this are the rounding of double precision.
 pub const NOISE: f64 = 2e-15;
 
-/// Methods by numbers of segments.
+/// Methods by numbers of segments, or by the angle of one.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -146,8 +167,18 @@ pub struct Comparison {
     /// The smaller radius of the ellipse whose larger one is 1; without it, the circle.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub ellipse: Option<f64>,
-    /// The numbers of segments of the full circle.
+    /// The numbers of segments of the full circle; none where spans are compared.
+    #[cfg_attr(
+        feature = "serde",
+        serde(skip_serializing_if = "Vec::is_empty", default)
+    )]
     pub counts: Vec<usize>,
+    /// The angles of one segment in degrees; none where numbers of segments are compared.
+    #[cfg_attr(
+        feature = "serde",
+        serde(skip_serializing_if = "Vec::is_empty", default)
+    )]
+    pub spans: Vec<f64>,
     /// A row for each method.
     #[cfg_attr(feature = "serde", serde(rename = "methods"))]
     pub rows: Vec<Row>,
@@ -162,10 +193,10 @@ pub struct Row {
     #[cfg_attr(feature = "serde", serde(rename = "method", serialize_with = "id"))]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub rule: Rule,
-    /// Its figure at each number of segments; `null` where it cannot draw the circle with so many.
+    /// Its figure at each number of segments, or each angle; `null` where it cannot draw that.
     pub values: Vec<Option<f64>>,
-    /// The power of 1/segments with which its figure falls, between the last two numbers of segments that have one above the
-    /// rounding of double precision; `null` where there are not two.
+    /// The power of 1/segments, or of the angle, with which its figure falls, between the last two numbers of segments, or the two
+    /// least angles, that have one above the rounding of double precision; `null` where there are not two.
     pub order: Option<f64>,
 }
 
@@ -191,49 +222,103 @@ impl Comparison {
             (1.0, ellipse.unwrap_or(1.0)),
             Angle::ZERO,
         )?);
-        let figure = |rule: Rule, count: usize| {
+        let figure = |rule: Rule, &count: &usize| {
             let options = Options {
                 rule,
                 cut: Cut::Count(count),
                 precision: Some(Precision::Full),
                 ..Options::default()
             };
-            match approximate(&shape, &options) {
-                Ok(drawing) => Ok(drawing
-                    .outline
-                    .map(|outline| by.of(&drawing, &outline.truth))),
-                Err(Error::Impossible { .. }) => Ok(None),
-                Err(other) => Err(other),
-            }
+            let drawing = approximate(&shape, &options)?;
+            Ok(drawing
+                .outline
+                .map_or(0.0, |outline| by.of(&drawing.curve, &outline)))
         };
-        let row = |&rule: &Rule| {
-            let values: Vec<Option<f64>> = counts
-                .iter()
-                .map(|&count| figure(rule, count))
-                .collect::<Result<_>>()?;
-            let order = order(counts, &values);
-            Ok(Row {
-                rule,
-                values,
-                order,
-            })
-        };
+        let sizes: Vec<f64> = counts.iter().map(|&n| n as f64).collect();
         Ok(Self {
             version: 1,
             by,
             ellipse,
             counts: counts.to_vec(),
-            rows: rules.iter().map(row).collect::<Result<_>>()?,
+            spans: Vec::new(),
+            rows: rows(rules, counts, &sizes, figure)?,
         })
+    }
+
+    /// Compares methods by the angle of one segment in degrees, each a piece of a circle of radius 1 that need not close.
+    ///
+    /// # Errors
+    ///
+    /// Where an angle is not above 0 and at most 360.
+    pub fn by_span(rules: &[Rule], spans: &[f64], by: Criterion) -> Result<Self> {
+        if let Some(wrong) = spans.iter().find(|&&span| !(span > 0.0 && span <= 360.0)) {
+            return Err(Error::Shape(format!(
+                "the angle of a segment is more than 0 and at most 360 degrees, not {}",
+                text(*wrong)
+            )));
+        }
+        let figure = |rule: Rule, &span: &f64| {
+            let piece = rule.piece(&Span::from_degrees(span))?;
+            let sweep = Angle::from_degrees(span);
+            let arc = Arc::new((0.0, 0.0), (1.0, 1.0), Angle::ZERO, Angle::ZERO, sweep)?;
+            let Some(outline) = Shape::Arc(arc).outline() else {
+                return Ok(0.0);
+            };
+            let joints = Joints::equal(&outline.unit, 1)?;
+            Ok(by.of(&place(&outline, &joints, &[[piece, piece]]), &outline))
+        };
+        // As many segments as there are of the angle in a turn.
+        let sizes: Vec<f64> = spans.iter().map(|span| 360.0 / span).collect();
+        Ok(Self {
+            version: 1,
+            by,
+            ellipse: None,
+            counts: Vec::new(),
+            spans: spans.to_vec(),
+            rows: rows(rules, spans, &sizes, figure)?,
+        })
+    }
+
+    /// The name of each column and its number: of segments, or the angle in degrees.
+    #[must_use]
+    pub fn columns(&self) -> Vec<(String, f64)> {
+        let counts = self.counts.iter().map(|&n| (format!("n={n}"), n as f64));
+        let spans = self.spans.iter().map(|&a| (text(a) + "°", a));
+        counts.chain(spans).collect()
     }
 }
 
-/// The order between the last two counts that have a figure above the noise.
-fn order(counts: &[usize], values: &[Option<f64>]) -> Option<f64> {
-    let mut known: Vec<(f64, f64)> = counts
+/// A row for each rule, with its figure in each column; a method that cannot do what a column asks has none there.
+fn rows<C>(
+    rules: &[Rule],
+    columns: &[C],
+    sizes: &[f64],
+    figure: impl Fn(Rule, &C) -> Result<f64>,
+) -> Result<Vec<Row>> {
+    let value = |rule, column| match figure(rule, column) {
+        Ok(figure) => Ok(Some(figure)),
+        Err(Error::Impossible { .. }) => Ok(None),
+        Err(other) => Err(other),
+    };
+    let row = |&rule: &Rule| {
+        let values = columns.iter().map(|column| value(rule, column));
+        let values = values.collect::<Result<Vec<_>>>()?;
+        let order = order(sizes, &values);
+        Ok(Row {
+            rule,
+            values,
+            order,
+        })
+    };
+    rules.iter().map(row).collect()
+}
+
+/// The order between the two largest sizes that have a figure above the noise.
+fn order(sizes: &[f64], values: &[Option<f64>]) -> Option<f64> {
+    let mut known: Vec<(f64, f64)> = sizes
         .iter()
         .zip(values)
-        .filter_map(|(&n, value)| Some((n as f64, value.filter(|&v| v > NOISE)?)))
+        .filter_map(|(&n, value)| Some((n, value.filter(|&v| v > NOISE)?)))
         .collect();
     known.sort_by(|a, b| a.0.total_cmp(&b.0));
     known.dedup_by(|a, b| a.0 == b.0);

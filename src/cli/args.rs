@@ -118,7 +118,7 @@ mod tests {
     use super::Cli;
 
     /// What takes all of its values when it is given several times: positional words, and lists.
-    const LISTS: [&str; 12] = [
+    const LISTS: [&str; 13] = [
         "circle show",
         "ellipse show",
         "arc show",
@@ -130,6 +130,7 @@ mod tests {
         "procset with",
         "compare method",
         "compare segments",
+        "compare spans",
         "compare by",
     ];
 

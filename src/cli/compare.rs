@@ -16,11 +16,10 @@ use super::formats::choose;
 use super::output::Target;
 
 pub(super) fn run(args: &CompareArgs) -> Outcome {
-    let rules = args.rules();
     let comparisons: Vec<Comparison> = args
         .by
         .iter()
-        .map(|&by| Comparison::new(&rules, &args.segments, by, args.ellipse))
+        .map(|&by| args.comparison(by))
         .collect::<Result<_, _>>()?;
     let target = Target::new(args.output.as_deref());
     let bytes = match (

@@ -102,12 +102,13 @@ impl Chart {
         }
     }
 
-    /// The error of methods by the number of segments, both axes logarithmic. Errors of 0 are not shown.
+    /// The error of methods by the number of segments, or by the angle of one, both axes logarithmic. Errors of 0 are not shown.
     #[must_use]
     pub fn comparison(comparison: &Comparison) -> Self {
+        let columns: Vec<f64> = comparison.columns().into_iter().map(|(_, x)| x).collect();
         let series = comparison.rows.iter().map(|row| {
-            let points = comparison.counts.iter().zip(&row.values);
-            let points = points.filter_map(|(&n, value)| Some((n as f64, (*value)?)));
+            let points = columns.iter().zip(&row.values);
+            let points = points.filter_map(|(&x, value)| Some((x, (*value)?)));
             Series {
                 name: row.rule.id().to_owned(),
                 pen: lines::family_line(row.rule.method().unwrap_or_default()),
@@ -115,14 +116,16 @@ impl Chart {
                 dots: true,
             }
         });
+        let (whole, by, x_title) = if comparison.spans.is_empty() {
+            ("A full circle", "the number of segments", "segments")
+        } else {
+            ("A segment of a circle", "its angle", "angle (degrees)")
+        };
         Self {
-            title: format!(
-                "A full circle of radius 1: {} by the number of segments",
-                comparison.by.title()
-            ),
-            x_title: "segments".to_owned(),
+            title: format!("{whole} of radius 1: {} by {by}", comparison.by.title()),
+            x_title: x_title.to_owned(),
             y_title: comparison.by.label().to_owned(),
-            x_kind: Kind::Counts(comparison.counts.clone()),
+            x_kind: Kind::Given(columns.clone()),
             y_kind: Kind::Log,
             series: series.filter(|s| s.points().count() > 0).collect(),
             marks: Vec::new(),

@@ -22,24 +22,34 @@ pub fn table(comparison: &Comparison) -> String {
 /// What the table cannot say in its cells.
 fn notes(comparison: &Comparison) -> String {
     let label = capitalised(comparison.by.label());
-    let (whole, shape) = match comparison.ellipse.map(text) {
+    let by_span = !comparison.spans.is_empty();
+    let (whole, command) = match comparison.ellipse.map(text) {
         Some(b) => (
-            format!("ellipse with the semi-axes 1 and {b}"),
-            format!("ellipse 1 {b}"),
+            format!("the full ellipse with the semi-axes 1 and {b}"),
+            format!("ellipse 1 {b} -m ID -n N"),
         ),
-        None => ("circle of radius 1".to_owned(), "circle 1".to_owned()),
+        None if by_span => (
+            "one segment of the circle of radius 1".to_owned(),
+            "arc 1 --sweep ANGLE -m ID -n 1".to_owned(),
+        ),
+        None => (
+            "the full circle of radius 1".to_owned(),
+            "circle 1 -m ID -n N".to_owned(),
+        ),
     };
-    let order = if comparison.rows.iter().any(|row| row.order.is_some()) {
-        ".\norder: the power of 1/n with which it falls, from a row's last two figures"
-    } else {
-        ""
+    let order = match comparison.rows.iter().any(|row| row.order.is_some()) {
+        false => "",
+        true if by_span => {
+            ".\norder: the power of the angle with which it falls, from a row's two least angles"
+        }
+        true => ".\norder: the power of 1/n with which it falls, from a row's last two figures",
     };
     let impossible = if comparison.rows.iter().any(|row| row.values.contains(&None)) {
-        format!(".\n-: impossible; 'curveto measure {shape} -m ID -n N' says why")
+        format!(".\n-: impossible; 'curveto measure {command}' says why")
     } else {
         String::new()
     };
-    format!("\n{label}, of the full {whole}{order}{impossible}.\n")
+    format!("\n{label}, of {whole}{order}{impossible}.\n")
 }
 
 fn capitalised(words: &str) -> String {
@@ -51,9 +61,9 @@ fn capitalised(words: &str) -> String {
 
 /// The head and the rows as texts.
 fn cells(comparison: &Comparison, digits: u8) -> Vec<Vec<String>> {
-    let counts = comparison.counts.iter().map(|n| format!("n={n}"));
+    let columns = comparison.columns().into_iter().map(|(name, _)| name);
     let head = core::iter::once("method".to_owned())
-        .chain(counts)
+        .chain(columns)
         .chain(["order".to_owned()]);
     let rows = comparison.rows.iter().map(|row| row_cells(row, digits));
     core::iter::once(head.collect()).chain(rows).collect()
@@ -104,8 +114,8 @@ fn lay_out(cells: &[Vec<String>], gap: usize) -> String {
 #[must_use]
 pub fn csv(comparison: &Comparison) -> String {
     let mut out = "method".to_owned();
-    for n in &comparison.counts {
-        let _ = write!(out, ",{n}");
+    for (_, size) in comparison.columns() {
+        out.extend([",", &text(size)]);
     }
     out += ",order\n";
     for row in &comparison.rows {

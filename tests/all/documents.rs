@@ -1,5 +1,9 @@
 //! What the three documents say beyond the methods: their tables, procedures and figures, each by a command.
 
+use curveto::kurbo::{CubicBez, Point, Vec2};
+use curveto::measure::radial;
+use curveto::shape::Truth;
+use curveto::{Method, method::Span};
 use serde_json::Value;
 
 use crate::judges::ghostscript;
@@ -137,4 +141,92 @@ fn procedures_are_named_once_and_stand_alone() {
         "{said}"
     );
     assert!(refused(&["procset", "--with", "printer"]).contains("reporter"));
+}
+
+/// Apprich's own formulas: delta-minus, E and E*.
+fn apprich(phi: f64) -> [f64; 3] {
+    let (s, c) = phi.sin_cos();
+    let delta = (1.0 - c) / (3.0 * s * (3.0 + 2.0 * c))
+        * (2.0 * (4.0 + 3.0 * c) - (2.0 * (5.0 + 3.0 * c)).sqrt());
+    let e = 9.0 / 32.0 * (c - 1.0) * delta * delta - 0.75 * delta * s + 0.5 - 0.5 * c;
+    let root = (1.0 - e).sqrt();
+    [delta, e, (1.0 - root) / (1.0 + root)]
+}
+
+#[test]
+fn apprichs_errors_are_his_formulas_at_any_angle() {
+    let compared = |words: &[&str]| {
+        let spans = ["--spans", "20,30,50,90,110,120"];
+        json(&[&["compare"], words, &spans[..]].concat())["methods"][0]["values"].clone()
+    };
+    let e = compared(&["-m", "apprich", "--by", "square"]);
+    let scaled = compared(&["-m", "apprich-scaled"]);
+    for (i, degrees) in [20.0_f64, 30.0, 50.0, 90.0, 110.0, 120.0]
+        .into_iter()
+        .enumerate()
+    {
+        let [_, big_e, star] = apprich(degrees.to_radians());
+        assert!((number(&e[i]) - big_e).abs() < 1e-14, "{degrees}");
+        assert!((number(&scaled[i]) - star).abs() < 1e-14, "{degrees}");
+    }
+}
+
+#[test]
+fn apprichs_error_has_one_maximum_at_the_middle() {
+    let truth = Truth {
+        center: Point::ORIGIN,
+        radii: Vec2::new(1.0, 1.0),
+        axis: Vec2::new(1.0, 0.0),
+    };
+    for degrees in 10..=120 {
+        let phi = f64::from(degrees).to_radians();
+        let (s, c) = phi.sin_cos();
+        let k = Method::Apprich
+            .piece(&Span::from_degrees(f64::from(degrees)))
+            .unwrap()
+            .handle
+            .y;
+        assert!((k - apprich(phi)[0]).abs() < 1e-14);
+        let curve = CubicBez::new((1.0, 0.0), (1.0, k), (c + k * s, s - k * c), (c, s));
+        let mut extremes = Vec::new();
+        // At the ends, where the curve touches the circle, nothing is left but rounding.
+        radial::visit_extremes(&curve.into(), &truth, |t, distance| {
+            if distance.abs() > 1e-15 {
+                extremes.push((t, distance));
+            }
+        });
+        let [(t, distance)] = extremes.as_slice() else {
+            panic!("{degrees}: {extremes:?}");
+        };
+        assert!((t - 0.5).abs() < 1e-9 && *distance < 0.0, "{degrees}: {t}");
+    }
+}
+
+#[test]
+fn spans_and_counts_of_a_turn_compare_alike() {
+    let figures = |words: &[&str]| {
+        let found = json(&[&["compare", "--by", "peak"], words].concat());
+        found["methods"].as_array().unwrap().clone()
+    };
+    let (by_span, by_count) = (figures(&["--spans", "90,60,45"]), figures(&["-n", "4,6,8"]));
+    assert_eq!(by_span.len(), Method::ALL.len());
+    for (a, b) in by_span.iter().zip(&by_count) {
+        for i in 0..3 {
+            match (a["values"][i].as_f64(), b["values"][i].as_f64()) {
+                (Some(x), Some(y)) => assert!((x - y).abs() <= 1e-12, "{a} {b}"),
+                (x, y) => assert_eq!(x, y, "{a} {b}"),
+            }
+        }
+    }
+    let page = printed(&["compare", "--spans", "22.5,45,90", "-f", "svg"]);
+    assert!(page.contains("22.5") && page.contains("angle (degrees)"));
+    for wrong in [
+        &["--spans", "0"][..],
+        &["--spans", "-30"],
+        &["--spans", "361"],
+    ] {
+        assert!(refused(&[&["compare"], wrong].concat()).contains("360 degrees"));
+    }
+    assert!(refused(&["compare", "--spans", "30", "-n", "4"]).contains("--segments"));
+    assert!(refused(&["compare", "--spans", "30", "--ellipse", "0.5"]).contains("--ellipse"));
 }

@@ -470,7 +470,9 @@ fn compare_states_orders_and_what_is_impossible() {
     }
     assert!(refused(&["compare", "-m", "nonesuch"]).contains("unknown method"));
     assert!(refused(&["compare", "-n", "0"]).contains("segments"));
-    assert!(refused(&["compare", "--by", "beauty"]).contains("peak, mean, rms, area, length"));
+    assert!(
+        refused(&["compare", "--by", "beauty"]).contains("peak, square, mean, rms, area, length")
+    );
 }
 
 #[test]

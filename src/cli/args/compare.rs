@@ -4,16 +4,16 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
-use curveto::compare::Criterion;
+use curveto::compare::{Comparison, Criterion};
 use curveto::picture::size::Size;
 use curveto::write::Image;
-use curveto::{Method, Rule};
+use curveto::{Angle, Method, Rule};
 
 use super::approximation::Quadrature;
 use super::values;
 use crate::cli::formats::FileFormat;
 
-/// Methods by numbers of segments, on the full circle of radius 1 or an ellipse.
+/// Methods by numbers of segments, on the full circle of radius 1 or an ellipse, or by the angle of one segment.
 #[derive(Debug, Args)]
 pub(crate) struct CompareArgs {
     /// Methods by id or alias, or all
@@ -21,11 +21,14 @@ pub(crate) struct CompareArgs {
     pub(crate) method: Vec<MethodList>,
     /// Numbers of segments
     #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
-    pub(crate) segments: Vec<usize>,
+    segments: Vec<usize>,
+    /// Angles of one segment in place of numbers of segments
+    #[arg(long, value_name = "A,B,...", value_parser = super::values::angle, value_delimiter = ',', allow_hyphen_values = true, conflicts_with_all = ["segments", "ellipse"])]
+    spans: Vec<Angle>,
     /// Compare on the ellipse with the semi-axes 1 and B, cut at equal parametric angles
     #[arg(long, value_name = "B", value_parser = values::positive, allow_hyphen_values = true)]
-    pub(crate) ellipse: Option<f64>,
-    /// What to compare; a table and JSON take several [possible values: peak, mean, rms, area, length]
+    ellipse: Option<f64>,
+    /// What to compare; a table and JSON take several [possible values: peak, square, mean, rms, area, length]
     #[arg(long, value_name = "BY", default_value = "peak", value_delimiter = ',', value_parser = |text: &str| text.parse::<Criterion>())]
     pub(crate) by: Vec<Criterion>,
     /// How chen-2 integrates arc length
@@ -107,8 +110,18 @@ fn methods(text: &str) -> Result<MethodList, String> {
 }
 
 impl CompareArgs {
+    /// The comparison by one criterion.
+    pub(crate) fn comparison(&self, by: Criterion) -> curveto::Result<Comparison> {
+        let rules = self.rules();
+        if self.spans.is_empty() {
+            return Comparison::new(&rules, &self.segments, by, self.ellipse);
+        }
+        let spans: Vec<f64> = self.spans.iter().map(|span| span.degrees()).collect();
+        Comparison::by_span(&rules, &spans, by)
+    }
+
     /// The rules behind the methods.
-    pub(crate) fn rules(&self) -> Vec<Rule> {
+    fn rules(&self) -> Vec<Rule> {
         let rule = |&method: &Method| match (method, self.quadrature) {
             (Method::Chen2, Quadrature::Gauss2) => Rule::Chen2Gauss2,
             _ => Rule::Method(method),

@@ -24,8 +24,8 @@ pub(super) enum Kind {
     Degrees,
     /// Powers of ten.
     Log,
-    /// Counts, placed by their logarithms, each of them a tick.
-    Counts(Vec<usize>),
+    /// These numbers, placed by their logarithms, each of them a tick.
+    Given(Vec<f64>),
 }
 
 /// An axis with its range, wide enough for its data.
@@ -70,7 +70,7 @@ impl Axis {
                 (axis.low, axis.high) = (low / 1.2, high * 1.2);
                 axis.step = (libm::log10(high / low) / count).ceil().max(1.0);
             }
-            Kind::Counts(_) => (axis.low, axis.high) = (low / 1.06, high * 1.06),
+            Kind::Given(_) => (axis.low, axis.high) = (low / 1.06, high * 1.06),
         }
         axis
     }
@@ -134,11 +134,11 @@ impl Axis {
         match &self.kind {
             Kind::Linear | Kind::Degrees => self.even_ticks(),
             Kind::Log => self.decades(),
-            Kind::Counts(counts) => counts
+            Kind::Given(values) => values
                 .iter()
-                .map(|&n| Tick {
-                    value: n as f64,
-                    label: n.to_string(),
+                .map(|&value| Tick {
+                    value,
+                    label: text(value),
                 })
                 .collect(),
         }
@@ -194,7 +194,7 @@ impl Axis {
 
 impl Kind {
     const fn is_log(&self) -> bool {
-        matches!(self, Self::Log | Self::Counts(_))
+        matches!(self, Self::Log | Self::Given(_))
     }
 }
 
