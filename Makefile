@@ -100,7 +100,7 @@ lint: ## Check formatting, lints, each feature alone, and the documentation of t
 # ---- Golden files and pictures
 
 golden: ## Write the golden files in fixtures/ anew
-	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden format_goldens schema peers measure_cli documented_commands convert::
+	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden bad_input:: format_goldens schema peers measure_cli documented_commands convert::
 
 CURVETO ?= target/release/curveto
 IMAGES = docs/images

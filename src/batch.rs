@@ -10,7 +10,7 @@ pub mod spec;
 
 use std::io::{self, Read, Write};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
+use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::thread;
 
 use crate::error::Error;
@@ -20,11 +20,14 @@ use crate::number::Precision;
 use crate::write::Format;
 
 pub use lines::Worker;
+use lines::without_last_end;
 
 /// How much is read at once.
 const CHUNK: usize = 1 << 16;
 /// The longest line.
 const LONGEST_LINE: usize = 1 << 22;
+/// Answers longer than this are written before the next line is answered: one may be a thousand times as long as its line.
+const LONGEST_ANSWERS: usize = 1 << 20;
 /// How many chunks wait before and behind each thread.
 const QUEUE: usize = 4;
 
@@ -129,15 +132,20 @@ pub fn run(
         let mut worker = Worker::new(options.clone());
         let mut answers = Answers::default();
         while let Some(chunk) = chunks.next_chunk()? {
-            answers.before = writer.summary.lines;
-            worker.answer(chunk, &mut answers);
-            if !writer.write(&answers)? {
-                break;
+            let mut lines = without_last_end(chunk);
+            loop {
+                answers.before = writer.summary.lines;
+                let left = worker.answer_some(lines, LONGEST_ANSWERS, &mut answers);
+                if !writer.write(&answers)? {
+                    return Ok(writer.summary);
+                }
+                let Some(left) = left else { break };
+                lines = &lines[left..];
             }
         }
         return Ok(writer.summary);
     }
-    let (jobs, results) = start_threads(options);
+    let (jobs, threads) = start_threads(options);
     // What was written goes back to the reader, so that memory is asked for once and not a chunk.
     let (done, free) = channel::<Job>();
     let reader = thread::spawn(move || {
@@ -147,6 +155,7 @@ pub fn run(
                 return Ok(());
             };
             let mut job = free.try_recv().unwrap_or_default();
+            job.is_last = false;
             job.chunk.clear();
             job.chunk.extend_from_slice(chunk);
             job.answers.before = before;
@@ -157,15 +166,25 @@ pub fn run(
         }
         Ok(())
     });
-    for result in results.iter().cycle() {
-        let Ok(job) = result.recv() else {
-            break;
-        };
+    let mut turn = threads.iter().cycle();
+    let mut thread = turn.next();
+    while let Some((results, written)) = thread
+        && let Ok(job) = results.recv()
+    {
+        let is_last = job.is_last;
         if !writer.write(&job.answers)? {
             return Ok(writer.summary);
         }
-        // At the end the reader is gone and has no use for it.
-        let _ = done.send(job);
+        // At the end the thread or the reader is gone and has no use for it.
+        if job.answers.text.len() > LONGEST_ANSWERS {
+            drop(job.answers.text);
+            let _ = written.send(());
+        } else if is_last {
+            let _ = done.send(job);
+        }
+        if is_last {
+            thread = turn.next();
+        }
     }
     // The queues run dry only when the reader is done.
     match reader.join() {
@@ -174,33 +193,67 @@ pub fn run(
     }
 }
 
-/// A chunk and the answers to its lines.
+/// A chunk and the answers to its lines, or to some of them.
 #[derive(Debug, Default)]
 struct Job {
     chunk: Vec<u8>,
     answers: Answers,
+    /// Whether all its lines are answered.
+    is_last: bool,
 }
 
-/// Threads that answer chunks: one queue into each and one out of it.
-fn start_threads(options: &Options) -> (Vec<SyncSender<Job>>, Vec<Receiver<Job>>) {
+/// What comes out of a thread, and the way to say that a long one was written.
+type Thread = (Receiver<Job>, Sender<()>);
+
+/// Threads that answer chunks: one queue into each and one out of it. A thread holds no more than one long part of its answers.
+fn start_threads(options: &Options) -> (Vec<SyncSender<Job>>, Vec<Thread>) {
     let options = Arc::new(options.clone());
     (0..options.jobs)
         .map(|_| {
             let (job, jobs) = sync_channel::<Job>(QUEUE);
             let (result, results) = sync_channel(QUEUE);
+            let (written, was_written) = channel();
             let options = Arc::clone(&options);
             thread::spawn(move || {
                 let mut worker = Worker::new((*options).clone());
-                for mut job in jobs {
-                    worker.answer(&job.chunk, &mut job.answers);
-                    if result.send(job).is_err() {
+                for job in jobs {
+                    if !answer(&mut worker, job, &result, &was_written) {
                         break;
                     }
                 }
             });
-            (job, results)
+            (job, (results, written))
         })
         .unzip()
+}
+
+/// Answers a chunk, in several parts where they are long. Whether someone is left to take them.
+fn answer(
+    worker: &mut Worker,
+    mut job: Job,
+    result: &SyncSender<Job>,
+    was_written: &Receiver<()>,
+) -> bool {
+    let mut begin = 0;
+    loop {
+        let lines = &without_last_end(&job.chunk)[begin..];
+        let left = worker.answer_some(lines, LONGEST_ANSWERS, &mut job.answers);
+        let is_long = job.answers.text.len() > LONGEST_ANSWERS;
+        let Some(left) = left else {
+            job.is_last = true;
+            return result.send(job).is_ok() && (!is_long || was_written.recv().is_ok());
+        };
+        begin += left;
+        let before = job.answers.before + job.answers.lines;
+        let part = Job {
+            answers: core::mem::take(&mut job.answers),
+            ..Job::default()
+        };
+        job.answers.before = before;
+        if result.send(part).is_err() || was_written.recv().is_err() {
+            return false;
+        }
+    }
 }
 
 /// The end of the way: writes, counts and complains.

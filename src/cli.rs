@@ -18,7 +18,6 @@ mod shell;
 mod sphere;
 mod spline;
 
-use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -38,8 +37,7 @@ pub(crate) fn main() -> ExitCode {
     match run(cli.command) {
         Ok(code) => code,
         Err(failure) => {
-            // Where standard error is gone, nobody is left to tell.
-            let _ = write!(std::io::stderr().lock(), "{failure}");
+            failure::tell(&failure.to_string());
             failure.exit_code()
         }
     }

@@ -60,7 +60,7 @@ pub enum Error {
         remedy: String,
     },
     /// No number of segments meets the tolerance.
-    #[error("no number of segments brings {method} within {tolerance} of the true shape: {why}")]
+    #[error("no number of segments brings {method} within {} of the true shape: {why}", plain(*tolerance))]
     ToleranceOutOfReach {
         /// The id of the method.
         method: &'static str,
@@ -147,6 +147,15 @@ pub enum Error {
     /// What was to be written cannot be JSON.
     #[error("this cannot be written as JSON: {0}")]
     Json(String),
+}
+
+/// A number as people write it: with an exponent where it would be long.
+fn plain(value: f64) -> String {
+    if value == 0.0 || (1e-6..1e15).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
 }
 
 impl Error {

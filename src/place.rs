@@ -34,6 +34,16 @@ pub(crate) fn place(outline: &Outline, joints: &Joints, pieces: &[[Piece; 2]]) -
     }
 }
 
+/// The points of the true shape at the joints, the ends of an arc left out.
+pub(crate) fn joint_points<'a>(
+    outline: &'a Outline,
+    joints: &'a Joints,
+) -> impl Iterator<Item = Point> + 'a {
+    let frames = Frames { outline, joints };
+    let first = usize::from(!joints.closed);
+    (first..joints.count()).map(move |i| frames.point(i, 1.0, 0.0, 1.0))
+}
+
 /// Finds points in the frames of the joints.
 struct Frames<'a> {
     outline: &'a Outline,

@@ -42,6 +42,9 @@ use crate::picture::size::Size;
 use crate::picture::style::Style;
 use dxf::Trace;
 
+/// The most segments beside which joints, handles and the deviation are shown.
+const MOST_SHOWN: usize = 10_000;
+
 /// How much larger than its layout a PNG of a plot is where no size was asked for, so that it can be printed.
 #[cfg(all(feature = "plot", feature = "png"))]
 const SHARPNESS: f64 = 2.0;
@@ -128,10 +131,22 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
             gcode::program(&figure.title, &courses, options.precision, options.feed)
         }
         Format::Image(image) => {
+            check_shown(&figure, &options.style)?;
             return picture(&figure.scene(&options.style)?, image, options.relative);
         }
     };
     Ok(text.into_bytes())
+}
+
+/// Refuses to show more than anyone could see, which would take minutes.
+fn check_shown(figure: &Figure, style: &Style) -> Result<()> {
+    let segments: usize = figure.curves().map(|curve| curve.segments.len()).sum();
+    if style.show.is_any() && segments > MOST_SHOWN {
+        return Err(Error::Picture(format!(
+            "what is shown beside a curve is shown of up to {MOST_SHOWN} segments, not of {segments}"
+        )));
+    }
+    Ok(())
 }
 
 /// Lines and circular arcs, in a format that has them.

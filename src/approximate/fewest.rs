@@ -3,13 +3,17 @@
 use core::iter;
 use core::ops::RangeInclusive;
 
+use kurbo::Point;
+
 use super::{ROUNDING_SHARE, Request, Sketch};
 use crate::error::{Error, Result};
-use crate::joints::adaptive::Balance;
+use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
+use crate::measure::radial;
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
+use crate::place::joint_points;
 
 /// From this many segments on, counts are halved and not tried one by one.
 const MANY: usize = 1000;
@@ -42,9 +46,9 @@ impl Request<'_> {
         }
         let mut last_refusal = None;
         for count in counts {
-            match self.equal(count, Some(tolerance)) {
-                Ok(sketch) if self.is_within(&sketch, tolerance) => return Ok(sketch),
-                Ok(_) => {}
+            match self.within(Joints::equal(&self.outline.unit, count)?, tolerance) {
+                Ok(Some(sketch)) => return Ok(sketch),
+                Ok(None) => {}
                 Err(refusal @ Error::Impossible { .. }) => last_refusal = Some(refusal),
                 Err(other) => return Err(other),
             }
@@ -58,10 +62,7 @@ impl Request<'_> {
         counts: RangeInclusive<usize>,
         tolerance: f64,
     ) -> Result<Option<Sketch>> {
-        let within = |count| {
-            self.equal(count, Some(tolerance))
-                .map(|sketch| self.is_within(&sketch, tolerance).then_some(sketch))
-        };
+        let within = |count| self.within(Joints::equal(&self.outline.unit, count)?, tolerance);
         let (mut low, mut high) = counts.into_inner();
         if low > high {
             return Ok(None);
@@ -75,6 +76,30 @@ impl Request<'_> {
             }
         }
         Ok(found)
+    }
+
+    /// The curve through these joints, where it is within the tolerance as it is written.
+    fn within(&self, joints: Joints, tolerance: f64) -> Result<Option<Sketch>> {
+        if self.has_joint_beyond(&joints, tolerance) {
+            return Ok(None);
+        }
+        let sketch = self.cut(joints, Some(tolerance))?;
+        Ok(self.is_within(&sketch, tolerance).then_some(sketch))
+    }
+
+    /// Whether rounding alone moves a joint of the true shape beyond the tolerance: then nothing else needs to be looked at.
+    fn has_joint_beyond(&self, joints: &Joints, tolerance: f64) -> bool {
+        let truth = &self.outline.truth;
+        match self.options.precision {
+            Some(precision @ Precision::Fixed(_)) if adaptive::serves(self.options.rule) => {
+                let allowed = tolerance + 16.0 * f64::EPSILON * self.reach();
+                joint_points(&self.outline, joints).any(|p| {
+                    let rounded = Point::new(precision.round(p.x), precision.round(p.y));
+                    radial::distance(truth, rounded).abs() > allowed
+                })
+            }
+            _ => false,
+        }
     }
 
     /// Refuses tolerances that no curve could meet.
@@ -133,11 +158,7 @@ impl Request<'_> {
 
     /// The fewest segments at joints that equalise the error, at equal angles where those are fewer, or each as long as it can be.
     fn fewest_adaptive(&self, balance: &Balance, tolerance: f64) -> Option<Sketch> {
-        let within = |joints: Joints| {
-            self.cut(joints, Some(tolerance))
-                .ok()
-                .filter(|sketch| self.is_within(sketch, tolerance))
-        };
+        let within = |joints: Joints| self.within(joints, tolerance).ok().flatten();
         let allowed = (tolerance + self.rounding(tolerance)) / self.outline.truth.larger_radius();
         // The weights know the error to first order, and rounding moves it either way.
         let marched: Vec<Joints> = NEARLY

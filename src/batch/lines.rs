@@ -44,26 +44,44 @@ impl Worker {
 
     /// Answers whole lines; with [`OnError::Stop`] those up to the first that cannot be drawn.
     pub fn answer(&mut self, chunk: &[u8], answers: &mut Answers) {
+        self.answer_some(without_last_end(chunk), usize::MAX, answers);
+    }
+
+    /// As [`Self::answer`] until the answers are longer than `most`; where lines are left then, where they begin. The last line
+    /// has no newline.
+    pub(super) fn answer_some(
+        &mut self,
+        lines: &[u8],
+        most: usize,
+        answers: &mut Answers,
+    ) -> Option<usize> {
         answers.text.clear();
         answers.failures.clear();
         answers.lines = 0;
         // Most answers are some times as long as their line.
-        answers.text.reserve(4 * chunk.len());
-        let whole = chunk.strip_suffix(b"\n").unwrap_or(chunk);
-        for line in whole.split(|&byte| byte == b'\n') {
+        answers.text.reserve((4 * lines.len()).min(most));
+        let mut begin = 0;
+        loop {
+            let end = memchr::memchr(b'\n', &lines[begin..]).map(|length| begin + length);
+            let line = &lines[begin..end.unwrap_or(lines.len())];
             answers.lines += 1;
             let start = answers.text.len();
-            let Err(error) = self.push_answer(line, &mut answers.text) else {
-                answers.text.push(b'\n');
-                continue;
-            };
-            answers.text.truncate(start);
-            answers.failures.push((answers.lines, error));
-            match self.on_error {
-                OnError::Stop => return,
-                OnError::Skip => {}
-                OnError::Blank => answers.text.push(b'\n'),
-                OnError::Report => push_report(answers, line),
+            match self.push_answer(line, &mut answers.text) {
+                Ok(()) => answers.text.push(b'\n'),
+                Err(error) => {
+                    answers.text.truncate(start);
+                    answers.failures.push((answers.lines, error));
+                    match self.on_error {
+                        OnError::Stop => return None,
+                        OnError::Skip => {}
+                        OnError::Blank => answers.text.push(b'\n'),
+                        OnError::Report => push_report(answers, line),
+                    }
+                }
+            }
+            begin = end? + 1;
+            if answers.text.len() > most {
+                return Some(begin);
             }
         }
     }
@@ -91,6 +109,11 @@ impl Worker {
         };
         push_spec(out, &spec, self.format, &options)
     }
+}
+
+/// Lines without the newline of the last.
+pub(super) fn without_last_end(chunk: &[u8]) -> &[u8] {
+    chunk.strip_suffix(b"\n").unwrap_or(chunk)
 }
 
 fn push_spec(

@@ -366,7 +366,7 @@ mod tests {
                 34,
                 "unknown field `colour`",
             ),
-            (r#"{"circle": {"radius": 5}"#, 24, "EOF"),
+            (r#"{"circle": {"radius": 5}"#, 24, "ends within"),
             ("{}", 1, "one of circle, ellipse"),
         ] {
             let Err(Error::Syntax {

@@ -1,5 +1,6 @@
 //! `batch`.
 
+use std::cell::Cell;
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::process::ExitCode;
@@ -9,6 +10,25 @@ use curveto::batch;
 
 use super::Outcome;
 use super::args::BatchArgs;
+use super::failure::tell;
+
+/// Standard output that says when it failed: an error alone does not tell whether reading or writing did.
+struct Output<'a, W> {
+    inner: W,
+    failed: &'a Cell<bool>,
+}
+
+impl<W: Write> Write for Output<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.inner
+            .write(bytes)
+            .inspect_err(|error| self.failed.set(error.kind() != io::ErrorKind::Interrupted))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner.flush().inspect_err(|_| self.failed.set(true))
+    }
+}
 
 pub(super) fn run(args: &BatchArgs) -> Outcome {
     let options = args.options()?;
@@ -22,15 +42,24 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
         None => (Box::new(io::stdin()), "<stdin>".to_owned()),
     };
     let complain = |line: u64, error: &curveto::Error| {
-        let mut stderr = io::stderr().lock();
-        // Where standard error is gone, nobody is left to tell.
-        let _ = writeln!(stderr, "error: {name}:{line}: {error}");
-        if let Some(hint) = error.hint() {
-            let _ = writeln!(stderr, "hint: {hint}");
-        }
+        let hint = error.hint().map(|hint| format!("hint: {hint}\n"));
+        tell(&format!(
+            "error: {name}:{line}: {error}\n{}",
+            hint.unwrap_or_default()
+        ));
     };
-    let summary = batch::run(input, io::stdout().lock(), &options, complain)
-        .with_context(|| format!("cannot go on with {name}"))?;
+    let failed = Cell::new(false);
+    let output = Output {
+        inner: io::stdout().lock(),
+        failed: &failed,
+    };
+    let summary = batch::run(input, output, &options, complain).with_context(|| {
+        if failed.get() {
+            "cannot write to standard output".to_owned()
+        } else {
+            format!("cannot go on with {name}")
+        }
+    })?;
     let batch::Summary { lines, failed } = summary;
     args.talk
         .state(|| format!("{name}: {lines} lines read, {failed} could not be drawn"));

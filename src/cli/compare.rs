@@ -15,7 +15,25 @@ use super::failure::Failure;
 use super::formats::choose;
 use super::output::Target;
 
+/// The most segments of all circles together.
+const MOST_SEGMENTS: usize = 10_000;
+
+/// Refuses what would take minutes.
+fn check_segments(counts: &[usize]) -> Result<(), Failure> {
+    let segments = counts
+        .iter()
+        .fold(0_usize, |sum, &count| sum.saturating_add(count));
+    if segments <= MOST_SEGMENTS {
+        return Ok(());
+    }
+    Err(Failure::request_with_hint(
+        format!("methods are compared on at most {MOST_SEGMENTS} segments in all, not {segments}"),
+        "their errors fall by powers of the number of segments: the order is in the table; 'curveto measure' takes 100000",
+    ))
+}
+
 pub(super) fn run(args: &CompareArgs) -> Outcome {
+    check_segments(&args.segments)?;
     let comparisons: Vec<Comparison> = args
         .by
         .iter()

@@ -23,7 +23,7 @@ use self::report::FileReport;
 use self::tree::{Destination, Input, Job};
 use super::Outcome;
 use super::args::{ConvertArgs, DestinationArgs};
-use super::failure::Failure;
+use super::failure::{Failure, tell};
 use super::output::{Durability, Target, write_file, write_file_unless};
 
 /// The largest file, packed or unpacked.
@@ -64,7 +64,9 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
     report::tell(&reports, args.report, args.talk);
     if let Some(signal) = interrupt.signal() {
         let (done, all) = (reports.len(), jobs.len());
-        eprintln!("error: interrupted after {done} of {all} files; each is whole, old or new");
+        tell(&format!(
+            "error: interrupted after {done} of {all} files; each is whole, old or new\n"
+        ));
         return Ok(ExitCode::from(128 + signal));
     }
     if args.destination.check {

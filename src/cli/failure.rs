@@ -94,6 +94,41 @@ fn is_closed_pipe(error: &io::Error) -> bool {
     error.kind() == io::ErrorKind::BrokenPipe
 }
 
+/// Writes to standard error, whose reader may be a terminal: what is quoted is cut, and its control characters are spelt out.
+pub(crate) fn tell(text: &str) {
+    // Where standard error is gone, nobody is left to tell.
+    let _ = io::stderr()
+        .lock()
+        .write_all(fit_for_terminals(text).as_bytes());
+}
+
+/// The longest line of a message, and how much of a longer one is left at its end.
+const LONGEST_LINE: usize = 1500;
+const LINE_END: usize = 300;
+
+/// A message with control characters spelt out and its longest lines cut.
+pub(crate) fn fit_for_terminals(text: &str) -> String {
+    let mut out = String::with_capacity(text.len().min(4 * LONGEST_LINE));
+    for line in text.split_inclusive('\n') {
+        let length = line.chars().count();
+        let cut = length > LONGEST_LINE;
+        for (i, letter) in line.chars().enumerate() {
+            if cut && i == LONGEST_LINE - LINE_END {
+                out += " ... ";
+            }
+            if cut && (LONGEST_LINE - LINE_END..length - LINE_END).contains(&i) {
+                continue;
+            }
+            if letter.is_control() && !matches!(letter, '\n' | '\t') {
+                out.extend(letter.escape_default());
+            } else {
+                out.push(letter);
+            }
+        }
+    }
+    out
+}
+
 /// Tells what the parser of the command line has to say: help and version on standard output, errors on standard error.
 pub(crate) fn usage(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() {
@@ -105,16 +140,17 @@ pub(crate) fn usage(error: &clap::Error) -> ExitCode {
         .map(|word| word.to_string_lossy().into_owned())
         .collect();
     let styled = error.render();
-    let text = if anstream_is_terminal() {
-        styled.ansi().to_string()
+    let hint = hints::hint(error, &words);
+    if anstream_is_terminal() {
+        // The styles are control characters themselves; the parser takes those out of what it quotes.
+        let _ = write!(
+            io::stderr().lock(),
+            "{}",
+            with_hint(&styled.ansi().to_string(), hint)
+        );
     } else {
-        styled.to_string()
-    };
-    let _ = write!(
-        io::stderr().lock(),
-        "{}",
-        with_hint(&text, hints::hint(error, &words))
-    );
+        tell(&with_hint(&styled.to_string(), hint));
+    }
     ExitCode::from(2)
 }
 

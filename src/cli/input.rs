@@ -58,7 +58,10 @@ fn read(input: impl Read, name: &str) -> Result<String, Failure> {
     if bytes.len() as u64 > MOST_BYTES {
         return Err(anyhow::anyhow!("{name} is larger than 256 MiB").into());
     }
-    let text = String::from_utf8(bytes).with_context(|| format!("cannot read {name}"))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let byte = error.utf8_error().valid_up_to() + 1;
+        anyhow::anyhow!("cannot read {name}: it is no text in UTF-8, from byte {byte} on")
+    })?;
     Ok(match text.strip_prefix('\u{feff}') {
         Some(rest) => rest.to_owned(),
         None => text,

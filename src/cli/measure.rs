@@ -3,10 +3,10 @@
 mod samples;
 mod table;
 
-use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
+use curveto::Cut;
 use curveto::approximate::Options;
 use curveto::curve::Curve;
 use curveto::measure::{Quantity, Reference, fit, report};
@@ -22,10 +22,29 @@ use super::args::MeasureArgs;
 use super::args::measure::{ForeignArgs, Measured, MeasuredShape, ReportArgs, ReportFormat};
 use super::args::shape::{Direction, ShapeWords};
 use super::draw;
-use super::failure::Failure;
+use super::failure::{self, Failure};
 use super::formats::{choose, of_plot};
 use super::input;
 use super::output::Target;
+
+/// The most segments that one run measures, all curves together.
+const MOST_SEGMENTS: usize = 100_000;
+
+/// Refuses what would take minutes.
+fn check_segments(segments: usize) -> Result<(), Failure> {
+    if segments <= MOST_SEGMENTS {
+        return Ok(());
+    }
+    Err(Failure::request_with_hint(
+        format!("at most {MOST_SEGMENTS} segments are measured at once, not {segments}"),
+        "take fewer segments or methods; the error of a drawing of any size stands in its JSON: curveto circle 50 -n 200000 -f json",
+    ))
+}
+
+/// The segments of all these curves.
+fn total(curves: &[Curve]) -> usize {
+    curves.iter().map(|curve| curve.segments.len()).sum()
+}
 
 /// What was measured, with what a plot needs of it.
 struct Subject {
@@ -54,7 +73,12 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
         .precision
         .map_or(Some(Precision::Full), super::args::PrecisionWord::precision);
     let mut subjects = Vec::new();
-    for rule in args.approximation.rules()? {
+    let rules = args.approximation.rules()?;
+    if let Cut::Count(count) | Cut::Adaptive(count) = args.approximation.cut() {
+        check_segments(rules.len().saturating_mul(count))?;
+    }
+    let mut segments = 0;
+    for rule in rules {
         let options = Options {
             rule,
             cut: draw::cut(&args.shape, &args.approximation)?,
@@ -67,6 +91,8 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
             &options,
             args.approximation.extremes,
         )?;
+        segments += drawing.curve.segments.len();
+        check_segments(segments)?;
         let measurement = Measurement::of_drawing(&drawing, args.report.coordinate_tolerance()?)?;
         let (Some(measurement), Some(outline)) = (measurement, &drawing.outline) else {
             return Err(Failure::request(
@@ -88,6 +114,7 @@ fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Fail
     if let Some(data) = &args.path {
         let (data, _) = input::path_data(data)?;
         let curves = path::curves(&data)?;
+        check_segments(total(&curves))?;
         return subjects("path", &curves, args, report);
     }
     let Some(file) = &args.file else {
@@ -99,6 +126,8 @@ fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Fail
     let (text, name) = input::text(file)?;
     let paths =
         document::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
+    let readable = paths.iter().filter_map(|path| path.curves.as_ref().ok());
+    check_segments(readable.map(|curves| total(curves)).sum())?;
     let mut found = Vec::new();
     for path in &paths {
         let id = path
@@ -115,11 +144,7 @@ fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Fail
             Ok(subjects) => found.extend(subjects),
             // The other paths can be measured all the same.
             Err(Failure::Request { message, .. }) => {
-                // Where standard error is gone, nobody is left to tell.
-                let _ = writeln!(
-                    std::io::stderr().lock(),
-                    "note: {place}: not measured: {message}"
-                );
+                failure::tell(&format!("note: {place}: not measured: {message}\n"));
             }
             Err(other) => return Err(other),
         }

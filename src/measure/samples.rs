@@ -10,7 +10,7 @@ use crate::curve::Curve;
 use crate::error::{Error, Result};
 
 /// The most points of a curve: memory is bounded.
-const MOST_SAMPLES: usize = 10_000_000;
+const MOST_SAMPLES: usize = 1_000_000;
 
 /// A point of a curve beside the true shape. Lengths are in user units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +37,7 @@ pub struct Sample {
 ///
 /// # Errors
 ///
-/// Where `count` is below 2 or all points are more than ten million, and where a coordinate is not finite or beyond 1e150.
+/// Where `count` is below 2 or all points are more than a million, and where a coordinate is not finite or beyond 1e150.
 ///
 /// ```
 /// use curveto::measure::{Reference, samples::samples};

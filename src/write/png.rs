@@ -8,13 +8,17 @@ use tiny_skia::{
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result};
 use crate::picture::paint::{Color, Paint};
-use crate::picture::scene::{Pen, Scene};
+use crate::picture::scene::{Mark, Pen, Scene};
 use crate::picture::size::Size;
 
 /// The pixels on the larger side where no size is asked for.
 const LARGER_SIDE: f64 = 512.0;
 /// The most pixels that a picture may have.
 const MOST_PIXELS: f64 = 1e8;
+/// The most pixels on a side.
+const LONGEST_SIDE: f64 = 32_767.0;
+/// The most segments in a picture.
+const MOST_SEGMENTS: usize = 100_000;
 /// tiny-skia flattens a long curve so coarsely that it strays by a quarter of a pixel; it gets pieces about so many pixels long.
 const PIECE: f64 = 16.0;
 /// Strokes narrower than this many pixels are left to tiny-skia's hairlines, which do not break up; its hairlines up to a whole
@@ -27,10 +31,11 @@ const MOST_PIECES: f64 = 64.0;
 ///
 /// # Errors
 ///
-/// Where it would have more than 10^8 pixels; nothing is allocated then.
+/// Where it would have more than 10^8 pixels, more than 32767 on a side, or more than 10^5 segments; nothing is allocated then.
 pub fn encode(scene: &Scene) -> Result<Vec<u8>> {
     let canvas = scene.canvas();
     let [width, height] = pixels(scene)?;
+    check_segments(scene)?;
     let mut pixmap =
         Pixmap::new(width, height).ok_or_else(|| too_large(width.into(), height.into()))?;
     if let Some(color) = scene.background.unwrap_or(Paint::WHITE).visible() {
@@ -67,7 +72,7 @@ fn pixels(scene: &Scene) -> Result<[u32; 2]> {
     );
     let [width, height] = [width, height].map(|side| side.round().max(1.0));
     // Written so that a product that is not a number is refused too.
-    if width * height <= MOST_PIXELS {
+    if width * height <= MOST_PIXELS && width.max(height) <= LONGEST_SIDE {
         Ok([width as u32, height as u32])
     } else {
         Err(too_large(width, height))
@@ -76,8 +81,24 @@ fn pixels(scene: &Scene) -> Result<[u32; 2]> {
 
 fn too_large(width: f64, height: f64) -> Error {
     Error::Picture(format!(
-        "a picture of {width}x{height} pixels is too large: the most is 100 million pixels, such as 10000x10000"
+        "a picture of {width}x{height} pixels is too large: the most is 100 million pixels, such as 10000x10000, and {LONGEST_SIDE} on a side"
     ))
+}
+
+/// Refuses what would take minutes.
+fn check_segments(scene: &Scene) -> Result<()> {
+    let marks = scene.groups.iter().flat_map(|group| &group.marks);
+    let counts = marks.map(|mark| match mark {
+        Mark::Curve(curve) => curve.segments.len(),
+        _ => 0,
+    });
+    let segments: usize = counts.sum();
+    if segments > MOST_SEGMENTS {
+        return Err(Error::Picture(format!(
+            "a picture in pixels takes up to {MOST_SEGMENTS} segments, not {segments}: svg, eps and pdf take any number"
+        )));
+    }
+    Ok(())
 }
 
 /// `None` where there are no segments, or some too far away for single precision.

@@ -5,6 +5,8 @@
 #![allow(clippy::disallowed_methods)]
 
 mod arcs;
+#[cfg(target_os = "linux")]
+mod bad_input;
 mod batch;
 mod chen_uneven;
 mod cli;

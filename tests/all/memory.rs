@@ -116,3 +116,27 @@ fn batch_stays_below_64_mib_however_long_its_input() {
     assert!(late < 64 * MIB, "{late} bytes");
     assert!(late - early < 8 * MIB, "{early} bytes, then {late}");
 }
+
+#[test]
+fn batch_holds_one_long_answer_a_thread() {
+    let count = 60;
+    for jobs in ["1", "2"] {
+        let mut child = curveto(&["batch", "-j", jobs, "-p", "2"]);
+        let mut input = child.stdin.take().unwrap();
+        // All lines in one chunk; each answer is some 2 MB.
+        let line = "{\"circle\":{\"center\":[0,0],\"radius\":50},\"segments\":40000}\n";
+        input.write_all(line.repeat(count).as_bytes()).unwrap();
+        let mut answers = BufReader::new(child.stdout.take().unwrap());
+        let mut text = Vec::new();
+        let mut all = 0;
+        for _ in 0..count {
+            text.clear();
+            all += answers.read_until(b'\n', &mut text).unwrap();
+        }
+        let peak = peak(&child);
+        drop(input);
+        assert!(child.wait().unwrap().success());
+        assert!(all > 64 * MIB, "{all} bytes of answers");
+        assert!(peak < 48 * MIB, "{peak} bytes with -j {jobs}");
+    }
+}

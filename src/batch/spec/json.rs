@@ -185,8 +185,8 @@ pub(super) fn from_json(line: &str) -> Result<Spec<'_>> {
     };
     let keys: Line<'_> = serde_json::from_str(line).map_err(|error| {
         let text = error.to_string();
-        let why = text.split(" at line ").next().unwrap_or(&text).to_owned();
-        syntax(error.column().max(1), why)
+        let why = text.split(" at line ").next().unwrap_or(&text);
+        syntax(error.column().max(1), in_plain_words(why))
     })?;
     let (1, Some(subject)) = (keys.subjects(), keys.subject(syntax)?) else {
         let why =
@@ -213,4 +213,21 @@ pub(super) fn from_json(line: &str) -> Result<Spec<'_>> {
         method: keys.method.map(|name| name.parse()).transpose()?,
         cut,
     })
+}
+
+/// What the reader of JSON says, without the names of Rust's types.
+fn in_plain_words(why: &str) -> String {
+    let why = why.replace("EOF while parsing", "the line ends within");
+    let expected = |what: &str| match what {
+        "f64" => "a number".to_owned(),
+        "usize" => "a whole number, at least 0,".to_owned(),
+        other => other.to_owned(),
+    };
+    let found = ["invalid type: ", "invalid value: ", "invalid "]
+        .iter()
+        .find_map(|prefix| why.strip_prefix(prefix));
+    match found.and_then(|rest| rest.split_once(", expected ")) {
+        Some((found, wanted)) => format!("{found} where {} is expected", expected(wanted)),
+        None => why,
+    }
 }

@@ -21,7 +21,7 @@ pub(crate) struct CompareArgs {
     pub(crate) method: Vec<MethodList>,
     /// Numbers of segments
     #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
-    segments: Vec<usize>,
+    pub(crate) segments: Vec<usize>,
     /// Angles of one segment in place of numbers of segments
     #[arg(long, value_name = "A,B,...", value_parser = super::values::angle, value_delimiter = ',', allow_hyphen_values = true, conflicts_with_all = ["segments", "ellipse"])]
     spans: Vec<Angle>,
@@ -41,7 +41,7 @@ pub(crate) struct CompareArgs {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// The size of a plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,
 }
 

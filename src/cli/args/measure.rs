@@ -141,7 +141,7 @@ pub(crate) struct ReportArgs {
     pub(crate) samples: Option<usize>,
     /// How far rounding may have moved each coordinate, in user units: jumps at joints that this explains do not count
     /// [default: four units in the last place of the largest coordinate]
-    #[arg(long, value_name = "D", value_parser = values::number)]
+    #[arg(long, value_name = "D", value_parser = values::number, allow_hyphen_values = true)]
     pub(crate) coordinate_tolerance: Option<f64>,
     /// Draw the quantity along the curve too; the extension says how: svg, eps, png or pdf
     #[arg(long, value_name = "FILE")]
@@ -150,7 +150,12 @@ pub(crate) struct ReportArgs {
     #[arg(long, value_name = "Q", requires = "plot", value_parser = |text: &str| text.parse::<Quantity>())]
     pub(crate) quantity: Option<Quantity>,
     /// The size of the plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
-    #[arg(long, value_name = "WxH", requires = "plot")]
+    #[arg(
+        long,
+        value_name = "WxH",
+        requires = "plot",
+        allow_hyphen_values = true
+    )]
     pub(crate) size: Option<Size>,
 }
 

@@ -13,7 +13,7 @@ use super::values;
 pub(crate) struct PictureArgs {
     /// Size: pixels in png and svg, points in eps and pdf, or mm, cm, in, pt (1600x900, 80x60mm); the drawing fits into its middle
     /// [default: in png 512 on the larger side]
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Size>,
     /// Colour of the curve: a CSS colour, currentColor or none [default: black]
     #[arg(long, value_name = "COLOR")]

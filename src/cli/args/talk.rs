@@ -2,6 +2,8 @@
 
 use clap::Args;
 
+use crate::cli::failure::tell;
+
 #[derive(Debug, Clone, Copy, Default, Args)]
 pub(crate) struct TalkArgs {
     /// State on standard error what was done and how closely
@@ -16,20 +18,14 @@ impl TalkArgs {
     /// States what was done, where that was asked for.
     pub(crate) fn state(self, what_was_done: impl FnOnce() -> String) {
         if self.verbose {
-            tell(&what_was_done());
+            tell(&format!("{}\n", what_was_done()));
         }
     }
 
     /// Gives a note, unless it is not wanted.
     pub(crate) fn note(self, note: &str) {
         if !self.quiet {
-            tell(&format!("note: {note}"));
+            tell(&format!("note: {note}\n"));
         }
     }
-}
-
-/// Writes a line to standard error. Where that is gone, nobody is left to tell.
-fn tell(line: &str) {
-    use std::io::Write;
-    let _ = writeln!(std::io::stderr().lock(), "{line}");
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::Trouble;
 use super::tree::Job;
 use crate::cli::args::{Report, TalkArgs};
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, fit_for_terminals};
 
 /// What became of one file.
 #[derive(Debug, Serialize)]
@@ -115,13 +115,14 @@ fn json(reports: &[FileReport], out: &mut impl Write) -> io::Result<()> {
 }
 
 fn text(reports: &[FileReport], counts: bool, notes: bool, out: &mut impl Write) -> io::Result<()> {
+    let mut say = |line: &str| out.write_all(fit_for_terminals(line).as_bytes());
     for report in reports {
         let file = &report.file;
         if let Some(error) = &report.error {
-            writeln!(out, "error: {error}")?;
+            say(&format!("error: {error}\n"))?;
         }
         if let Some(hint) = &report.hint {
-            writeln!(out, "hint: {hint}")?;
+            say(&format!("hint: {hint}\n"))?;
         }
         for note in report.notes.iter().filter(|_| notes) {
             let Note {
@@ -130,19 +131,18 @@ fn text(reports: &[FileReport], counts: bool, notes: bool, out: &mut impl Write)
                 element,
                 reason,
             } = note;
-            writeln!(
-                out,
-                "note: {file}:{line}:{column}: <{element}> is left: {reason}"
-            )?;
+            say(&format!(
+                "note: {file}:{line}:{column}: <{element}> is left: {reason}\n"
+            ))?;
         }
         if counts && report.error.is_none() {
-            writeln!(out, "{file}: {}", told(&report.replaced))?;
+            say(&format!("{file}: {}\n", told(&report.replaced)))?;
         }
     }
     if counts && reports.len() > 1 {
         let changed = reports.iter().filter(|report| report.changed).count();
         let (files, told) = (reports.len(), told(&total(reports)));
-        writeln!(out, "{changed} of {files} files: {told}")?;
+        say(&format!("{changed} of {files} files: {told}\n"))?;
     }
     Ok(())
 }
