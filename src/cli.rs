@@ -4,6 +4,7 @@ mod args;
 mod batch;
 mod compare;
 mod convert;
+mod diff;
 mod draw;
 mod failure;
 mod formats;
@@ -56,6 +57,7 @@ fn run(command: Command) -> Outcome {
         Command::Methods(args) => methods::run(&args.0),
         Command::Measure(args) => measure::run(&args),
         Command::Compare(args) => compare::run(&args.0),
+        Command::Diff(args) => diff::run(&args.0),
         Command::Convert(args) => convert::run(&args.0),
         Command::Completions(args) => shell::completions(&args.0),
         Command::Man(args) => shell::man(&args.0),

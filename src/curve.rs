@@ -8,6 +8,9 @@ use crate::number::{Precision, round};
 /// are as near returns to its start.
 pub(crate) const CLOSING_GAP: f64 = 1e-4;
 
+/// A segment whose control points are this part of the curve's extent apart has no length.
+const EMPTY: f64 = 1e-7;
+
 /// A chain of Bézier segments, each of which starts where the one before it ends.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curve {
@@ -56,6 +59,35 @@ impl Curve {
                 Point::new(round(p.x, decimals), round(p.y, decimals))
             }
         })
+    }
+
+    /// The curve without segments of no length: those whose control points are all within a ten-millionth of the curve's extent of
+    /// one another, as the rounding of other programs leaves them; and how many they were.
+    #[must_use]
+    pub fn without_empty_segments(&self) -> (Self, usize) {
+        let near = EMPTY * size(self);
+        let mut kept: Vec<PathSeg> = Vec::with_capacity(self.segments.len());
+        for &segment in &self.segments {
+            let points = control_points(&segment);
+            if points.iter().all(|p| p.distance(points[0]) <= near) {
+                continue;
+            }
+            // What a segment left out was long is added to the next.
+            let start = kept.last().map_or(segment.start(), ParamCurve::end);
+            kept.push(match segment {
+                PathSeg::Line(l) => PathSeg::Line(kurbo::Line { p0: start, ..l }),
+                PathSeg::Quad(q) => PathSeg::Quad(QuadBez { p0: start, ..q }),
+                PathSeg::Cubic(c) => PathSeg::Cubic(CubicBez { p0: start, ..c }),
+            });
+        }
+        let left_out = self.segments.len() - kept.len();
+        (
+            Self {
+                segments: kept,
+                closed: self.closed,
+            },
+            left_out,
+        )
     }
 
     fn map_points(&self, f: impl Fn(Point) -> Point) -> Self {

@@ -17,6 +17,7 @@ mod output;
 mod path_data;
 mod paths;
 mod pen;
+mod placing;
 mod position;
 mod reason;
 mod rewrite;
@@ -37,7 +38,7 @@ use crate::method::{Ends, Rule, Span};
 
 pub use doubt::{Doubt, Trust};
 pub use note::Note;
-pub use paths::{SvgPath, svg_paths};
+pub use paths::{SvgPath, has_transforms_elsewhere, svg_paths, svg_shapes};
 pub use reason::Reason;
 pub use style::property::Kind;
 

@@ -35,6 +35,7 @@ pub mod continuity;
 pub mod contour;
 pub mod course;
 pub mod curve;
+pub mod diff;
 #[cfg(feature = "document")]
 pub mod document;
 pub mod engine;

@@ -6,6 +6,8 @@ pub mod canvas;
 #[cfg(feature = "serde")]
 pub mod catalogue;
 pub mod comparison;
+#[cfg(feature = "serde")]
+pub mod difference;
 pub mod dxf;
 mod format;
 pub mod gcode;

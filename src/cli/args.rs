@@ -5,6 +5,7 @@ mod batch;
 pub(crate) mod compare;
 mod convert;
 mod deferred;
+pub(crate) mod diff;
 mod each;
 pub(crate) mod measure;
 pub(crate) mod methods;
@@ -78,6 +79,8 @@ pub(crate) enum Command {
     Measure(Box<MeasureArgs>),
     /// Compare methods by their error and the number of segments
     Compare(Deferred<CompareArgs>),
+    /// Tell how far two drawings lie apart
+    Diff(Deferred<diff::DiffArgs>),
     /// Replace circles, ellipses, rounded rectangles and path arcs in SVG files by Béziers; every other byte stays
     Convert(Deferred<ConvertArgs>),
     /// Print a completion script for a shell

@@ -1,5 +1,6 @@
 //! `measure`.
 
+mod foreign;
 mod samples;
 mod table;
 
@@ -9,22 +10,20 @@ use std::process::ExitCode;
 use curveto::Cut;
 use curveto::approximate::Options;
 use curveto::curve::Curve;
-use curveto::measure::{Quantity, Reference, fit, report};
+use curveto::measure::{Quantity, Reference};
 use curveto::number::Precision;
 use curveto::picture::plot::Chart;
 use curveto::write::json;
 use curveto::write::measurement::{Measurement, csv};
 use curveto::write::plot;
-use curveto::{document, path};
 
 use super::Outcome;
 use super::args::MeasureArgs;
-use super::args::measure::{ForeignArgs, Measured, MeasuredShape, ReportArgs, ReportFormat};
+use super::args::measure::{Measured, MeasuredShape, ReportArgs, ReportFormat};
 use super::args::shape::{Direction, ShapeWords};
 use super::draw;
-use super::failure::{self, Failure};
+use super::failure::Failure;
 use super::formats::{choose, of_plot};
-use super::input;
 use super::output::Target;
 
 /// The most segments that one run measures, all curves together.
@@ -39,11 +38,6 @@ fn check_segments(segments: usize) -> Result<(), Failure> {
         format!("at most {MOST_SEGMENTS} segments are measured at once, not {segments}"),
         "take fewer segments or methods; the error of a drawing of any size stands in its JSON: curveto circle 50 -n 200000 -f json",
     ))
-}
-
-/// The segments of all these curves.
-fn total(curves: &[Curve]) -> usize {
-    curves.iter().map(|curve| curve.segments.len()).sum()
 }
 
 /// What was measured, with what a plot needs of it.
@@ -61,7 +55,7 @@ pub(super) fn run(args: &MeasureArgs) -> Outcome {
         Some(MeasuredShape::Ellipse(shape)) => drawn(shape),
         Some(MeasuredShape::Arc(shape)) => drawn(shape),
         None => {
-            let subjects = foreign(&args.foreign, &args.report)?;
+            let subjects = foreign::measured(&args.foreign, &args.report)?;
             tell(&subjects, &args.report, args.foreign.file.is_some())
         }
     }
@@ -107,97 +101,6 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
         });
     }
     tell(&subjects, &args.report, false)
-}
-
-/// Measures what someone else made.
-fn foreign(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Failure> {
-    if let Some(data) = &args.path {
-        let (data, _) = input::path_data(data)?;
-        let curves = path::curves(&data)?;
-        check_segments(total(&curves))?;
-        return subjects("path", &curves, args, report);
-    }
-    let Some(file) = &args.file else {
-        return Err(Failure::request_with_hint(
-            "nothing to measure was named",
-            "for example: curveto measure circle 50, curveto measure --path 'M...', curveto measure --file drawing.svg",
-        ));
-    };
-    let (text, name) = input::text(file)?;
-    let paths =
-        document::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
-    let readable = paths.iter().filter_map(|path| path.curves.as_ref().ok());
-    check_segments(readable.map(|curves| total(curves)).sum())?;
-    let mut found = Vec::new();
-    for path in &paths {
-        let id = path
-            .id
-            .as_ref()
-            .map(|id| format!("#{id}"))
-            .unwrap_or_default();
-        let place = format!("{name}:{}{id}", path.line);
-        let measured = match &path.curves {
-            Ok(curves) => subjects(&place, curves, args, report),
-            Err(error) => Err(Failure::from(error.clone())),
-        };
-        match measured {
-            Ok(subjects) => found.extend(subjects),
-            // The other paths can be measured all the same.
-            Err(Failure::Request { message, .. }) => {
-                failure::tell(&format!("note: {place}: not measured: {message}\n"));
-            }
-            Err(other) => return Err(other),
-        }
-    }
-    if found.is_empty() {
-        return Err(Failure::request_with_hint(
-            format!("{name} holds no path that can be measured"),
-            "a path of cubic or quadratic Béziers can; 'curveto convert' makes them of circles, ellipses and arcs",
-        ));
-    }
-    Ok(found)
-}
-
-/// Measures each of these curves.
-fn subjects(
-    source: &str,
-    curves: &[Curve],
-    args: &ForeignArgs,
-    report_args: &ReportArgs,
-) -> Result<Vec<Subject>, Failure> {
-    if curves.is_empty() {
-        return Err(Failure::request(
-            "there is nothing to measure: the path is empty, or a single point",
-        ));
-    }
-    let one = |(i, curve): (usize, &Curve)| -> Result<Subject, Failure> {
-        let (truth, fit) = match args.against {
-            Some(truth) => (truth, None),
-            None => fit::circle(curve, args.fit.map(Into::into))
-                .map(|(truth, fit)| (truth, Some(fit)))
-                .map_err(|error| {
-                    Failure::request_with_hint(
-                        error.to_string(),
-                        "--against circle:CX,CY,R names the true circle",
-                    )
-                })?,
-        };
-        let reference = Reference::from(truth);
-        let mut found = report(curve, &reference, report_args.coordinate_tolerance()?)?;
-        found.reference.fit = fit;
-        let source = if curves.len() == 1 {
-            source.to_owned()
-        } else {
-            format!("{source}, subpath {}", i + 1)
-        };
-        Ok(Subject {
-            name: source.clone(),
-            curve: curve.clone(),
-            reference,
-            measurement: Measurement::of_source(&source, found),
-        })
-    };
-    curves.iter().enumerate().map(one).collect()
 }
 
 /// Writes the report, and the plot where one was asked for.

@@ -1,35 +1,68 @@
-//! The paths of SVG files as curves, with the transforms of their ancestors.
+//! The paths of SVG files, with the viewports and transforms of their ancestors.
 
 use kurbo::Affine;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-use crate::curve::Curve;
-use crate::error::{Error, Result, finite};
-use crate::path::{self, shortened};
+use super::placing::{Place, attribute, property};
+use crate::contour::Contour;
+use crate::error::{Error, Result};
+use crate::path;
 
-/// A `path` element of an SVG file.
+/// A `path` element of an SVG file, or another that draws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SvgPath {
     /// The line on which it starts, from 1.
     pub line: usize,
     /// Its id.
     pub id: Option<String>,
-    /// Its curves in the coordinates of the outermost element, or why they cannot be had.
-    pub curves: Result<Vec<Curve>>,
+    /// Its contours and the map to the coordinates of the outermost element, or why they cannot be had.
+    pub contours: Result<(Vec<Contour>, Affine)>,
 }
 
-/// Every `path` element of an SVG file, with its own transform and those of its ancestors applied.
+/// Every `path` element of an SVG file, with its own transform, those of its ancestors and nested viewports applied. Style
+/// attributes are read; see [`has_transforms_elsewhere`] for style sheets.
 ///
 /// # Errors
 ///
 /// Where the text is not well-formed XML.
 pub fn svg_paths(text: &str) -> Result<Vec<SvgPath>> {
+    elements(text, &["path"])
+}
+
+/// As [`svg_paths`], and every `circle`, `ellipse`, `rect`, `line`, `polyline` and `polygon`.
+///
+/// # Errors
+///
+/// Where the text is not well-formed XML.
+pub fn svg_shapes(text: &str) -> Result<Vec<SvgPath>> {
+    elements(
+        text,
+        &[
+            "path", "circle", "ellipse", "rect", "line", "polyline", "polygon",
+        ],
+    )
+}
+
+/// Whether a style sheet of the file sets transforms, which [`svg_paths`] does not apply.
+#[must_use]
+pub fn has_transforms_elsewhere(text: &str) -> bool {
+    let sheets = text.split("<style").skip(1);
+    let mut sheets = sheets.map(|sheet| sheet.split("</style").next().unwrap_or_default());
+    sheets.any(|sheet| {
+        let words = sheet.split(|c: char| !c.is_ascii_alphanumeric() && c != '-' && c != ':');
+        words
+            .into_iter()
+            .any(|word| word.starts_with("transform:") || word == "transform")
+    })
+}
+
+fn elements(text: &str, names: &[&str]) -> Result<Vec<SvgPath>> {
     // The reader leaves a byte order mark out of its positions.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::from_str(text);
     let mut found = Vec::new();
-    let mut maps = vec![Ok(Affine::IDENTITY)];
+    let mut places = vec![Place::OUTSIDE];
     let (mut counted, mut line) = (0, 1);
     loop {
         let position = (reader.buffer_position() as usize).min(text.len());
@@ -42,68 +75,117 @@ pub fn svg_paths(text: &str) -> Result<Vec<SvgPath>> {
             Event::Start(element) => (element, true),
             Event::Empty(element) => (element, false),
             Event::End(_) => {
-                if maps.len() > 1 {
-                    maps.pop();
+                if places.len() > 1 {
+                    places.pop();
                 }
                 continue;
             }
             Event::Eof => break,
             _ => continue,
         };
-        let map = map_within(maps.last(), element);
-        if element.local_name().as_ref() == "path" {
-            found.push(svg_path(element, &map, line));
+        let place = places.last().unwrap_or(&Place::OUTSIDE).within(element);
+        if names.contains(&element.local_name().as_ref()) {
+            found.push(SvgPath {
+                line,
+                id: attribute(element, "id"),
+                contours: contours(element, &place),
+            });
         }
         if is_open {
-            maps.push(map);
+            places.push(place);
         }
     }
     Ok(found)
 }
 
-fn svg_path(element: &BytesStart, map: &Result<Affine>, line: usize) -> SvgPath {
-    let curves = map.clone().and_then(|map| {
-        let curves = path::curves(&attribute(element, "d").unwrap_or_default())?;
-        Ok(curves.iter().map(|curve| curve.transformed(map)).collect())
-    });
-    SvgPath {
-        line,
-        id: attribute(element, "id"),
-        curves,
-    }
+fn contours(element: &BytesStart, place: &Place) -> Result<(Vec<Contour>, Affine)> {
+    let map = place.map.clone()?;
+    Ok((path::contours(&data(element, place)?)?, map))
 }
 
-/// The map of an element: its own transform behind that of its parent.
-fn map_within(parent: Option<&Result<Affine>>, element: &BytesStart) -> Result<Affine> {
-    let parent = parent.cloned().unwrap_or(Ok(Affine::IDENTITY))?;
-    let Some(text) = attribute(element, "transform") else {
-        return Ok(parent);
-    };
-    let own = path::transform(&text).map_err(|error| {
-        Error::Shape(format!(
-            "cannot read the transform '{}': {error}",
-            shortened(&text)
-        ))
-    })?;
-    let map = parent * own;
-    for number in map.as_coeffs() {
-        finite("number in the transform", number)?;
-    }
-    Ok(map)
+/// The path data of an element, as SVG 2 gives those of shapes.
+fn data(element: &BytesStart, place: &Place) -> Result<String> {
+    let points = || attribute(element, "points").unwrap_or_default();
+    let given = |name| place.length(element, name, Some(0.0));
+    let radius = |name| place.length(element, name, Some(-1.0));
+    Ok(match element.local_name().as_ref() {
+        "circle" => {
+            let r = radius("r")?;
+            ellipse([given("cx")?, given("cy")?], [r, r])
+        }
+        "ellipse" => {
+            let radii = radii([radius("rx")?, radius("ry")?]);
+            ellipse([given("cx")?, given("cy")?], radii)
+        }
+        "rect" => {
+            let radii = radii([radius("rx")?, radius("ry")?]);
+            rect(
+                [given("x")?, given("y")?],
+                [given("width")?, given("height")?],
+                radii,
+            )
+        }
+        "line" => {
+            let [x1, y1, x2, y2] = [given("x1")?, given("y1")?, given("x2")?, given("y2")?];
+            format!("M{x1} {y1}L{x2} {y2}")
+        }
+        "polyline" | "polygon" if points().trim().is_empty() => String::new(),
+        "polyline" => format!("M{}", points()),
+        "polygon" => format!("M{}Z", points()),
+        _ => property(element, "d").unwrap_or_default(),
+    })
 }
 
-fn attribute(element: &BytesStart, name: &str) -> Option<String> {
-    let attribute = element.try_get_attribute(name).ok().flatten()?;
-    match quick_xml::escape::unescape(&attribute.value) {
-        Ok(plain) => Some(plain.into_owned()),
-        Err(_) => Some(attribute.value.into_owned()),
+/// Radii of which a negative one is as the other.
+fn radii([x, y]: [f64; 2]) -> [f64; 2] {
+    [if x < 0.0 { y } else { x }, if y < 0.0 { x } else { y }]
+}
+
+fn ellipse([x, y]: [f64; 2], [rx, ry]: [f64; 2]) -> String {
+    if !(rx > 0.0 && ry > 0.0) {
+        return String::new();
     }
+    let [left, right] = [x - rx, x + rx];
+    format!("M{right} {y}A{rx} {ry} 0 0 1 {left} {y}A{rx} {ry} 0 0 1 {right} {y}Z")
+}
+
+fn rect([x, y]: [f64; 2], [w, h]: [f64; 2], radii: [f64; 2]) -> String {
+    if !(w > 0.0 && h > 0.0) {
+        return String::new();
+    }
+    let [rx, ry] = [radii[0].clamp(0.0, w / 2.0), radii[1].clamp(0.0, h / 2.0)];
+    let (right, bottom) = (x + w, y + h);
+    if rx == 0.0 || ry == 0.0 {
+        return format!("M{x} {y}H{right}V{bottom}H{x}Z");
+    }
+    let corner = |x: f64, y: f64| format!("A{rx} {ry} 0 0 1 {x} {y}");
+    [
+        format!("M{} {y}H{}", x + rx, right - rx),
+        corner(right, y + ry),
+        format!("V{}", bottom - ry),
+        corner(right - rx, bottom),
+        format!("H{}", x + rx),
+        corner(x, bottom - ry),
+        format!("V{}", y + ry),
+        corner(x + rx, y),
+        "Z".to_owned(),
+    ]
+    .concat()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::curve::Curve;
     use kurbo::{PathSeg, Point};
+
+    fn curves(path: &SvgPath) -> Vec<Curve> {
+        let (contours, map) = path.contours.as_ref().unwrap();
+        let curves = contours.iter().filter_map(path::curve);
+        curves
+            .map(|curve| curve.unwrap().transformed(*map))
+            .collect()
+    }
 
     #[test]
     fn transforms_of_all_ancestors_apply() {
@@ -113,15 +195,57 @@ mod tests {
 <path d="M1 0A1 1 0 0 1 2 0"/></svg>"#;
         let paths = svg_paths(svg).unwrap();
         assert_eq!((paths[0].line, paths[0].id.as_deref()), (3, Some("a&b")));
-        let curves = paths[0].curves.as_ref().unwrap();
+        let curves = curves(&paths[0]);
         let PathSeg::Line(line) = curves[0].segments[0] else {
             panic!()
         };
         assert!(line.p0.distance(Point::new(10.0, 2.0)) < 1e-12);
-        assert!(paths[1].curves.is_err());
+        assert!(
+            path::curve(&paths[1].contours.as_ref().unwrap().0[0])
+                .unwrap()
+                .is_err()
+        );
         assert!(svg_paths("<svg><path").is_err());
         let marked = svg_paths("\u{feff}<svg>\n<!--\u{e9}--><path/></svg>").unwrap();
         assert_eq!(marked[0].line, 2);
         assert!(svg_paths("\u{feff}c0").is_ok());
+    }
+
+    #[test]
+    fn viewports_and_styles_apply() {
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 100">
+<svg x="100" y="50" viewBox="0 0 10 10" width="20" height="40"><path d="M0 0L10 0"/></svg>
+<path style="transform: scale(2)" transform="scale(9)" d="M1 1L2 2"/>
+<path transform="rotate(90)" transform-origin="center" d="M0 0L2 2"/>
+<svg width="50%" viewBox="0 0 1 1" preserveAspectRatio="none"><path d="M0 0L1 1"/></svg>
+<path style="transform:rotate(1rad)" d="M0 0L1 1"/></svg>"#;
+        let paths = svg_paths(svg).unwrap();
+        let line = |i: usize| match curves(&paths[i])[0].segments[0] {
+            PathSeg::Line(line) => [line.p0, line.p1],
+            _ => panic!(),
+        };
+        assert_eq!(line(0), [Point::new(100.0, 60.0), Point::new(120.0, 60.0)]);
+        assert_eq!(line(1), [Point::new(2.0, 2.0), Point::new(4.0, 4.0)]);
+        assert!(line(2)[0].distance(Point::new(150.0, -50.0)) < 1e-12);
+        assert_eq!(line(3)[1], Point::new(100.0, 100.0));
+        assert!(paths[4].contours.is_err());
+        assert!(has_transforms_elsewhere(
+            "<style>.a{transform: none}</style>"
+        ));
+        assert!(!has_transforms_elsewhere(
+            "<style>.a{text-transform:none}</style>"
+        ));
+    }
+
+    #[test]
+    fn shapes_are_the_paths_that_svg_2_gives_them() {
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/><ellipse rx="3"/><rect width="9" height="4" rx="1"/>
+<rect width="9" height="4"/><line x2="4"/><polygon points="0,0 4,0 4,4"/><polyline points="0 0 4 4"/><circle r="10%"/></svg>"#;
+        let shapes = svg_shapes(svg).unwrap();
+        let steps = shapes
+            .iter()
+            .filter_map(|shape| Some(shape.contours.as_ref().ok()?.0[0].steps.len()));
+        assert_eq!(steps.collect::<Vec<_>>(), [2, 2, 8, 4, 1, 3, 1]);
+        assert!(shapes[7].contours.is_err());
     }
 }

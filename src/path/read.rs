@@ -34,8 +34,13 @@ pub fn curves(data: &str) -> Result<Vec<Curve>> {
     contours(data)?.iter().filter_map(curve).collect()
 }
 
-/// The contour as a curve; `None` where it has no length.
-fn curve(contour: &Contour) -> Option<Result<Curve>> {
+/// A contour as a curve; `None` where it has no length.
+///
+/// # Errors
+///
+/// In `Some`, where an elliptical arc is among its steps.
+#[must_use]
+pub fn curve(contour: &Contour) -> Option<Result<Curve>> {
     let mut segments = Vec::with_capacity(contour.steps.len());
     for (i, step) in contour.steps.iter().enumerate() {
         match step {

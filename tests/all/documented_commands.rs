@@ -127,12 +127,10 @@ fn check(document: &Path) -> Vec<String> {
 fn the_documents_show_what_the_commands_print() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut documents = vec![root.join("README.md")];
-    documents.extend(
-        fs::read_dir(root.join("docs"))
-            .into_iter()
-            .flatten()
-            .map(|entry| entry.unwrap().path()),
-    );
+    for folder in ["docs", "docs/guide"] {
+        let entries = fs::read_dir(root.join(folder)).unwrap();
+        documents.extend(entries.map(|entry| entry.unwrap().path()));
+    }
     documents.retain(|path: &PathBuf| path.extension().is_some_and(|extension| extension == "md"));
     documents.sort();
     let wrong: Vec<String> = documents

@@ -185,7 +185,8 @@ fn read_all(text: &str) {
     let _ = curveto::shape::endpoint::parse_svg_arc(text);
     let _ = curveto::spline::points::Points::parse(text);
     let _ = curveto::path::curves(text);
-    let _ = curveto::document::svg_paths(text);
+    let _ = curveto::document::svg_shapes(text);
+    let _ = curveto::path::postscript(text);
     let _ = text.parse::<curveto::Angle>();
     let _ = text.parse::<Tolerance>();
     let _ = text.parse::<Method>();

@@ -17,6 +17,7 @@ mod corpora;
 mod dependencies;
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 mod determinism;
+mod diff;
 mod documented_commands;
 mod documents;
 mod ellipse_methods;

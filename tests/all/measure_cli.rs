@@ -170,7 +170,7 @@ fn what_cannot_be_measured_is_refused_and_said_why() {
         (&["measure", "--path", "M1e300 0L1 1L2 0Z"], "1e150"),
         (&["measure", "--path", "M0 0A5 5 0 0 1 5 5"], "arc (A)"),
         (&["measure", "--path", "M0 0L5 5L9 9"], "line"),
-        (&["measure", "--path", "M0 0C0 0 0 0 0 0"], "one point"),
+        (&["measure", "--path", "M0 0C0 0 0 0 0 0"], "single point"),
         (
             &["measure", "circle", "1", "--coordinate-tolerance", "NaN"],
             "tolerance",
@@ -568,6 +568,73 @@ fn the_pictures_of_the_documentation_are_what_the_program_draws() {
             fs::read(&kept).unwrap(),
             fs::read(&drawn).unwrap(),
             "{name}"
+        );
+    }
+}
+
+#[test]
+fn each_subpath_is_judged_by_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("bad.svg");
+    let quarter = "M10 0C10 5.5228 5.5228 10 0 10";
+    fs::write(
+        &file,
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\"><style>a{{transform:none}}</style><path id=\"one\" d=\"{quarter}M5 5L9 9M0 0A1 1 0 0 1 2 0\"/>\n<path id=\"two\" d=\"{quarter}\"/>\n<path d=\"M1 1C\"/></svg>"
+        ),
+    )
+    .unwrap();
+    let output = run(&["measure", "--file", file.to_str().unwrap(), "-f", "json"]);
+    assert!(output.status.success());
+    let said = String::from_utf8(output.stderr).unwrap();
+    for wished in [
+        "bad.svg:1#one, subpath 2: not measured",
+        "bad.svg:1#one, subpath 3: not measured",
+        "bad.svg:3: not measured",
+        "style sheets are not applied",
+    ] {
+        assert!(said.contains(wished), "{said}");
+    }
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let sources = found.as_array().unwrap().iter();
+    let sources: Vec<&str> = sources
+        .map(|one| one["subject"]["source"].as_str().unwrap())
+        .collect();
+    assert_eq!(sources.len(), 2);
+    assert!(sources[0].ends_with("#one, subpath 1") && sources[1].ends_with("#two"));
+}
+
+#[test]
+fn segments_of_no_length_are_left_out_and_said() {
+    let circle = "M10 0C10 5.523 5.523 10 0 10C-5.523 10-10 5.523-10 0C-10-5.523-5.523-10 0-10";
+    let last = "C5.523-10 10-5.523 10 0";
+    let clean = json(&["measure", "--path", &format!("{circle}{last}Z")]);
+    for (middle, end, count) in [
+        // A closing line of rounding is none, with or without an L.
+        ("", "L10 0Z", 0),
+        ("c0 0 0 0 0 0", "Z", 1),
+        ("h0", "Z", 1),
+        ("l1e-9 0l0 0", "Z", 2),
+    ] {
+        let data = format!("{circle}{middle}{last}{end}");
+        let output = run(&["measure", "--path", &data, "-f", "json"]);
+        let said = String::from_utf8(output.stderr).unwrap();
+        let wished = format!("{count} segment");
+        assert!(
+            count == 0 || (said.contains(&wished) && said.contains("left out")),
+            "{data}: {said}"
+        );
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        for figure in ["peak", "mean"] {
+            close(
+                &found["error"][figure],
+                clean["error"][figure].as_f64().unwrap(),
+                1e-8,
+            );
+        }
+        assert_eq!(
+            found["joints"].as_array().map(Vec::len),
+            clean["joints"].as_array().map(Vec::len)
         );
     }
 }

@@ -7,6 +7,7 @@ use std::process::Command;
 
 use curveto::compare::Comparison;
 use curveto::write::catalogue::{CatalogueDocument, MethodDocument};
+use curveto::write::difference::DifferenceDocument;
 use curveto::write::json::DrawingDocument;
 use curveto::write::measurement::{Measurement, Samples};
 use curveto::write::path::PathDocument;
@@ -15,10 +16,11 @@ use curveto::write::spline::SplineDocument;
 use schemars::{Schema, schema_for};
 use serde_json::Value;
 
-fn published() -> [(&'static str, Schema); 9] {
+fn published() -> [(&'static str, Schema); 10] {
     [
         ("drawing", schema_for!(DrawingDocument)),
         ("path", schema_for!(PathDocument)),
+        ("difference", schema_for!(DifferenceDocument)),
         ("measurement", schema_for!(Measurement)),
         ("samples", schema_for!(Samples<'_>)),
         ("comparison", schema_for!(Comparison)),
@@ -180,7 +182,7 @@ fn flattened(schema: &Value, root: &Value) -> Value {
 const PATH: &str = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
 
 /// Each schema, and commands that print what it describes.
-const CASES: [(&str, &[&str]); 19] = [
+const CASES: [(&str, &[&str]); 20] = [
     ("drawing", &["circle", "50", "-f", "json"]),
     (
         "drawing",
@@ -219,6 +221,7 @@ const CASES: [(&str, &[&str]); 19] = [
         ],
     ),
     ("comparison", &["compare", "-f", "json"]),
+    ("difference", &["diff", PATH, PATH, "-f", "json"]),
     ("path", &["path", "M0 0L5 0A5 5 0 0 1 0 5Z", "-f", "json"]),
     (
         "spline",
@@ -287,7 +290,11 @@ fn what_is_printed_obeys_the_schemas() {
             panic!("{arguments:?}: {why}");
         }
     }
-    let root = serde_json::to_value(&schemas[1].1).unwrap();
+    let (_, schema) = schemas
+        .iter()
+        .find(|(known, _)| *known == "measurement")
+        .unwrap();
+    let root = serde_json::to_value(schema).unwrap();
     let mut wrong = printed(&["measure", "circle", "50", "-f", "json"]);
     wrong["error"]["peak"] = Value::Null;
     assert!(

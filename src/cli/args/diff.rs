@@ -1,0 +1,53 @@
+//! The words of `diff`.
+
+use clap::{Args, ValueEnum};
+
+use super::values;
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "A drawing is SVG path data, or a file with it, with SVG (paths and basic shapes, transforms applied), with our JSON (lines of batch too) or with PostScript path operators. Where a subpath begins and which way it runs make no difference. Exit codes: 0 within T, 1 beyond, 2 trouble.",
+    after_long_help = "A drawing is SVG path data, or a file with it, with SVG (paths and basic shapes, transforms applied), with our JSON (lines of batch too) or with PostScript path operators. Where a subpath begins and which way it runs make no difference. Without -t, segments have to be equal, number by number, and subpaths closed alike.\n\nExamples:\n  curveto diff golden.svg new.svg -t 0.001\n  curveto circle 50 -f json | curveto diff - 'M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z' -t 0.01\n  curveto diff a.ps b.ps -q || echo changed\n\nExit codes: 0 within T, 1 beyond, 2 trouble."
+)]
+pub(crate) struct DiffArgs {
+    /// The one drawing: path data, or a file; - is standard input
+    #[arg(value_name = "OLD", allow_hyphen_values = true)]
+    pub(crate) old: String,
+    /// The other
+    #[arg(value_name = "NEW", allow_hyphen_values = true)]
+    pub(crate) new: String,
+    /// How far they may lie apart, in user units
+    #[arg(
+        short,
+        long,
+        value_name = "T",
+        default_value_t = 0.0,
+        hide_default_value = true,
+        value_parser = values::number,
+        allow_hyphen_values = true
+    )]
+    pub(crate) tolerance: f64,
+    /// The format of the report
+    #[arg(
+        short,
+        long,
+        value_enum,
+        value_name = "F",
+        default_value_t,
+        ignore_case = true
+    )]
+    pub(crate) format: DiffFormat,
+    /// Print nothing: the exit code says it
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// How a report is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum DiffFormat {
+    /// A line for every subpath beyond T, and one for all
+    #[default]
+    Text,
+    /// All subpaths; docs/schema/difference.json describes it
+    Json,
+}

@@ -1,0 +1,136 @@
+//! `diff`.
+
+mod read;
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+
+use curveto::diff::{Difference, Pair, Side, compare};
+use curveto::number::{compact, rounded_up, significant};
+use curveto::write::difference::DifferenceDocument;
+use curveto::write::json;
+
+use super::Outcome;
+use super::args::diff::{DiffArgs, DiffFormat};
+use super::failure::Failure;
+use super::output::Target;
+
+/// Compares two drawings; 0 within the tolerance, 1 beyond it, 2 where that cannot be said.
+pub(super) fn run(args: &DiffArgs) -> Outcome {
+    if args.tolerance < 0.0 || !args.tolerance.is_finite() {
+        return Err(Failure::request_with_hint(
+            format!(
+                "a tolerance is a distance of at least 0, not {}",
+                args.tolerance
+            ),
+            "for example: curveto diff old.svg new.svg -t 0.01",
+        ));
+    }
+    if args.old == "-" && args.new == "-" {
+        return Err(Failure::request_with_hint(
+            "standard input cannot be both drawings",
+            "name a file for one of them",
+        ));
+    }
+    let old = read::drawing(&args.old).map_err(trouble)?;
+    let new = read::drawing(&args.new).map_err(trouble)?;
+    let difference = compare(&old, &new, args.tolerance);
+    let report = match args.format {
+        _ if args.quiet => String::new(),
+        DiffFormat::Json => json::to_string(&DifferenceDocument::from(&difference))? + "\n",
+        DiffFormat::Text => text(&difference, args),
+    };
+    Target::Stdout.write(report.as_bytes()).map_err(trouble)?;
+    Ok(ExitCode::from(u8::from(!difference.is_within())))
+}
+
+/// A failure of any kind as that of a wrong request, whose exit code is 2: 1 says that the drawings differ.
+fn trouble(failure: Failure) -> Failure {
+    match failure {
+        Failure::Running(error) => Failure::request(format!("{error:#}")),
+        other => other,
+    }
+}
+
+fn text(difference: &Difference, args: &DiffArgs) -> String {
+    let mut out = String::new();
+    let beyond = difference
+        .pairs
+        .iter()
+        .filter(|pair| !difference.allows(pair));
+    for pair in beyond {
+        out += &line(pair, difference.noise, args);
+    }
+    for (only, here, there) in [
+        (&difference.only_old, &args.old, &args.new),
+        (&difference.only_new, &args.new, &args.old),
+    ] {
+        for i in only {
+            // Writing to a string cannot fail.
+            let _ = writeln!(
+                out,
+                "subpath {} of {} has no like in {}",
+                i + 1,
+                name(here),
+                name(there)
+            );
+        }
+    }
+    let count = difference.pairs.len();
+    let subpaths = match count {
+        1 => "1 subpath".to_owned(),
+        _ => format!("{count} subpaths"),
+    };
+    let distance = difference.distance();
+    if distance > 0.0 {
+        let _ = writeln!(
+            out,
+            "{subpaths} within {}",
+            bound(distance, difference.noise)
+        );
+    } else {
+        let _ = writeln!(out, "{subpaths} with equal segments");
+    }
+    out
+}
+
+/// What is said of a pair beyond the tolerance.
+fn line(pair: &Pair, noise: f64, args: &DiffArgs) -> String {
+    let who = if pair.old == pair.new {
+        format!("subpath {}", pair.old + 1)
+    } else {
+        format!("subpath {} and {}", pair.old + 1, pair.new + 1)
+    };
+    let Some(place) = pair.distance.place else {
+        return format!("{who}: one is closed and the other is not\n");
+    };
+    let n = |x| compact(x, 6);
+    format!(
+        "{who}: up to {} apart, at {},{} on segment {} of {}\n",
+        bound(pair.distance.at_most, noise),
+        n(place.point.x),
+        n(place.point.y),
+        place.segment + 1,
+        name(match place.side {
+            Side::Old => &args.old,
+            Side::New => &args.new,
+        }),
+    )
+}
+
+/// A bound with a few digits, rounded up but for what the rounding of coordinates explains.
+fn bound(distance: f64, noise: f64) -> String {
+    let known = if distance > 1e6 * noise {
+        distance - noise
+    } else {
+        distance
+    };
+    significant(rounded_up(known, 4), 4)
+}
+
+fn name(words: &str) -> String {
+    match words {
+        "-" => "standard input".to_owned(),
+        _ => curveto::path::shortened(words),
+    }
+}

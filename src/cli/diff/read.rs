@@ -1,0 +1,86 @@
+//! A drawing in any of the forms that can be compared.
+
+use curveto::contour::Contour;
+use curveto::diff::Track;
+use curveto::{document, path};
+use kurbo::Affine;
+use serde_json::{Deserializer, Value};
+
+use super::super::failure::Failure;
+use super::super::input;
+
+/// The subpaths of a drawing: of path data, or of a file with it, with SVG, JSON or PostScript.
+pub(super) fn drawing(words: &str) -> Result<Vec<Track>, Failure> {
+    let (text, name) = input::path_data(words)?;
+    let begins = |what: &str| text.trim_start().starts_with(what);
+    let is_postscript = || text.split_ascii_whitespace().any(|word| word == "moveto");
+    let tracks = if begins("<") {
+        of_svg(&text, &name)?
+    } else if begins("{") || begins("[") {
+        of_json(&text, &name)?
+    } else if begins("%") || is_postscript() {
+        tracks(
+            &path::postscript(&text).map_err(|error| at(&name, &error))?,
+            Affine::IDENTITY,
+        )?
+    } else {
+        let contours = path::contours(&text).map_err(|error| {
+            Failure::request_with_hint(
+                format!("{name}: {error}"),
+                "a drawing is SVG path data, SVG, our JSON or PostScript path operators",
+            )
+        })?;
+        tracks(&contours, Affine::IDENTITY)?
+    };
+    if tracks.is_empty() {
+        return Err(Failure::request(format!(
+            "{name} draws nothing that could be compared"
+        )));
+    }
+    Ok(tracks)
+}
+
+fn at(place: &str, error: &curveto::Error) -> Failure {
+    Failure::request(format!("{place}: {error}"))
+}
+
+fn tracks(contours: &[Contour], map: Affine) -> Result<Vec<Track>, Failure> {
+    let tracks = contours.iter().map(|contour| Track::new(contour, map));
+    Ok(tracks.collect::<curveto::Result<_>>()?)
+}
+
+fn of_svg(text: &str, name: &str) -> Result<Vec<Track>, Failure> {
+    let mut found = Vec::new();
+    for shape in document::svg_shapes(text).map_err(|error| at(name, &error))? {
+        let place = format!("{name}:{}", shape.line);
+        let (contours, map) = shape.contours.map_err(|error| at(&place, &error))?;
+        found.extend(tracks(&contours, map)?);
+    }
+    Ok(found)
+}
+
+/// The path data of our documents: one, an array of them, or one a line.
+fn of_json(text: &str, name: &str) -> Result<Vec<Track>, Failure> {
+    let mut found = Vec::new();
+    for value in Deserializer::from_str(text).into_iter::<Value>() {
+        let value =
+            value.map_err(|error| Failure::request(format!("{name}: this is no JSON: {error}")))?;
+        let documents = match value {
+            Value::Array(documents) => documents,
+            one => vec![one],
+        };
+        for document in &documents {
+            let Some(data) = document.get("path").and_then(Value::as_str) else {
+                return Err(Failure::request_with_hint(
+                    format!("{name}: a document has no path data under the key path"),
+                    "JSON of curveto's drawings, paths and batches can be compared",
+                ));
+            };
+            found.extend(tracks(
+                &path::contours(data).map_err(|error| at(name, &error))?,
+                Affine::IDENTITY,
+            )?);
+        }
+    }
+    Ok(found)
+}

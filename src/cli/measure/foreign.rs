@@ -1,0 +1,162 @@
+//! `measure` of curves that someone else made: each subpath is judged by itself, and what cannot be judged is named.
+
+use curveto::contour::Contour;
+use curveto::curve::Curve;
+use curveto::measure::{Reference, fit, report};
+use curveto::write::measurement::Measurement;
+use curveto::{document, path};
+use kurbo::Affine;
+
+use super::super::args::measure::{ForeignArgs, ReportArgs};
+use super::super::failure::{self, Failure};
+use super::super::input;
+use super::{Subject, check_segments};
+
+/// The curves of one element, or of a path that stands alone.
+struct Source {
+    /// What messages call it.
+    name: String,
+    contours: curveto::Result<(Vec<Contour>, Affine)>,
+}
+
+/// Measures every subpath that can be measured, and notes the others.
+pub(super) fn measured(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Failure> {
+    let (name, sources) = sources(args)?;
+    let readable = sources
+        .iter()
+        .filter_map(|source| source.contours.as_ref().ok());
+    let contours = readable.flat_map(|(contours, _)| contours);
+    check_segments(contours.map(|contour| contour.steps.len()).sum())?;
+    let mut found = Vec::new();
+    let mut refused = Vec::new();
+    for source in sources {
+        match source.contours {
+            Ok((contours, map)) => {
+                let several = contours.len() > 1;
+                for (i, contour) in contours.iter().enumerate() {
+                    let name = if several {
+                        format!("{}, subpath {}", source.name, i + 1)
+                    } else {
+                        source.name.clone()
+                    };
+                    match subject(&name, contour, map, args, report) {
+                        Ok(subject) => found.push(subject),
+                        Err(failure) => refused.push((name, failure)),
+                    }
+                }
+                if contours.is_empty() {
+                    refused.push((source.name, empty()));
+                }
+            }
+            Err(error) => refused.push((source.name, error.into())),
+        }
+    }
+    // A single one that cannot be judged is the failure of the whole.
+    if found.is_empty() && args.path.is_some() && refused.len() == 1 {
+        return Err(refused.remove(0).1);
+    }
+    for (place, failure) in refused {
+        match failure {
+            Failure::Request { message, .. } => note(&format!("{place}: not measured: {message}")),
+            other => return Err(other),
+        }
+    }
+    if found.is_empty() {
+        return Err(Failure::request_with_hint(
+            format!("{name} holds no path that can be measured"),
+            "a path of cubic or quadratic Béziers can; 'curveto convert' makes them of circles, ellipses and arcs",
+        ));
+    }
+    Ok(found)
+}
+
+fn note(text: &str) {
+    failure::tell(&format!("note: {text}\n"));
+}
+
+fn empty() -> Failure {
+    Failure::request("there is nothing to measure: the path is empty, or a single point")
+}
+
+fn sources(args: &ForeignArgs) -> Result<(String, Vec<Source>), Failure> {
+    if let Some(data) = &args.path {
+        let (data, name) = input::path_data(data)?;
+        let source = Source {
+            name: "path".to_owned(),
+            contours: Ok((path::contours(&data)?, Affine::IDENTITY)),
+        };
+        return Ok((name, vec![source]));
+    }
+    let Some(file) = &args.file else {
+        return Err(Failure::request_with_hint(
+            "nothing to measure was named",
+            "for example: curveto measure circle 50, curveto measure --path 'M...', curveto measure --file drawing.svg",
+        ));
+    };
+    let (text, name) = input::text(file)?;
+    let paths =
+        document::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
+    if document::has_transforms_elsewhere(&text) {
+        note(&format!(
+            "{name}: a style sheet mentions transform; style sheets are not applied"
+        ));
+    }
+    let source = |path: document::SvgPath| {
+        let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
+        Source {
+            name: format!("{name}:{}{id}", path.line),
+            contours: path.contours,
+        }
+    };
+    let sources = paths.into_iter().map(source).collect();
+    Ok((name, sources))
+}
+
+/// Measures one subpath.
+fn subject(
+    name: &str,
+    contour: &Contour,
+    map: Affine,
+    args: &ForeignArgs,
+    report_args: &ReportArgs,
+) -> Result<Subject, Failure> {
+    let curve = path::curve(contour).ok_or_else(empty)??.transformed(map);
+    let (curve, left_out) = curve.without_empty_segments();
+    if curve.segments.is_empty() {
+        return Err(empty());
+    }
+    let (truth, fit) = match args.against {
+        Some(truth) => (truth, None),
+        None => fitted(&curve, args)?,
+    };
+    let reference = Reference::from(truth);
+    let mut found = report(&curve, &reference, report_args.coordinate_tolerance()?)?;
+    found.reference.fit = fit;
+    if left_out > 0 {
+        let s = if left_out == 1 { "" } else { "s" };
+        note(&format!(
+            "{name}: {left_out} segment{s} of no length left out"
+        ));
+    }
+    Ok(Subject {
+        name: name.to_owned(),
+        curve,
+        reference,
+        measurement: Measurement::of_source(name, found),
+    })
+}
+
+/// The shape that a curve was meant to be.
+fn fitted(
+    curve: &Curve,
+    args: &ForeignArgs,
+) -> Result<(curveto::shape::Truth, Option<fit::Fit>), Failure> {
+    fit::circle(curve, args.fit.map(Into::into))
+        .map(|(truth, fit)| (truth, Some(fit)))
+        .map_err(|error| {
+            Failure::request_with_hint(
+                error.to_string(),
+                "--against circle:CX,CY,R names the true circle",
+            )
+        })
+}

@@ -1,0 +1,123 @@
+//! Which subpaths of two drawings belong together.
+
+use kurbo::Rect;
+
+use super::distance::hausdorff;
+use super::{Difference, Distance, Pair, Track};
+
+/// How many subpaths of like boxes are tried for one.
+const MOST_TRIES: usize = 8;
+
+/// How many pairs of boxes are looked at; beyond it, subpaths are taken in their order.
+const MOST_PAIRS: usize = 20_000_000;
+
+struct Matcher<'a> {
+    old: &'a [Track],
+    new: &'a [Track],
+    boxes: [Vec<Rect>; 2],
+    difference: &'a mut Difference,
+}
+
+pub(super) fn find(old: &[Track], new: &[Track], difference: &mut Difference) {
+    let boxes = [old, new].map(|tracks| tracks.iter().map(Track::bounding_box).collect());
+    let mut matcher = Matcher {
+        old,
+        new,
+        boxes,
+        difference,
+    };
+    let mut rest: [Vec<usize>; 2] = [(0..old.len()).collect(), (0..new.len()).collect()];
+    matcher.in_order(&mut rest);
+    if rest[0].len() * rest[1].len() <= MOST_PAIRS {
+        matcher.within_the_tolerance(&mut rest);
+        matcher.nearest(&mut rest);
+    }
+    let together = rest[0].len().min(rest[1].len());
+    for (&old, &new) in rest[0].iter().zip(&rest[1]) {
+        let pair = matcher.pair(old, new);
+        matcher.difference.pairs.push(pair);
+    }
+    difference.only_old = rest[0].split_off(together);
+    difference.only_new = rest[1].split_off(together);
+    difference.pairs.sort_by_key(|pair| pair.old);
+}
+
+impl Matcher<'_> {
+    fn pair(&self, old: usize, new: usize) -> Pair {
+        let (a, b) = (&self.old[old], &self.new[new]);
+        Pair {
+            old,
+            new,
+            distance: if a.segments.is_empty() || b.segments.is_empty() {
+                Distance::default()
+            } else {
+                hausdorff(a, b, self.difference.tolerance)
+            },
+            closed_differently: a.closed != b.closed,
+        }
+    }
+
+    /// How far the boxes lie apart: no subpath lies nearer to another.
+    fn box_distance(&self, old: usize, new: usize) -> f64 {
+        let (a, b) = (self.boxes[0][old], self.boxes[1][new]);
+        let sides = [a.x0 - b.x0, a.y0 - b.y0, a.x1 - b.x1, a.y1 - b.y1];
+        sides
+            .into_iter()
+            .fold(0.0, |most, side| side.abs().max(most))
+    }
+
+    /// What the boxes of two subpaths within the tolerance may differ by.
+    fn slack(&self, old: usize, new: usize) -> f64 {
+        self.difference.tolerance
+            + self.old[old].strayed
+            + self.new[new].strayed
+            + 16.0 * self.difference.noise
+    }
+
+    fn try_pair(&mut self, old: usize, new: usize) -> bool {
+        if self.box_distance(old, new) > self.slack(old, new) {
+            return false;
+        }
+        let pair = self.pair(old, new);
+        let fits = self.difference.allows(&pair);
+        if fits {
+            self.difference.pairs.push(pair);
+        }
+        fits
+    }
+
+    fn in_order(&mut self, rest: &mut [Vec<usize>; 2]) {
+        let together = self.old.len().min(self.new.len());
+        let fits: Vec<bool> = (0..together).map(|i| self.try_pair(i, i)).collect();
+        for side in rest {
+            side.retain(|&i| !fits.get(i).is_some_and(|&fits| fits));
+        }
+    }
+
+    fn within_the_tolerance(&mut self, [olds, news]: &mut [Vec<usize>; 2]) {
+        olds.retain(|&old| {
+            let like = |&&new: &&usize| self.box_distance(old, new) <= self.slack(old, new);
+            let tries: Vec<usize> = news.iter().filter(like).take(MOST_TRIES).copied().collect();
+            let found = tries.into_iter().find(|&new| self.try_pair(old, new));
+            news.retain(|&new| Some(new) != found);
+            found.is_none()
+        });
+    }
+
+    /// What is left, each with the subpath of the nearest box.
+    fn nearest(&mut self, [olds, news]: &mut [Vec<usize>; 2]) {
+        while !olds.is_empty() && !news.is_empty() && olds.len() * news.len() <= MOST_PAIRS {
+            let old = olds.remove(0);
+            let nearer = |a: &&usize, b: &&usize| {
+                self.box_distance(old, **a)
+                    .total_cmp(&self.box_distance(old, **b))
+            };
+            let Some(&new) = news.iter().min_by(nearer) else {
+                return;
+            };
+            news.retain(|&other| other != new);
+            let pair = self.pair(old, new);
+            self.difference.pairs.push(pair);
+        }
+    }
+}

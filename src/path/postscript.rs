@@ -1,0 +1,178 @@
+//! PostScript path operators as contours.
+
+use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
+
+use crate::contour::{Contour, Step};
+use crate::error::{Error, Result, finite};
+
+/// Operators of drawings that have no say in where a path lies.
+const HARMLESS: [&str; 18] = [
+    "newpath",
+    "stroke",
+    "fill",
+    "eofill",
+    "showpage",
+    "setlinewidth",
+    "setlinejoin",
+    "setlinecap",
+    "setmiterlimit",
+    "setdash",
+    "setgray",
+    "setrgbcolor",
+    "setcmykcolor",
+    "setflat",
+    "clip",
+    "save",
+    "restore",
+    "pop",
+];
+
+/// The contours of PostScript path operators, one for each subpath that draws something, with `translate`, `scale`, `rotate`,
+/// `concat`, `gsave` and `grestore` obeyed.
+///
+/// # Errors
+///
+/// Where an operator lacks its numbers, a number is not finite or beyond 1e150, or a word is none of a plain drawing: procedures and
+/// arcs are not executed.
+///
+/// ```
+/// let contours = curveto::path::postscript("50 0 moveto 50 27.6 27.6 50 0 50 curveto closepath")?;
+/// assert_eq!(contours[0].steps.len(), 2);
+/// # Ok::<(), curveto::Error>(())
+/// ```
+pub fn postscript(text: &str) -> Result<Vec<Contour>> {
+    let mut machine = Machine::default();
+    for (i, line) in text.lines().enumerate() {
+        let code = line.split('%').next().unwrap_or_default();
+        let spaced = code.replace('[', " [ ").replace(']', " ] ");
+        for word in spaced.split_ascii_whitespace() {
+            machine
+                .take(word)
+                .map_err(|error| Error::Shape(format!("line {}: {error}", i + 1)))?;
+        }
+    }
+    machine.end(false);
+    Ok(machine.contours)
+}
+
+#[derive(Default)]
+struct Machine {
+    contours: Vec<Contour>,
+    steps: Vec<Step>,
+    numbers: Vec<f64>,
+    map: Affine,
+    saved: Vec<Affine>,
+    start: Option<Point>,
+    here: Point,
+}
+
+impl Machine {
+    fn take(&mut self, word: &str) -> Result<()> {
+        if let Ok(number) = word.parse::<f64>() {
+            self.numbers.push(finite("number", number)?);
+            return Ok(());
+        }
+        // The brackets of a matrix or of a dash.
+        if word == "[" || word == "]" {
+            return Ok(());
+        }
+        match word {
+            "moveto" => self.move_to(word, false)?,
+            "rmoveto" => self.move_to(word, true)?,
+            "lineto" | "rlineto" => {
+                let [to] = self.points(word, word == "rlineto")?;
+                self.push(PathSeg::Line(kurbo::Line::new(self.here, to)), to);
+            }
+            "curveto" | "rcurveto" => {
+                let [a, b, to] = self.points(word, word == "rcurveto")?;
+                self.push(PathSeg::Cubic(CubicBez::new(self.here, a, b, to)), to);
+            }
+            "closepath" => self.close(),
+            "gsave" => self.saved.push(self.map),
+            "grestore" => self.map = self.saved.pop().unwrap_or(self.map),
+            "translate" => {
+                let [x, y] = self.last(word)?;
+                self.map *= Affine::translate(Vec2::new(x, y));
+            }
+            "scale" => {
+                let [x, y] = self.last(word)?;
+                self.map *= Affine::scale_non_uniform(x, y);
+            }
+            "rotate" => {
+                let [degrees] = self.last(word)?;
+                let v = crate::Angle::from_degrees(degrees).direction();
+                self.map *= Affine::new([v.x, v.y, -v.y, v.x, 0.0, 0.0]);
+            }
+            "concat" => self.map *= Affine::new(self.last(word)?),
+            _ if HARMLESS.contains(&word) => {}
+            _ => {
+                return Err(Error::Shape(format!(
+                    "'{word}' is none of the operators of a plain drawing, which are all that is read of PostScript"
+                )));
+            }
+        }
+        self.numbers.clear();
+        Ok(())
+    }
+
+    /// The last numbers on the stack.
+    fn last<const N: usize>(&self, word: &str) -> Result<[f64; N]> {
+        self.numbers.last_chunk().copied().ok_or_else(|| {
+            Error::Shape(format!(
+                "{word} takes {N} numbers, and there are {}",
+                self.numbers.len()
+            ))
+        })
+    }
+
+    fn points<const N: usize>(&self, word: &str, relative: bool) -> Result<[Point; N]> {
+        let numbers = self.numbers.as_slice();
+        let Some(at) = numbers.len().checked_sub(2 * N) else {
+            return Err(Error::Shape(format!(
+                "{word} takes {} numbers, and there are {}",
+                2 * N,
+                numbers.len()
+            )));
+        };
+        let [a, b, c, d, _, _] = self.map.as_coeffs();
+        let mut points = [Point::ZERO; N];
+        for (point, pair) in points.iter_mut().zip(numbers[at..].as_chunks::<2>().0) {
+            let given = Point::new(pair[0], pair[1]);
+            *point = if relative {
+                let v = given.to_vec2();
+                self.here + Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y)
+            } else {
+                self.map * given
+            };
+        }
+        Ok(points)
+    }
+
+    fn move_to(&mut self, word: &str, relative: bool) -> Result<()> {
+        let [to] = self.points(word, relative)?;
+        self.end(false);
+        (self.here, self.start) = (to, Some(to));
+        Ok(())
+    }
+
+    fn push(&mut self, segment: PathSeg, to: Point) {
+        self.steps.push(Step::Given(segment));
+        self.here = to;
+    }
+
+    fn close(&mut self) {
+        let start = self.start.unwrap_or(self.here);
+        if self.here != start || self.steps.is_empty() {
+            self.push(PathSeg::Line(kurbo::Line::new(self.here, start)), start);
+        }
+        self.end(true);
+        self.here = start;
+    }
+
+    fn end(&mut self, closed: bool) {
+        if !self.steps.is_empty() {
+            let steps = core::mem::take(&mut self.steps);
+            self.contours.push(Contour { steps, closed });
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! `diff`: exit codes, forms, matches, and distances against samples.
+
+use crate::judges::program::{printed, refused, run};
+
+use curveto::diff::{Track, compare};
+use curveto::path::contours;
+use kurbo::{Affine, ParamCurve as _, Point};
+use proptest::prelude::*;
+use serde_json::Value;
+
+fn tracks(data: &str) -> Vec<Track> {
+    let contours = contours(data).unwrap();
+    let track = |contour| Track::new(contour, Affine::IDENTITY).unwrap();
+    contours.iter().map(track).collect()
+}
+
+/// Both ways, by brute force.
+fn sampled(old: &Track, new: &Track, count: u32) -> f64 {
+    let points = |track: &Track| -> Vec<Point> {
+        let segments = track.segments.iter();
+        let on = |s: &kurbo::PathSeg| {
+            let s = *s;
+            (0..=count).map(move |i| s.eval(f64::from(i) / f64::from(count)))
+        };
+        segments.flat_map(on).collect()
+    };
+    let (a, b) = (points(old), points(new));
+    let way = |a: &[Point], b: &[Point]| {
+        let nearest = |p: &Point| {
+            b.iter()
+                .map(|q| p.distance(*q))
+                .fold(f64::INFINITY, f64::min)
+        };
+        a.iter().map(nearest).fold(0.0, f64::max)
+    };
+    way(&a, &b).max(way(&b, &a))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn the_distance_is_a_bound_and_a_tight_one(
+        a in prop::collection::vec(-50.0_f64..50.0, 14),
+        b in prop::collection::vec(-50.0_f64..50.0, 14),
+        near in prop::option::of(0.001_f64..1.0),
+    ) {
+        let b: Vec<f64> = match near {
+            Some(share) => a.iter().zip(&b).map(|(a, b)| a + share * b / 50.0).collect(),
+            None => b,
+        };
+        let path = |n: &[f64]| {
+            let words: Vec<String> = n.iter().map(f64::to_string).collect();
+            format!("M{}C{}C{}", words[..2].join(" "), words[2..8].join(" "), words[8..].join(" "))
+        };
+        let (old, new) = (tracks(&path(&a)), tracks(&path(&b)));
+        let found = compare(&old, &new, 0.0).distance();
+        let samples = sampled(&old[0], &new[0], 400);
+        // Nearest samples are up to half a step farther than nearest points, farthest ones as much nearer.
+        let step = 300.0 / 400.0;
+        prop_assert!(found >= samples - step && found <= samples + step, "{found} {samples}");
+        let place = compare(&old, &new, 0.0).pairs[0].distance.place.unwrap();
+        let other = if place.side == curveto::diff::Side::Old { &new } else { &old };
+        let at_place = other[0].segments.iter().map(|s| {
+            use kurbo::ParamCurveNearest as _;
+            s.nearest(place.point, 1e-9).distance_sq.sqrt()
+        }).fold(f64::INFINITY, f64::min);
+        prop_assert!(at_place <= found * (1.0 + 1e-9) && at_place >= found * 0.999, "{found} {at_place}");
+    }
+}
+
+#[test]
+fn the_stated_error_is_the_distance_from_the_true_circle() {
+    let truth = tracks("M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z");
+    for method in ["minimax", "midpoint", "quadratic-minimax"] {
+        let words = ["circle", "50", "-m", method, "-f", "json"];
+        let document: Value = serde_json::from_str(&printed(&words)).unwrap();
+        let drawn = tracks(document["path"].as_str().unwrap());
+        let (found, stated) = (
+            compare(&truth, &drawn, 0.0).distance(),
+            document["error"]["peak"].as_f64().unwrap(),
+        );
+        assert!(
+            found >= stated * (1.0 - 1e-9) && found <= stated * 1.0002,
+            "{method}: {found} {stated}"
+        );
+    }
+}
+
+#[test]
+fn a_tolerance_decides_to_the_last_digits() {
+    let code = |old: &str, new: &str, tolerance: &str| {
+        run(&["diff", old, new, "-t", tolerance, "-q"])
+            .status
+            .code()
+    };
+    assert_eq!(code("M0 .7L1 .7", "M0 .8L1 .8", "0.1"), Some(0));
+    assert_eq!(code("M0 .7L1 .7", "M0 .8L1 .8", "0.09999999999"), Some(1));
+    let circle = "M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z";
+    let larger = "M50.5 0A50.5 50.5 0 0 1-50.5 0A50.5 50.5 0 0 1 50.5 0Z";
+    assert_eq!(code(circle, larger, "0.50001"), Some(0));
+    assert_eq!(code(circle, larger, "0.49999"), Some(1));
+}
+
+#[test]
+fn exit_codes_are_those_of_gnu_diff() {
+    let (a, b) = ("M0 0L1 0", "M0 0L1 1");
+    assert_eq!(run(&["diff", a, a]).status.code(), Some(0));
+    assert_eq!(run(&["diff", a, b]).status.code(), Some(1));
+    assert_eq!(
+        run(&["diff", a, "M0 0L.5 0L1 0", "-t", "1e-9"])
+            .status
+            .code(),
+        Some(0)
+    );
+    assert_eq!(run(&["diff", a, "M0 0L1 0Z"]).status.code(), Some(1));
+    assert_eq!(run(&["diff", a, "M1 0L0 0"]).status.code(), Some(0));
+    refused(&["diff", a, "no-such-file.svg"]);
+    refused(&["diff", a, "-t", "-1", b]);
+    refused(&["diff", "-", "-"]);
+    refused(&["diff", a, "M0 0L"]);
+    refused(&["diff", a, "M0 0"]);
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in [
+        ("a.svg", "<svg><path"),
+        ("a.json", r#"{"version": 1}"#),
+        ("a.ps", "0 0 moveto 1 0 0 1 5 arc"),
+        ("b.ps", "5 moveto"),
+    ] {
+        let file = folder.path().join(name);
+        std::fs::write(&file, text).unwrap();
+        let said = refused(&["diff", a, file.to_str().unwrap()]);
+        assert!(said.contains(name), "{said}");
+    }
+    refused(&["diff", a, folder.path().to_str().unwrap()]);
+}
+
+#[test]
+fn subpaths_are_matched_whatever_their_order() {
+    let old = tracks("M0 0H9V9H0ZM50 50h5v5h-5ZM0 0L9 0L9 9L0 9.0001Z");
+    let new = tracks("M50 50h5v5h-5zM0 0L9 0L9 9L0 9.0001ZM9 9V0H0V9Z");
+    let difference = compare(&old, &new, 0.0);
+    assert!(difference.is_within());
+    let pairs: Vec<_> = difference
+        .pairs
+        .iter()
+        .map(|pair| (pair.old, pair.new))
+        .collect();
+    assert_eq!(pairs, [(0, 2), (1, 0), (2, 1)]);
+    let fewer = compare(&old, &new[..2], 1.0);
+    assert_eq!((fewer.only_old.len(), fewer.only_new.len()), (1, 0));
+    assert!(!fewer.is_within());
+    let said = String::from_utf8(run(&["diff", "M0 0L1 0", "M0 0L1 0M5 5L6 6"]).stdout).unwrap();
+    assert!(
+        said.contains("subpath 2 of M0 0L1 0M5 5L6 6 has no like in M0 0L1 0"),
+        "{said}"
+    );
+}
+
+#[test]
+fn every_form_of_a_drawing_is_the_same_drawing() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let shape = [
+        "arc", "30", "20", "--start", "0", "--sweep", "200", "-p", "4",
+    ];
+    for name in ["a.svg", "a.json", "a.ps", "a.eps", "a.path"] {
+        printed(&[&shape[..], &["-o", &file(name)]].concat());
+        assert_eq!(
+            run(&["diff", &file("a.svg"), &file(name)]).status.code(),
+            Some(0),
+            "{name}"
+        );
+    }
+    std::fs::write(
+        file("moved.ps"),
+        "%!PS\ngsave 3 0 translate 2 dup pop 2 scale 0 0 moveto 1 0 rlineto grestore stroke",
+    )
+    .unwrap();
+    refused(&["diff", "M3 0L5 0", &file("moved.ps")]);
+    std::fs::write(
+        file("moved.ps"),
+        "%!PS\ngsave 3 0 translate 2 2 scale [2 1] 0 setdash 0 0 moveto 1 0 rlineto stroke grestore 9 9 lineto",
+    )
+    .unwrap();
+    assert_eq!(
+        run(&["diff", "M3 0L5 0L9 9", &file("moved.ps")])
+            .status
+            .code(),
+        Some(0)
+    );
+}
+
+#[test]
+fn large_and_tiny_coordinates_are_compared() {
+    let found = compare(
+        &tracks("M1e140 0L2e140 0"),
+        &tracks("M1e140 1e139L2e140 1e139"),
+        0.0,
+    );
+    assert!((found.distance() / 1e139 - 1.0).abs() < 1e-9);
+    let found = compare(
+        &tracks("M0 0L1e-90 0"),
+        &tracks("M0 1e-91L1e-90 1e-91"),
+        0.0,
+    );
+    assert!((found.distance() / 1e-91 - 1.0).abs() < 1e-9);
+    assert_eq!(
+        compare(&tracks("M0 0L0 0"), &tracks("M3 4Z"), 0.0).distance(),
+        5.0
+    );
+}
