@@ -10,7 +10,7 @@ ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall clean
-.PHONY: test judges test-readers test-tex corpora test-corpora fuzz numbers lint
+.PHONY: test judges test-readers test-browser test-tex corpora test-corpora fuzz numbers lint
 .PHONY: golden pictures
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
@@ -59,6 +59,10 @@ test-readers: build ## Read our DXF files by ezdxf and our glyphs by fontTools, 
 	python3 -m venv target/readers
 	target/readers/bin/pip install --quiet ezdxf==1.4.5 fonttools==4.68.0
 	target/readers/bin/python tests/readers.py target/release/curveto
+
+test-browser: ## Drive the pages of explore and compare in headless Chromium; it and what drives it are installed where that is possible
+	$(CARGO) build --locked
+	tests/browser/run target/debug/curveto
 
 test-tex: ## Compile our TikZ by LaTeX (Debian: texlive-latex-base and texlive-pictures)
 	@command -v pdflatex >/dev/null || apt-get install -yq --no-install-recommends texlive-latex-base texlive-pictures

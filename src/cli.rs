@@ -6,6 +6,7 @@ mod compare;
 mod convert;
 mod diff;
 mod draw;
+mod explore;
 mod failure;
 mod formats;
 mod hints;
@@ -58,6 +59,7 @@ fn run(command: Command) -> Outcome {
         Command::Measure(args) => measure::run(&args),
         Command::Compare(args) => compare::run(&args.0),
         Command::Diff(args) => diff::run(&args.0),
+        Command::Explore(args) => explore::run(&args),
         Command::Convert(args) => convert::run(&args.0),
         Command::Completions(args) => shell::completions(&args.0),
         Command::Man(args) => shell::man(&args.0),

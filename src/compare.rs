@@ -13,6 +13,7 @@ use crate::measure::radial::{self, Profile};
 use crate::method::{Rule, Span};
 use crate::number::{Precision, text};
 use crate::place::place;
+use crate::radial_error::RadialError;
 use crate::shape::{Arc, Ellipse, Outline, Shape};
 
 /// What methods are compared by. All are relative to the true circle of radius 1, or ellipse of larger radius 1.
@@ -86,21 +87,15 @@ impl Criterion {
         }
     }
 
-    /// The figure of a curve.
-    fn of(self, curve: &Curve, outline: &Outline) -> f64 {
+    /// The figure of a curve about a shape of larger radius 1.
+    pub(crate) fn of(self, curve: &Curve, outline: &Outline) -> f64 {
         let (segments, truth) = (&curve.segments, &outline.truth);
         let count = segments.len() as f64;
         let turn = outline.unit.sweep.degrees().to_radians();
         // All segments of equal angles are one segment turned: measuring one of them would do, measuring all shows it.
         match self {
             Self::Peak => radial::error(segments, truth).peak(),
-            Self::Square => {
-                let error = radial::error(segments, truth);
-                f64::max(
-                    error.outward * (2.0 + error.outward),
-                    error.inward * (2.0 - error.inward),
-                )
-            }
+            Self::Square => square(radial::error(segments, truth)),
             Self::Mean => {
                 segments
                     .iter()
@@ -128,6 +123,14 @@ impl Criterion {
             }
         }
     }
+}
+
+/// The largest of |r² - 1| from those of r - 1.
+pub(crate) fn square(error: RadialError) -> f64 {
+    f64::max(
+        error.outward * (2.0 + error.outward),
+        error.inward * (2.0 - error.inward),
+    )
 }
 
 impl fmt::Display for Criterion {

@@ -45,6 +45,8 @@ pub mod measure;
 pub mod method;
 pub mod number;
 mod numeric;
+#[cfg(feature = "serde")]
+pub mod page;
 pub mod path;
 pub mod picture;
 mod place;

@@ -248,7 +248,7 @@ fn picture(scene: &Scene, image: Image, relative: bool) -> Result<Vec<u8>> {
 }
 
 /// A text between the tags of XML or HTML.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let text = text.replace('&', "&amp;");
     text.replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -7,6 +7,7 @@ mod convert;
 mod deferred;
 pub(crate) mod diff;
 mod each;
+pub(crate) mod explore;
 pub(crate) mod measure;
 pub(crate) mod methods;
 mod output;
@@ -24,6 +25,7 @@ pub(crate) use batch::BatchArgs;
 pub(crate) use compare::CompareArgs;
 pub(crate) use convert::{ConvertArgs, DestinationArgs, Report};
 pub(crate) use deferred::Deferred;
+pub(crate) use explore::ExploreArgs;
 pub(crate) use measure::MeasureArgs;
 pub(crate) use methods::MethodsArgs;
 pub(crate) use output::OutputArgs;
@@ -81,6 +83,8 @@ pub(crate) enum Command {
     Compare(Deferred<CompareArgs>),
     /// Tell how far two drawings lie apart
     Diff(Deferred<diff::DiffArgs>),
+    /// Write a page to look at: choose methods and counts, magnify, compare, copy
+    Explore(Box<ExploreArgs>),
     /// Replace circles, ellipses, rounded rectangles and path arcs in SVG files by Béziers; every other byte stays
     Convert(Deferred<ConvertArgs>),
     /// Print a completion script for a shell
@@ -159,10 +163,15 @@ mod tests {
         visit(&command, "", &mut lists);
         let of_measure =
             ["circle", "ellipse", "arc"].map(|shape| format!("measure {shape} method"));
+        let of_explore = ["circle", "ellipse", "arc"].map(|shape| format!("explore {shape} "));
+        let of_explore = of_explore
+            .iter()
+            .flat_map(|path| ["method", "segments"].map(|id| path.clone() + id));
         let mut expected: Vec<String> = LISTS
             .map(str::to_owned)
             .into_iter()
             .chain(of_measure)
+            .chain(of_explore)
             .collect();
         expected.sort();
         lists.sort();

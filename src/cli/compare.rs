@@ -3,10 +3,13 @@
 use std::process::ExitCode;
 
 use curveto::compare::Comparison;
+use curveto::number::text;
+use curveto::page::{PageDocument, Request, html};
 use curveto::picture::plot::Chart;
-use curveto::write::comparison::{csv, html, table};
+use curveto::write::comparison::{csv, table};
 use curveto::write::json;
 use curveto::write::{Image, plot};
+use curveto::{Angle, Circle, Ellipse, Rule, Shape};
 
 use super::Outcome;
 use super::args::CompareArgs;
@@ -34,16 +37,18 @@ fn check_segments(counts: &[usize]) -> Result<(), Failure> {
 
 pub(super) fn run(args: &CompareArgs) -> Outcome {
     check_segments(&args.segments)?;
+    let target = Target::new(args.output.as_deref());
+    let format = choose(args.format, args.output.as_deref())?;
+    if format == ComparisonFormat::Html {
+        target.write(page(args)?.as_bytes())?;
+        return Ok(ExitCode::SUCCESS);
+    }
     let comparisons: Vec<Comparison> = args
         .by
         .iter()
         .map(|&by| args.comparison(by))
         .collect::<Result<_, _>>()?;
-    let target = Target::new(args.output.as_deref());
-    let bytes = match (
-        choose(args.format, args.output.as_deref())?,
-        comparisons.as_slice(),
-    ) {
+    let bytes = match (format, comparisons.as_slice()) {
         (ComparisonFormat::Table, all) => {
             let tables: Vec<String> = all.iter().map(table).collect();
             tables.join("\n").into_bytes()
@@ -53,13 +58,39 @@ pub(super) fn run(args: &CompareArgs) -> Outcome {
         (format, [one]) => one_only(format, one, args, &target)?,
         _ => {
             return Err(Failure::request_with_hint(
-                "a plot, a page or CSV shows one criterion",
-                "-f table and -f json take several",
+                "a plot or CSV shows one criterion",
+                "-f table, -f json and -f html take several",
             ));
         }
     };
     target.write(&bytes)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// The page of the circle or the ellipse, which has all criteria and begins with the first that was named.
+fn page(args: &CompareArgs) -> Result<String, Failure> {
+    let shape = match args.ellipse {
+        None => Shape::Circle(Circle::new((0.0, 0.0), 1.0)?),
+        Some(ratio) => Shape::Ellipse(Ellipse::new((0.0, 0.0), (1.0, ratio), Angle::ZERO)?),
+    };
+    let mut words = vec!["compare".to_owned()];
+    if let Some(ratio) = args.ellipse {
+        words.extend(["--ellipse".to_owned(), text(ratio)]);
+    }
+    let rules = args.rules();
+    if rules.contains(&Rule::Chen2Gauss2) {
+        words.push("--quadrature gauss2".to_owned());
+    }
+    let document = PageDocument::new(&Request {
+        shape,
+        open: false,
+        rules: &rules,
+        counts: &args.segments,
+        spans: &args.spans,
+        by: args.by.first().copied().unwrap_or_default(),
+        words: Some(words.join(" ")),
+    })?;
+    Ok(html(document)?)
 }
 
 /// A comparison in a format that shows one criterion only.
@@ -76,10 +107,6 @@ fn one_only(
                 target.refuse_terminal()?;
             }
             chart(image)?
-        }
-        ComparisonFormat::Html => {
-            let svg = chart(Image::Svg)?;
-            html(comparison, &String::from_utf8_lossy(&svg)).into_bytes()
         }
         _ => csv(comparison).into_bytes(),
     })

@@ -1,10 +1,9 @@
-//! The table, the CSV and the page of a comparison.
+//! The table and the CSV of a comparison.
 
 use core::fmt::Write;
 
 use crate::compare::{Comparison, NOISE, Row};
 use crate::number::{compact, rounded_up, text};
-use crate::write::escaped;
 
 /// How wide a table may be.
 const COLUMNS: usize = 80;
@@ -127,60 +126,4 @@ pub fn csv(comparison: &Comparison) -> String {
         out.push('\n');
     }
     out
-}
-
-/// A page that needs nothing else: the plot and the table.
-#[must_use]
-pub fn html(comparison: &Comparison, svg: &str) -> String {
-    let title = format!(
-        "{} approximations compared by {}",
-        if comparison.ellipse.is_some() {
-            "Ellipse"
-        } else {
-            "Circle"
-        },
-        comparison.by.title()
-    );
-    let mut rows = String::new();
-    for (i, row) in cells(comparison, 6).into_iter().enumerate() {
-        let tag = if i == 0 { "th scope=\"col\"" } else { "td" };
-        rows += "<tr>";
-        for (j, cell) in row.into_iter().enumerate() {
-            let cell = escaped(&cell);
-            let tag = if i > 0 && j == 0 {
-                "th scope=\"row\""
-            } else {
-                tag
-            };
-            let _ = write!(rows, "<{tag}>{cell}</{}>", &tag[..2]);
-        }
-        rows += "</tr>\n";
-    }
-    let notes = notes(comparison);
-    let notes = escaped(&notes);
-    let lines = notes.lines().filter(|line| !line.is_empty());
-    let notes = lines.fold(String::new(), |page, line| page + "<p>" + line + "</p>\n");
-    format!(
-        "<!DOCTYPE html>
-<html lang=\"en\">
-<head>
-<meta charset=\"utf-8\">
-<meta name=\"viewport\" content=\"width=device-width\">
-<title>{title}</title>
-<style>
-body {{ font: 15px/1.5 \"DejaVu Sans\", Verdana, Arial, sans-serif; color: #222; background: #fff; margin: 2em auto; max-width: 60em; padding: 0 1em }}
-svg {{ max-width: 100%; height: auto }}
-table {{ border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 13px }}
-th, td {{ padding: .2em .7em; text-align: right; border-bottom: 1px solid #ddd }}
-th:first-child {{ text-align: left; font-weight: normal }}
-</style>
-</head>
-<body>
-<h1>{title}</h1>
-{svg}<table>
-{rows}</table>
-{notes}</body>
-</html>
-"
-    )
 }

@@ -25,6 +25,7 @@ mod every_method;
 mod everyday;
 mod examples;
 mod exchange;
+mod explore;
 mod fewest_segments;
 #[cfg(unix)]
 mod files;

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use curveto::compare::Comparison;
+use curveto::page::PageDocument;
 use curveto::write::catalogue::{CatalogueDocument, MethodDocument};
 use curveto::write::difference::DifferenceDocument;
 use curveto::write::json::DrawingDocument;
@@ -16,7 +17,7 @@ use curveto::write::spline::SplineDocument;
 use schemars::{Schema, schema_for};
 use serde_json::Value;
 
-fn published() -> [(&'static str, Schema); 10] {
+fn published() -> [(&'static str, Schema); 11] {
     [
         ("drawing", schema_for!(DrawingDocument)),
         ("path", schema_for!(PathDocument)),
@@ -24,6 +25,7 @@ fn published() -> [(&'static str, Schema); 10] {
         ("measurement", schema_for!(Measurement)),
         ("samples", schema_for!(Samples<'_>)),
         ("comparison", schema_for!(Comparison)),
+        ("page", schema_for!(PageDocument)),
         ("spline", schema_for!(SplineDocument)),
         ("sphere", schema_for!(SphereDocument)),
         ("methods", schema_for!(CatalogueDocument)),
@@ -182,7 +184,7 @@ fn flattened(schema: &Value, root: &Value) -> Value {
 const PATH: &str = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
 
 /// Each schema, and commands that print what it describes.
-const CASES: [(&str, &[&str]); 20] = [
+const CASES: [(&str, &[&str]); 21] = [
     ("drawing", &["circle", "50", "-f", "json"]),
     (
         "drawing",
@@ -222,6 +224,20 @@ const CASES: [(&str, &[&str]); 20] = [
     ),
     ("comparison", &["compare", "-f", "json"]),
     ("difference", &["diff", PATH, PATH, "-f", "json"]),
+    (
+        "page",
+        &[
+            "explore",
+            "circle",
+            "50",
+            "-m",
+            "minimax,minimax-g0",
+            "-n",
+            "3,4",
+            "-f",
+            "json",
+        ],
+    ),
     ("path", &["path", "M0 0L5 0A5 5 0 0 1 0 5Z", "-f", "json"]),
     (
         "spline",

@@ -24,11 +24,11 @@ pub(crate) struct CompareArgs {
     pub(crate) segments: Vec<usize>,
     /// Angles of one segment in place of numbers of segments
     #[arg(long, value_name = "A,B,...", value_parser = super::values::angle, value_delimiter = ',', allow_hyphen_values = true, conflicts_with_all = ["segments", "ellipse"])]
-    spans: Vec<Angle>,
+    pub(crate) spans: Vec<Angle>,
     /// Compare on the ellipse with the semi-axes 1 and B, cut at equal parametric angles
     #[arg(long, value_name = "B", value_parser = values::positive, allow_hyphen_values = true)]
-    ellipse: Option<f64>,
-    /// What to compare; a table and JSON take several [possible values: peak, square, mean, rms, area, length]
+    pub(crate) ellipse: Option<f64>,
+    /// What to compare; a table, JSON and a page take several [possible values: peak, square, mean, rms, area, length]
     #[arg(long, value_name = "BY", default_value = "peak", value_delimiter = ',', value_parser = |text: &str| text.parse::<Criterion>())]
     pub(crate) by: Vec<Criterion>,
     /// How chen-2 integrates arc length
@@ -80,7 +80,7 @@ impl ValueEnum for ComparisonFormat {
             Self::Table => ("table", "For people, 80 columns wide"),
             Self::Csv => ("csv", "A line a method"),
             Self::Json => ("json", "docs/schema/comparison.json describes it"),
-            Self::Html => ("html", "A page with the table and the plot"),
+            Self::Html => ("html", "A page to look at: choose, magnify, sort, copy"),
             Self::Plot(image) => (image.name(), "A plot, both axes logarithmic"),
         };
         Some(PossibleValue::new(name).help(about))
@@ -100,7 +100,7 @@ impl FileFormat for ComparisonFormat {
 }
 
 /// Reads a list of methods, or `all`.
-fn methods(text: &str) -> Result<MethodList, String> {
+pub(crate) fn methods(text: &str) -> Result<MethodList, String> {
     if text == "all" {
         return Ok(Method::ALL.to_vec());
     }
@@ -121,7 +121,7 @@ impl CompareArgs {
     }
 
     /// The rules behind the methods.
-    fn rules(&self) -> Vec<Rule> {
+    pub(crate) fn rules(&self) -> Vec<Rule> {
         let rule = |&method: &Method| match (method, self.quadrature) {
             (Method::Chen2, Quadrature::Gauss2) => Rule::Chen2Gauss2,
             _ => Rule::Method(method),

@@ -1,0 +1,91 @@
+//! The words of `explore`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand, ValueEnum};
+use curveto::Rule;
+
+use super::compare::{MethodList, methods};
+use super::shape::{ArcShape, CircleShape, EllipseShape};
+use crate::cli::formats::FileFormat;
+
+/// What to look at.
+#[derive(Debug, Args)]
+#[command(
+    subcommand_help_heading = "Shapes",
+    subcommand_value_name = "SHAPE",
+    override_usage = "curveto explore circle|ellipse|arc ... -o PAGE.html [OPTIONS]",
+    after_help = EXAMPLES
+)]
+pub(crate) struct ExploreArgs {
+    #[command(subcommand)]
+    pub(crate) shape: ExploredShape,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  curveto explore circle 50 -o circle.html
+  curveto explore ellipse 120 50 -m minimax,minimax-ellipse,apprich -n 4,8 -o ellipse.html
+  curveto explore arc 10 --start 0 --end 120 -o arc.html
+
+Exit codes: 0 done; 1 a failure while writing; 2 a wrong or impossible request.";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum ExploredShape {
+    /// Look at a circle
+    Circle(Explored<CircleShape>),
+    /// Look at an ellipse
+    Ellipse(Explored<EllipseShape>),
+    /// Look at an arc
+    Arc(Explored<ArcShape>),
+}
+
+/// A shape, and what there is to choose from.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Explored<S: Args> {
+    #[command(flatten)]
+    pub(crate) shape: S,
+    /// Methods to choose from, by id or alias, or all
+    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = methods)]
+    method: Vec<MethodList>,
+    /// Numbers of segments to choose from [default: 2,3,4,5,6,8; of an open arc 1,2,3,4,6,8]
+    #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',')]
+    pub(crate) segments: Vec<usize>,
+    /// The format [default: by the extension of -o, else html]
+    #[arg(short, long, value_enum, value_name = "F", ignore_case = true)]
+    pub(crate) format: Option<PageFormat>,
+    /// Write to FILE, atomically; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+impl<S: Args> Explored<S> {
+    /// The rules behind the methods.
+    pub(crate) fn rules(&self) -> Vec<Rule> {
+        self.method
+            .iter()
+            .flatten()
+            .map(|&method| Rule::Method(method))
+            .collect()
+    }
+}
+
+/// How a page is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub(crate) enum PageFormat {
+    /// One file that needs nothing else
+    #[default]
+    Html,
+    /// What the page holds; docs/schema/page.json describes it
+    Json,
+}
+
+impl FileFormat for PageFormat {
+    fn extensions(&self) -> &'static [&'static str] {
+        match self {
+            Self::Html => &["html", "htm"],
+            Self::Json => &["json"],
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! A page to look at: methods, counts and shapes to choose, all of them computed beforehand.
+//!
+//! The page is one file that asks for nothing else. It holds a [`PageDocument`] as JSON and evaluates the Béziers in it; every figure that
+//! it states is one of the document's.
+
+mod choices;
+mod document;
+mod drawings;
+mod sources;
+mod words;
+
+pub use document::{
+    CriterionEntry, DrawingEntry, MethodEntry, PageDocument, ShapeChoice, SourceRow, SourceTable,
+    Step,
+};
+
+use core::fmt::Write as _;
+
+use crate::angle::Angle;
+use crate::compare::Criterion;
+use crate::error::{Error, Result};
+use crate::method::Rule;
+use crate::number::compact;
+use crate::shape::Shape;
+use crate::write::{escaped, json};
+
+/// The largest page, in bytes.
+pub const LARGEST: usize = 400_000;
+
+/// What a page is to show.
+#[derive(Debug, Clone)]
+pub struct Request<'a> {
+    /// The shape to begin with; its radii and its place are those of the others.
+    pub shape: Shape,
+    /// Whether the closing operator is left out.
+    pub open: bool,
+    /// The rules to choose from.
+    pub rules: &'a [Rule],
+    /// The numbers of segments to choose from.
+    pub counts: &'a [usize],
+    /// Angles of arcs of one segment, where those are to be looked at in place of the shape.
+    pub spans: &'a [Angle],
+    /// What methods are compared by at first.
+    pub by: Criterion,
+    /// The words of the command that makes the page, methods and counts left out; those of `explore` where there are none.
+    pub words: Option<String>,
+}
+
+const PAGE: &str = include_str!("page/assets/page.html");
+const STYLE: &str = include_str!("page/assets/page.css");
+const SCRIPTS: [&str; 6] = [
+    include_str!("page/assets/bezier.js"),
+    include_str!("page/assets/formats.js"),
+    include_str!("page/assets/figure.js"),
+    include_str!("page/assets/charts.js"),
+    include_str!("page/assets/tables.js"),
+    include_str!("page/assets/page.js"),
+];
+
+/// The page. Sliders for which there is no room in [`LARGEST`] bytes are left out.
+///
+/// # Errors
+///
+/// Where what was asked for has no room alone ([`Error::Format`]).
+pub fn html(mut document: PageDocument) -> Result<String> {
+    loop {
+        let page = filled(&document)?;
+        if page.len() <= LARGEST {
+            return Ok(page);
+        }
+        if document.shapes.len() == 1 {
+            return Err(too_large());
+        }
+        document.shapes.pop();
+    }
+}
+
+/// The refusal of what has no room.
+fn too_large() -> Error {
+    Error::Format {
+        format: "html",
+        why: format!("the page would have more than {} kB", LARGEST / 1000),
+        remedy: "name fewer methods or counts: -m minimax,midpoint,apprich -n 3,4,8",
+    }
+}
+
+/// The page, however large.
+fn filled(document: &PageDocument) -> Result<String> {
+    let data = json::to_line(document)?.replace('<', "\\u003c");
+    // The data come last, so that nothing in them is taken for a place to fill.
+    let parts = [
+        ("@TITLE@", escaped(&document.title)),
+        ("@TITLE@", escaped(&document.title)),
+        ("@TABLE@", plain_table(document)),
+        ("@STYLE@", STYLE.trim_end().to_owned()),
+        ("@SCRIPT@", SCRIPTS.concat().trim_end().to_owned()),
+        ("@DATA@", data),
+    ];
+    let fill = |page: String, (place, text): &(&str, String)| page.replacen(place, text, 1);
+    Ok(parts.iter().fold(PAGE.to_owned(), fill))
+}
+
+/// The peak errors of the shape that was asked for, for readers without scripts.
+fn plain_table(document: &PageDocument) -> String {
+    let Some((choice, step)) = document
+        .shapes
+        .first()
+        .and_then(|choice| Some((choice, choice.steps.first()?)))
+    else {
+        return String::new();
+    };
+    let heads = choice
+        .counts
+        .iter()
+        .map(|n| format!("<th scope=\"col\">{n}</th>"));
+    let mut rows = format!(
+        "<tr><th scope=\"col\">method</th>{}</tr>\n",
+        heads.collect::<String>()
+    );
+    for method in &document.methods {
+        let cell = |&n: &usize| {
+            let found = step.drawing(&method.id, n);
+            let figure = found.map_or_else(|| "-".to_owned(), |d| compact(d.figures[0], 6));
+            format!("<td>{figure}</td>")
+        };
+        let cells: String = choice.counts.iter().map(cell).collect();
+        let id = escaped(&method.id);
+        // Writing to a string cannot fail.
+        let _ = writeln!(rows, "<tr><th scope=\"row\">{id}</th>{cells}</tr>");
+    }
+    rows
+}

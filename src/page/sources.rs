@@ -1,0 +1,265 @@
+//! The figures that Lancaster, Chen and Apprich print, each beside the true one, which is computed here.
+//!
+//! What is printed was read in Lancaster, "Approximating a Circle or an Ellipse Using Four Bezier Cubic Splines" (2005); Chen,
+//! "Formulations of composite parametric cubic curves and circle approximations" (1996), Tables 1 and 2; Apprich, Dietrich, Höllig et
+//! al., a note on C4 cubic spline approximations of a circle. docs/errata.md says why they differ.
+
+use core::f64::consts::TAU;
+
+use super::document::{SourceRow, SourceTable};
+use crate::compare::{Comparison, Criterion};
+use crate::error::Result;
+use crate::method::{Method, Rule, Span};
+use crate::number::{compact, text};
+use crate::numeric::functions::power;
+
+/// Lancaster's table: splines, the magic number, the peak and the average.
+const LANCASTER: [(usize, &str, &str, &str); 6] = [
+    (2, "1.333333", "0.0196725", "0.00869406"),
+    (3, "0.7698112", "0.00150716", "0.000705631"),
+    (4, "0.551784", "0.000265718", "0.00012482"),
+    (5, "0.433072", "6.78897e-05", "3.22829e-05"),
+    (6, "0.3572045", "2.38419e-05", "1.20421e-05"),
+    (8, "0.2652031", "4.05312e-06", "1.89818e-06"),
+];
+
+/// Chen's Table 1: the formulations at a quarter. The second is told with the quadrature that he prints.
+const CHEN_1: [(&str, &str, Rule, &str); 4] = [
+    (
+        "Formulation I",
+        "chen-1",
+        Rule::Method(Method::Chen1),
+        "0.02773",
+    ),
+    (
+        "Formulation II, exact arc length",
+        "chen-2",
+        Rule::Method(Method::Chen2),
+        "0.01903",
+    ),
+    (
+        "Formulation II, two-point Gauss",
+        "chen-2",
+        Rule::Chen2Gauss2,
+        "0.01903",
+    ),
+    (
+        "Formulation III",
+        "chen-3",
+        Rule::Method(Method::Chen3),
+        "0.01521",
+    ),
+];
+
+/// Chen's Table 2: Formulation III at these parts of the circle.
+const CHEN_2: [(usize, &str, &str); 3] = [
+    (4, "π/2", "0.01521"),
+    (6, "π/3", "0.00307"),
+    (8, "π/4", "0.00010"),
+];
+
+/// The numbers of segments at which Apprich's leading terms are taken.
+const APPRICH: [usize; 6] = [3, 4, 5, 6, 8, 12];
+
+/// All of them.
+pub(super) fn tables() -> Result<Vec<SourceTable>> {
+    Ok(vec![lancaster()?, chen()?, apprich()?])
+}
+
+/// A figure of a full circle of radius 1.
+fn figure(rule: Rule, count: usize, by: Criterion) -> Result<f64> {
+    let comparison = Comparison::new(&[rule], &[count], by, None)?;
+    let values = comparison.rows.first().and_then(|row| row.values.first());
+    Ok(values.copied().flatten().unwrap_or(f64::NAN))
+}
+
+/// A row about a circle.
+struct Row<'a> {
+    label: String,
+    rule: Rule,
+    segments: usize,
+    printed: &'a str,
+    truth: f64,
+    unit: &'a str,
+    command: String,
+}
+
+impl Row<'_> {
+    fn entry(self) -> SourceRow {
+        SourceRow {
+            label: self.label,
+            method: self.rule.id().to_owned(),
+            segments: self.segments,
+            printed: self.printed.to_owned(),
+            printed_value: self.printed.parse().unwrap_or(f64::NAN),
+            truth: self.truth,
+            unit: self.unit.to_owned(),
+            command: self.command,
+        }
+    }
+}
+
+fn lancaster() -> Result<SourceTable> {
+    let best = Rule::Method(Method::LancasterBest);
+    let normal = Rule::Method(Method::Midpoint);
+    let quarter = Span::from_degrees(90.0);
+    let row = |label: &str, rule: Rule, printed, truth, unit, command: &str| {
+        Row {
+            label: label.to_owned(),
+            rule,
+            segments: 4,
+            printed,
+            truth,
+            unit,
+            command: command.to_owned(),
+        }
+        .entry()
+    };
+    let least = Method::Minimax.piece(&quarter)?.handle_length();
+    let handle = normal.piece(&quarter)?.handle_length();
+    let saved =
+        |by| -> Result<f64> { Ok(100.0 * (1.0 - figure(best, 4, by)? / figure(normal, 4, by)?)) };
+    let (peak, mean) = (saved(Criterion::Peak)?, saved(Criterion::Mean)?);
+    let compared = "curveto compare -m midpoint,lancaster-best -n 4";
+    let by_mean = format!("{compared} --by mean");
+    let mut rows = vec![
+        row(
+            "Normal number, 4 splines",
+            normal,
+            "0.55228475",
+            handle,
+            "",
+            "curveto methods lancaster-normal",
+        ),
+        row(
+            "Best number, 4 splines",
+            best,
+            "0.551784",
+            least,
+            "",
+            "curveto methods minimax",
+        ),
+        row(
+            "Peak lower than the normal one by",
+            best,
+            "24",
+            peak,
+            "%",
+            compared,
+        ),
+        row(
+            "Average lower than the normal one by",
+            best,
+            "24",
+            mean,
+            "%",
+            &by_mean,
+        ),
+    ];
+    for (segments, number, peak, average) in LANCASTER {
+        let figures = [
+            ("Peak", peak, Criterion::Peak),
+            ("Average", average, Criterion::Mean),
+        ];
+        for (name, printed, by) in figures {
+            rows.push(
+                Row {
+                    label: format!("{name}, {segments} splines by {number}"),
+                    rule: best,
+                    segments,
+                    printed,
+                    truth: figure(best, segments, by)?,
+                    unit: "",
+                    command: format!("curveto compare -m lancaster-best -n {segments} --by {by}"),
+                }
+                .entry(),
+            );
+        }
+    }
+    Ok(SourceTable {
+        id: "lancaster".to_owned(),
+        title: "Lancaster 2005".to_owned(),
+        source: "Don Lancaster, Approximating a Circle or an Ellipse Using Four Bezier Cubic Splines".to_owned(),
+        note: "Errors of the full circle of radius 1. Beside his best number stands the one whose peak is least; an average is the mean distance over t.".to_owned(),
+        rows,
+    })
+}
+
+fn chen() -> Result<SourceTable> {
+    let mut rows = Vec::new();
+    for (label, id, rule, printed) in CHEN_1 {
+        let quadrature = if rule == Rule::Chen2Gauss2 {
+            " --quadrature gauss2"
+        } else {
+            ""
+        };
+        rows.push(
+            Row {
+                label: format!("Table 1, π/2: {label}"),
+                rule,
+                segments: 4,
+                printed,
+                truth: figure(rule, 4, Criterion::Peak)?,
+                unit: "",
+                command: format!("curveto compare -m {id} -n 4{quadrature}"),
+            }
+            .entry(),
+        );
+    }
+    let third = Rule::Method(Method::Chen3);
+    for (segments, angle, printed) in CHEN_2 {
+        rows.push(
+            Row {
+                label: format!("Table 2, {angle}: Formulation III"),
+                rule: third,
+                segments,
+                printed,
+                truth: figure(third, segments, Criterion::Peak)?,
+                unit: "",
+                command: format!("curveto compare -m chen-3 -n {segments}"),
+            }
+            .entry(),
+        );
+    }
+    Ok(SourceTable {
+        id: "chen".to_owned(),
+        title: "Chen 1996".to_owned(),
+        source: "Da-Pan Chen, Formulations of composite parametric cubic curves and circle approximations".to_owned(),
+        note: "The largest radial deviation |Δr|/r of a segment of this angle.".to_owned(),
+        rows,
+    })
+}
+
+/// E is the largest 1 - r² of the method, E* its error after scaling.
+fn apprich() -> Result<SourceTable> {
+    let mut rows = Vec::new();
+    for segments in APPRICH {
+        let angle = TAU / segments as f64;
+        for (name, denominator, method, by) in [
+            ("E", 4096.0, Method::Apprich, Criterion::Square),
+            ("E*", 16384.0, Method::ApprichScaled, Criterion::Peak),
+        ] {
+            let truth = figure(Rule::Method(method), segments, by)?;
+            let leading = compact(3.0 / denominator * power(angle, 6), 6);
+            rows.push(
+                Row {
+                    label: format!("{name}, φ = 360°/{segments}: 3φ⁶/{}", text(denominator)),
+                    rule: Rule::Method(method),
+                    segments,
+                    printed: &leading,
+                    truth,
+                    unit: "",
+                    command: format!("curveto compare -m {} -n {segments} --by {by}", method.id()),
+                }
+                .entry(),
+            );
+        }
+    }
+    Ok(SourceTable {
+        id: "apprich".to_owned(),
+        title: "Apprich, Dietrich, Höllig et al.".to_owned(),
+        source: "Christian Apprich, Anne Dietrich, Klaus Höllig et al., a note on C4 cubic spline approximations of a circle".to_owned(),
+        note: "The paper prints no table but leading terms: E, the largest 1 − r² of apprich, is 3φ⁶/4096 + O(φ⁸); E*, the error of apprich-scaled, is 3φ⁶/16384 + O(φ⁸). Here they stand beside the values themselves.".to_owned(),
+        rows,
+    })
+}
