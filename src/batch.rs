@@ -6,6 +6,7 @@
 //! a few chunks only.
 
 mod lines;
+mod picture;
 pub mod spec;
 
 use std::io::{self, Read, Write};
@@ -21,6 +22,7 @@ use crate::write::Format;
 
 pub use lines::Worker;
 use lines::without_last_end;
+pub use picture::{MOST_SHAPES, Picture, figure};
 
 /// How much is read at once.
 const CHUNK: usize = 1 << 16;

@@ -33,6 +33,7 @@ use core::cell::LazyCell;
 
 use crate::approximate::Drawing;
 use crate::course::Course;
+use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::number::Precision;
 use crate::picture::figure::{self, Figure};
@@ -124,8 +125,8 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
         _ if !figure.courses.is_empty() => return write_courses(&figure, format, options),
         Format::Path => crate::path::data(figure.curves(), options.relative) + "\n",
         Format::Ps => postscript::operators(figure.curves()),
-        Format::Tikz => tikz::commands(figure.curves())?,
-        Format::Canvas => canvas::calls(figure.curves()),
+        Format::Tikz => named(&figure, " % ", |curves| tikz::commands(curves))?,
+        Format::Canvas => named(&figure, " // ", |curves| Ok(canvas::calls(curves)))?,
         Format::Glif => glif::glyph(&figure),
         Format::Dxf => dxf::drawing(&figure.title, &traces(&figure, options)),
         Format::Gcode => {
@@ -138,6 +139,23 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
         }
     };
     Ok(text.into_bytes())
+}
+
+/// The curves layer by layer, the name of each, where it has one, in a comment on its first line.
+fn named(
+    figure: &Figure,
+    comment: &str,
+    text: impl Fn(&[Curve]) -> Result<String>,
+) -> Result<String> {
+    let mut out = String::new();
+    for layer in &figure.layers {
+        let text = text(&layer.curves)?;
+        match (&layer.id, text.split_once('\n')) {
+            (Some(id), Some((first, rest))) => out.extend([first, comment, id, "\n", rest]),
+            _ => out += &text,
+        }
+    }
+    Ok(out)
 }
 
 /// Refuses to show more than anyone could see, which would take minutes.
@@ -174,9 +192,11 @@ fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<V
 }
 
 /// The curves of a figure for DXF.
-fn traces<'a>(figure: &'a Figure, options: &Options) -> Vec<(Option<&'static str>, Trace<'a>)> {
-    let layers = figure.layers.iter();
-    let curves = layers.flat_map(|layer| layer.curves.iter().map(|curve| (layer.class, curve)));
+fn traces<'a>(figure: &'a Figure, options: &Options) -> Vec<(Option<&'a str>, Trace<'a>)> {
+    let curves = figure.layers.iter().flat_map(|layer| {
+        let name = layer.class.or(layer.id.as_deref());
+        layer.curves.iter().map(move |curve| (name, curve))
+    });
     let exact = |number: usize| {
         let outline = options.exact.then(|| figure.truth(number)).flatten()?;
         Course::of_arc(outline)

@@ -88,16 +88,9 @@ impl Worker {
 
     /// Appends the answer to one line, without the newline.
     fn push_answer(&mut self, line: &[u8], out: &mut Vec<u8>) -> Result<()> {
-        let line = line.trim_ascii();
-        if line.is_empty() || line[0] == b'#' {
+        let Some(line) = text_of(line)? else {
             return Ok(());
-        }
-        let line = str::from_utf8(line).map_err(|error| Error::Syntax {
-            what: "the shape",
-            text: String::from_utf8_lossy(line).into_owned(),
-            column: error.valid_up_to() + 1,
-            why: "the line is not UTF-8".to_owned(),
-        })?;
+        };
         let spec = Spec::parse(line)?;
         if spec.method.is_none() && spec.cut.is_none() {
             return push_spec(out, &spec, self.format, &self.options);
@@ -109,6 +102,21 @@ impl Worker {
         };
         push_spec(out, &spec, self.format, &options)
     }
+}
+
+/// The text of a line; `None` where it is blank or a comment.
+pub(super) fn text_of(line: &[u8]) -> Result<Option<&str>> {
+    let line = line.trim_ascii();
+    if line.is_empty() || line[0] == b'#' {
+        return Ok(None);
+    }
+    let text = str::from_utf8(line).map_err(|error| Error::Syntax {
+        what: "the shape",
+        text: String::from_utf8_lossy(line).into_owned(),
+        column: error.valid_up_to() + 1,
+        why: "the line is not UTF-8".to_owned(),
+    })?;
+    Ok(Some(text))
 }
 
 /// Lines without the newline of the last.

@@ -23,6 +23,7 @@ use crate::joints::Cut;
 use crate::method::Method;
 use crate::number::digits::EXACT_POWERS;
 use crate::path::contours;
+use crate::picture::figure::Look;
 use crate::shape::endpoint::{SvgArc, from_bulge, through};
 use crate::shape::{Arc, Circle, Ellipse, Shape};
 
@@ -37,6 +38,8 @@ pub struct Spec<'a> {
     pub method: Option<Method>,
     /// The number of segments or the tolerance, where the line gives one.
     pub cut: Option<Cut>,
+    /// Its colours and the width of its stroke, for a picture.
+    pub look: Look,
 }
 
 /// What a line draws.
@@ -71,6 +74,7 @@ impl<'a> Spec<'a> {
             id: None,
             method: None,
             cut: None,
+            look: Look::default(),
         })
     }
 }

@@ -2,27 +2,40 @@
 
 use std::cell::Cell;
 use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, IsTerminal, Read, Write};
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
 
 use anyhow::Context;
-use curveto::batch;
+use curveto::batch::{self, OnError, Options, Summary};
+use curveto::write::{Format, Image, write};
 
 use super::Outcome;
 use super::args::BatchArgs;
-use super::failure::tell;
+use super::failure::{Failure, tell};
+use super::output::{Target, stream_file};
 
-/// Standard output that says when it failed: an error alone does not tell whether reading or writing did.
+/// How often the progress of a run is shown.
+const STEP: Duration = Duration::from_millis(200);
+
+/// Output that says when it failed, for an error alone does not tell whether reading or writing did; and that shows how far a
+/// run has come where somebody looks.
 struct Output<'a, W> {
     inner: W,
     failed: &'a Cell<bool>,
+    progress: Option<Progress>,
 }
 
 impl<W: Write> Write for Output<'_, W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.inner
+        let count = self
+            .inner
             .write(bytes)
-            .inspect_err(|error| self.failed.set(error.kind() != io::ErrorKind::Interrupted))
+            .inspect_err(|error| self.failed.set(error.kind() != io::ErrorKind::Interrupted))?;
+        if let Some(progress) = &mut self.progress {
+            progress.add(&bytes[..count]);
+        }
+        Ok(count)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -30,8 +43,39 @@ impl<W: Write> Write for Output<'_, W> {
     }
 }
 
+/// A line on the terminal that says how many lines were written.
+struct Progress {
+    lines: usize,
+    shown: Instant,
+}
+
+impl Progress {
+    fn new() -> Option<Self> {
+        io::stderr().is_terminal().then(|| Self {
+            lines: 0,
+            shown: Instant::now(),
+        })
+    }
+
+    fn add(&mut self, bytes: &[u8]) {
+        self.lines += memchr::memchr_iter(b'\n', bytes).count();
+        if self.shown.elapsed() >= STEP {
+            self.shown = Instant::now();
+            // Where standard error is gone, nobody is left to tell.
+            let _ = write!(io::stderr().lock(), "\r{} lines", self.lines);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        let _ = write!(io::stderr().lock(), "\r\x1b[K");
+    }
+}
+
 pub(super) fn run(args: &BatchArgs) -> Outcome {
     let options = args.options()?;
+    let looks = args.picture(options.format)?;
     let file = args.file.as_deref().filter(|path| path.as_os_str() != "-");
     let (input, name): (Box<dyn Read + Send>, _) = match file {
         Some(path) => {
@@ -41,6 +85,7 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
         }
         None => (Box::new(io::stdin()), "<stdin>".to_owned()),
     };
+    let target = Target::new(args.output.as_deref());
     let complain = |line: u64, error: &curveto::Error| {
         let hint = error.hint().map(|hint| format!("hint: {hint}\n"));
         tell(&format!(
@@ -48,20 +93,72 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
             hint.unwrap_or_default()
         ));
     };
-    let failed = Cell::new(false);
-    let output = Output {
-        inner: io::stdout().lock(),
-        failed: &failed,
-    };
-    let summary = batch::run(input, output, &options, complain).with_context(|| {
-        if failed.get() {
-            "cannot write to standard output".to_owned()
-        } else {
-            format!("cannot go on with {name}")
+    let summary = match options.format {
+        Format::Path | Format::Json | Format::Ps => {
+            let mut summary = Summary::default();
+            let whole = |output: &mut dyn Write, progress| {
+                summary = stream(
+                    input,
+                    output,
+                    progress,
+                    &options,
+                    (&name, &target),
+                    complain,
+                )?;
+                Ok(keeps(summary, &options))
+            };
+            match &target {
+                Target::Stdout => whole(&mut io::stdout().lock(), None).map(drop)?,
+                Target::File(path) => stream_file(path, |file| whole(file, Progress::new()))?,
+            }
+            summary
         }
-    })?;
-    let batch::Summary { lines, failed } = summary;
+        format => {
+            if format == Format::Image(Image::Png) {
+                target.refuse_terminal()?;
+            }
+            let picture = batch::figure(input, &options, complain)
+                .with_context(|| format!("cannot go on with {name}"))?;
+            if keeps(picture.summary, &options) {
+                let bytes = match (format, picture.exact_dxf()) {
+                    (Format::Dxf, Some(text)) => text.into_bytes(),
+                    _ => write(&picture, format, &looks)?,
+                };
+                target.write(&bytes)?;
+            }
+            picture.summary
+        }
+    };
+    let Summary { lines, failed } = summary;
     args.talk
         .state(|| format!("{name}: {lines} lines read, {failed} could not be drawn"));
     Ok(ExitCode::from(u8::from(failed > 0)))
+}
+
+/// Whether a file is to be written: not where a line ended the run.
+fn keeps(summary: Summary, options: &Options) -> bool {
+    summary.failed == 0 || options.on_error != OnError::Stop
+}
+
+/// Answers line by line.
+fn stream(
+    input: Box<dyn Read + Send>,
+    output: &mut dyn Write,
+    progress: Option<Progress>,
+    options: &Options,
+    (name, target): (&str, &Target),
+    complain: impl FnMut(u64, &curveto::Error),
+) -> Result<Summary, Failure> {
+    let failed = Cell::new(false);
+    let output = Output {
+        inner: output,
+        failed: &failed,
+        progress,
+    };
+    let summary = batch::run(input, output, options, complain);
+    Ok(summary.with_context(|| match target {
+        _ if !failed.get() => format!("cannot go on with {name}"),
+        Target::Stdout => "cannot write to standard output".to_owned(),
+        Target::File(path) => format!("cannot write {}", path.display()),
+    })?)
 }

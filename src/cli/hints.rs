@@ -123,12 +123,6 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
             "measure" => Some("for example: curveto measure circle 50".to_owned()),
             _ => None,
         },
-        ErrorKind::InvalidValue if text(ContextKind::InvalidArg)?.starts_with("--format") => {
-            (command == "batch").then(|| {
-                "one answer a line is path data, JSON or PostScript; 'curveto path' writes every format"
-                    .to_owned()
-            })
-        }
         _ => None,
     }
 }

@@ -85,6 +85,58 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     write_file_unless(path, bytes, Durability::System, |_| false).map(drop)
 }
 
+/// As [`write_file`], of what is written bit by bit; where `write` says that it is not to be, the file that was there stays.
+pub(crate) fn stream_file(
+    path: &Path,
+    write: impl FnOnce(&mut File) -> Result<bool, Failure>,
+) -> Result<(), Failure> {
+    let cannot = || format!("cannot write {}", path.display());
+    let open_already = path.starts_with("/dev") || path.starts_with("/proc");
+    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let existing = fs::metadata(path).ok();
+    if open_already || existing.as_ref().is_some_and(|data| !data.is_file()) {
+        let mut file = File::options()
+            .append(true)
+            .open(path)
+            .with_context(cannot)?;
+        return write(&mut file).map(drop);
+    }
+    let mut file = beside(path, existing.as_ref()).with_context(cannot)?;
+    if write(file.as_file_mut())? {
+        take_over(file.as_file(), existing.as_ref()).with_context(cannot)?;
+        file.persist(path)
+            .map_err(|error| error.error)
+            .with_context(cannot)?;
+    }
+    Ok(())
+}
+
+/// A new file in the folder of another, whose place it is to take.
+fn beside(
+    path: &Path,
+    existing: Option<&fs::Metadata>,
+) -> io::Result<tempfile::NamedTempFile<File>> {
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    let mode = existing.map(fs::Metadata::permissions);
+    // Opened here and not by tempfile, whose errors name a file that nobody knows.
+    tempfile::Builder::new()
+        .prefix(".curveto-")
+        .make_in(folder, |path| create(path, mode.as_ref()))
+}
+
+/// Gives a new file the owner and the mode of the one that was there.
+fn take_over(file: &File, existing: Option<&fs::Metadata>) -> io::Result<()> {
+    if let Some(existing) = existing {
+        keep_owner(file, existing)?;
+        // The mask of the process does not apply to a mode that was there; a change of owner takes bits away, so that this comes last.
+        file.set_permissions(existing.permissions())?;
+    }
+    Ok(())
+}
+
 /// Whether a file is to be on its disk when the call ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Durability {
@@ -108,21 +160,9 @@ pub(crate) fn write_file_unless(
         File::options().append(true).open(path)?.write_all(bytes)?;
         return Ok(true);
     }
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    let mode = existing.as_ref().map(fs::Metadata::permissions);
-    // Opened here and not by tempfile, whose errors name a file that nobody knows.
-    let mut file = tempfile::Builder::new()
-        .prefix(".curveto-")
-        .make_in(folder, |path| create(path, mode.as_ref()))?;
+    let mut file = beside(path, existing.as_ref())?;
     file.write_all(bytes)?;
-    if let Some(existing) = &existing {
-        keep_owner(file.as_file(), existing)?;
-        // The mask of the process does not apply to a mode that was there; a change of owner takes bits away, so that this comes last.
-        file.as_file().set_permissions(existing.permissions())?;
-    }
+    take_over(file.as_file(), existing.as_ref())?;
     if durability == Durability::Synced {
         file.as_file().sync_all()?;
     }

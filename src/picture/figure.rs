@@ -2,6 +2,7 @@
 
 use kurbo::Rect;
 
+use super::paint::Paint;
 use super::style::{Style, default_stroke_width};
 use crate::approximate::Drawing;
 use crate::contour::{Maker, PathDrawing};
@@ -40,6 +41,23 @@ pub struct Layer {
     pub fine: bool,
     /// The curves, as they are written.
     pub curves: Vec<Curve>,
+    /// Whether they are one path, of which one may be a hole in another.
+    pub joined: bool,
+    /// What names it, where something does.
+    pub id: Option<String>,
+    /// How it looks where that differs from the picture's style.
+    pub look: Look,
+}
+
+/// How a layer looks where that differs from the picture's style.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Look {
+    /// The colour of the stroke.
+    pub stroke: Option<Paint>,
+    /// The width of the stroke, in user units.
+    pub stroke_width: Option<f64>,
+    /// The colour of the inside.
+    pub fill: Option<Paint>,
 }
 
 impl Figure {
@@ -130,6 +148,7 @@ impl Figure {
             description: sentence(&path_summary(drawing)),
             layers: vec![Layer {
                 curves: drawing.curves().cloned().collect(),
+                joined: true,
                 ..Layer::default()
             }],
             truths: Vec::new(),
@@ -253,6 +272,7 @@ impl Figure {
             dashed,
             fine: true,
             curves: parts.iter().map(|part| part.curve.clone()).collect(),
+            ..Layer::default()
         };
         let mut layers = vec![Layer {
             class: Some("outline"),

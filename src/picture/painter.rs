@@ -96,13 +96,19 @@ impl<'a> Painter<'a> {
         let show = &self.style.show;
         let mut groups = Vec::new();
         // What is shown beneath the curve is not to vanish beneath its fill.
-        let fill_first = show.is_any() && self.style.fill != Paint::None;
+        let fill_first = show.is_any()
+            && self
+                .figure
+                .layers
+                .iter()
+                .any(|l| self.fill(l) != Paint::None);
         if fill_first {
             let filled = self.figure.layers.iter().filter(|layer| !layer.fine);
             groups.extend(filled.map(|layer| Group {
                 class: Some("fill"),
-                pen: Pen::filled(self.style.fill),
-                marks: layer.curves.iter().cloned().map(Mark::Curve).collect(),
+                id: None,
+                pen: Pen::filled(self.fill(layer)),
+                marks: marks(layer),
             }));
         }
         if let Some(factor) = show.error {
@@ -128,22 +134,32 @@ impl<'a> Painter<'a> {
     }
 
     fn layer(&self, layer: &Layer, filled_before: bool) -> Group {
-        let fill = if filled_before || layer.fine {
+        let fill = if filled_before {
             Paint::None
         } else {
-            self.style.fill
+            self.fill(layer)
         };
         let part = if layer.fine { FINE_WIDTH } else { 1.0 };
+        let width = layer.look.stroke_width.unwrap_or(self.width);
         let dash = layer.dashed.then_some(DASH * part * self.mark);
         Group {
             class: layer.class,
+            id: layer.id.clone(),
             pen: Pen {
-                stroke: self.style.stroke,
-                width: part * self.width,
+                stroke: layer.look.stroke.unwrap_or(self.style.stroke),
+                width: part * width,
                 dash: dash.into_iter().collect(),
                 fill,
             },
-            marks: layer.curves.iter().cloned().map(Mark::Curve).collect(),
+            marks: marks(layer),
+        }
+    }
+
+    fn fill(&self, layer: &Layer) -> Paint {
+        if layer.fine {
+            Paint::None
+        } else {
+            layer.look.fill.unwrap_or(self.style.fill)
         }
     }
 
@@ -167,6 +183,7 @@ impl<'a> Painter<'a> {
         let truths = self.truths()?;
         Ok((!truths.is_empty()).then(|| Group {
             class: Some("truth"),
+            id: None,
             pen: Pen::stroked(TRUTH, TRUTH_WIDTH * self.mark),
             marks: truths.iter().copied().map(Mark::Truth).collect(),
         }))
@@ -184,6 +201,7 @@ impl<'a> Painter<'a> {
         let least = power(self.unit / 1000.0, 2);
         let group = |class, paint, curves: Vec<Curve>| Group {
             class: Some(class),
+            id: None,
             pen: Pen::filled(paint),
             marks: curves
                 .iter()
@@ -223,6 +241,7 @@ impl<'a> Painter<'a> {
         [
             Group {
                 class: Some("handles"),
+                id: None,
                 pen: Pen::stroked(HANDLES, HANDLE_WIDTH * self.mark),
                 marks: lines.into_iter().map(line).collect(),
             },
@@ -255,6 +274,7 @@ impl<'a> Painter<'a> {
     fn dots(&self, class: &'static str, fill: Paint, radius: f64, centers: Vec<Point>) -> Group {
         Group {
             class: Some(class),
+            id: None,
             pen: Pen {
                 fill,
                 ..Pen::stroked(Paint::WHITE, JOINT_RIM * self.mark)
@@ -319,6 +339,13 @@ impl<'a> Painter<'a> {
             up(framed.y1),
         ))
     }
+}
+
+fn marks(layer: &Layer) -> Vec<Mark> {
+    if layer.joined && !layer.curves.is_empty() {
+        return vec![Mark::Path(layer.curves.clone())];
+    }
+    layer.curves.iter().cloned().map(Mark::Curve).collect()
 }
 
 /// The area inside a closed curve.

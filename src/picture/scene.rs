@@ -45,6 +45,8 @@ pub struct Scene {
 pub struct Group {
     /// What they are.
     pub class: Option<&'static str>,
+    /// What names them, where something does.
+    pub id: Option<String>,
     /// How they are drawn.
     pub pen: Pen,
     /// The marks.
@@ -69,6 +71,8 @@ pub struct Pen {
 pub enum Mark {
     /// A curve.
     Curve(Curve),
+    /// Curves that are one path, of which one may be a hole in another.
+    Path(Vec<Curve>),
     /// A true shape.
     Truth(Outline),
     /// A dot.
@@ -112,6 +116,7 @@ impl Mark {
     fn to_curves(&self) -> Result<Cow<'_, [Curve]>> {
         Ok(match self {
             Self::Curve(curve) => Cow::Borrowed(std::slice::from_ref(curve)),
+            Self::Path(curves) => Cow::Borrowed(curves),
             Self::Truth(outline) => Cow::Owned(vec![finely(outline)?]),
             Self::Dot(dot) => {
                 let circle = crate::shape::Circle::new(dot.center, dot.radius)?;
@@ -151,7 +156,7 @@ impl Scene {
     /// Where a true shape is such that a curve along it could not be drawn either.
     pub fn curves<'a>(&self, mark: &'a Mark) -> Result<Cow<'a, [Curve]>> {
         let curves = mark.to_curves()?;
-        if matches!(mark, Mark::Curve(_)) {
+        if matches!(mark, Mark::Curve(_) | Mark::Path(_)) {
             return Ok(curves);
         }
         let precision = Precision::Fixed(self.decimals);

@@ -4,6 +4,8 @@
 //! times each: its control points are those of the Béziers, shared ends once.
 
 use core::fmt::Write as _;
+use std::borrow::Cow;
+use std::collections::HashSet;
 
 use kurbo::{ParamCurve as _, PathSeg, Point, Rect};
 
@@ -44,10 +46,15 @@ pub fn drawing(title: &str, traces: &[(Option<&str>, Trace<'_>)]) -> String {
         handle: FIRST_HANDLE,
     };
     let mut layers = vec![FIRST_LAYER];
+    let mut known = HashSet::from([FIRST_LAYER]);
     let mut bounds: Option<Rect> = None;
-    for (layer, trace) in traces {
-        let layer = layer.unwrap_or(FIRST_LAYER);
-        if !layers.contains(&layer) {
+    let names = traces
+        .iter()
+        .map(|(layer, _)| layer.map_or(Cow::Borrowed(FIRST_LAYER), legal));
+    let names: Vec<_> = names.collect();
+    for (layer, (_, trace)) in names.iter().zip(traces) {
+        let layer: &str = layer;
+        if known.insert(layer) {
             layers.push(layer);
         }
         match trace {
@@ -70,6 +77,16 @@ pub fn drawing(title: &str, traces: &[(Option<&str>, Trace<'_>)]) -> String {
         }
     }
     file
+}
+
+/// The name of a layer, with _ for what AutoCAD 2000 takes in none.
+fn legal(name: &str) -> Cow<'_, str> {
+    let wrong = |c: char| !(' '..='~').contains(&c) || "<>/\\\":;?*|,=`".contains(c);
+    match name {
+        "" => Cow::Borrowed(FIRST_LAYER),
+        _ if name.contains(wrong) => Cow::Owned(name.replace(wrong, "_")),
+        _ => Cow::Borrowed(name),
+    }
 }
 
 /// What the frame says of the drawing: its extent, how many layers it has, the next free handle.

@@ -90,6 +90,7 @@ fn check_segments(scene: &Scene) -> Result<()> {
     let marks = scene.groups.iter().flat_map(|group| &group.marks);
     let counts = marks.map(|mark| match mark {
         Mark::Curve(curve) => curve.segments.len(),
+        Mark::Path(curves) => curves.iter().map(|curve| curve.segments.len()).sum(),
         _ => 0,
     });
     let segments: usize = counts.sum();

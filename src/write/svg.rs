@@ -78,6 +78,9 @@ fn add_group(document: &mut svg::Document, group: &Group, scene: &Scene, relativ
         document.append(parent);
     } else {
         for mut mark in marks {
+            if let Some(id) = &group.id {
+                mark.assign("id", id.as_str());
+            }
             set_pen(&mut mark, &group.pen);
             document.append(mark);
         }
@@ -87,6 +90,7 @@ fn add_group(document: &mut svg::Document, group: &Group, scene: &Scene, relativ
 fn shape(mark: &Mark, scene: &Scene, relative: bool) -> Element {
     match mark {
         Mark::Curve(curve) => Path::new().set("d", path::data([curve], relative)).into(),
+        Mark::Path(curves) => Path::new().set("d", path::data(curves, relative)).into(),
         Mark::Truth(outline) => Path::new().set("d", arcs(outline, scene)).into(),
         Mark::Dot(dot) => Circle::new()
             .set("cx", digits(dot.center.x))

@@ -8,6 +8,7 @@ mod arcs;
 #[cfg(target_os = "linux")]
 mod bad_input;
 mod batch;
+mod batch_picture;
 mod chen_uneven;
 mod cli;
 mod convert;

@@ -59,7 +59,7 @@ const MISTAKES: [(&str, &str); 60] = [
     ("arc --through 0,0 1,1", "three points"),
     ("arc --svg M0 0 A 25 25 0 0 1 50 50", "in quotes"),
     ("arc --from 0,0 --to 10,0", "--bulge"),
-    ("batch -f svg", "'curveto path' writes every format"),
+    ("batch -f gcode", "'path --to arcs' write it"),
     ("convert -j 0", "there is at least 1"),
     ("convert -i x.svg", "--in-place"),
     ("convert --dry-run x.svg", "--check"),

@@ -9,6 +9,8 @@ use crate::angle::Angle;
 use crate::error::{Error, Result};
 use crate::joints::{Cut, Tolerance};
 use crate::path::contours;
+use crate::picture::figure::Look;
+use crate::picture::paint::Paint;
 use crate::shape::endpoint::{SvgArc, from_bulge, through};
 use crate::shape::{Circle, Shape};
 
@@ -30,6 +32,11 @@ struct Line<'a> {
     #[serde(borrow)]
     method: Option<std::borrow::Cow<'a, str>>,
     segments: Option<usize>,
+    #[serde(borrow)]
+    stroke: Option<std::borrow::Cow<'a, str>>,
+    #[serde(borrow)]
+    fill: Option<std::borrow::Cow<'a, str>>,
+    stroke_width: Option<f64>,
     tolerance: Option<ToleranceValue<'a>>,
 }
 
@@ -207,7 +214,24 @@ pub(super) fn from_json(line: &str) -> Result<Spec<'_>> {
             ));
         }
     };
+    let paint = |text: &Option<std::borrow::Cow<'_, str>>| {
+        let paint = text.as_ref().map(|text| text.parse::<Paint>());
+        paint.transpose()
+    };
+    let look = Look {
+        stroke: paint(&keys.stroke)?,
+        fill: paint(&keys.fill)?,
+        stroke_width: keys.stroke_width,
+    };
+    if let Some(width) = look
+        .stroke_width
+        .filter(|&width| !(0.0..1e150).contains(&width))
+    {
+        let why = format!("a stroke_width is a number of at least 0, not {width}");
+        return Err(syntax(1, why));
+    }
     Ok(Spec {
+        look,
         subject,
         id: keys.id.map(RawValue::get),
         method: keys.method.map(|name| name.parse()).transpose()?,

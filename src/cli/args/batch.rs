@@ -4,11 +4,13 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use curveto::batch::{OnError, Options};
-use curveto::write::Format;
+use curveto::write::{self, Format};
 
 use super::each::EachArgs;
+use super::picture::PictureArgs;
 use super::{TalkArgs, values};
 use crate::cli::failure::Failure;
+use crate::cli::formats;
 
 /// The forms of a line, for `--help` and the manual page.
 const GRAMMAR: &str = "\
@@ -22,7 +24,7 @@ A line is a JSON object or one of:
   through X1 Y1 X2 Y2 X3 Y3
   polyline X Y B X Y B ... [close]      (a DXF LWPOLYLINE: B the bulge to the next vertex)
   path DATA
-JSON, with id, method, segments or tolerance where a line needs its own:
+JSON, with id, method, segments or tolerance where a line needs its own, and stroke, fill or stroke_width for a picture:
   {\"id\": \"a1\", \"circle\": {\"center\": [0,0], \"radius\": 50}, \"method\": \"minimax\", \"segments\": 4}
   {\"ellipse\": {\"center\": [0,0], \"radii\": [30,20], \"rotation\": 15}, \"tolerance\": 0.001}
   {\"arc\": {\"center\": [0,0], \"radius\": 50, \"start\": 0, \"sweep\": 90}}
@@ -39,9 +41,13 @@ pub(crate) struct BatchArgs {
     /// The lines, one shape each; what a line says of its method and segments wins; - is standard input [default: -]
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
-    /// The format of the answers, one line each: path, json or ps
-    #[arg(short, long, value_name = "F", value_enum, default_value_t)]
-    format: BatchFormat,
+    /// path, json and ps answer each line with a line; the others are one picture of all lines
+    /// [default: by the extension of -o, else path]
+    #[arg(short, long, value_name = "F", value_enum, ignore_case = true)]
+    format: Option<Format>,
+    /// Write to FILE, atomically; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) talk: TalkArgs,
     #[command(flatten)]
@@ -50,14 +56,8 @@ pub(crate) struct BatchArgs {
     /// object that says why
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
     on_error: OnErrorArg,
-}
-
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum BatchFormat {
-    #[default]
-    Path,
-    Json,
-    Ps,
+    #[command(flatten)]
+    picture: PictureArgs,
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
@@ -70,16 +70,27 @@ enum OnErrorArg {
 }
 
 impl BatchArgs {
+    /// How a picture of this format looks; refuses colours for what is data.
+    pub(crate) fn picture(&self, format: Format) -> Result<write::Options, Failure> {
+        self.picture.check(format)?;
+        Ok(write::Options {
+            style: self.picture.style(),
+            ..write::Options::default()
+        })
+    }
+
     pub(crate) fn options(&self) -> Result<Options, Failure> {
         let jobs = self.each.jobs.map_or_else(
             || std::thread::available_parallelism().map_or(1, usize::from),
             |jobs| jobs.get().min(256),
         );
-        let format = match self.format {
-            BatchFormat::Path => Format::Path,
-            BatchFormat::Json => Format::Json,
-            BatchFormat::Ps => Format::Ps,
-        };
+        let format = formats::choose(self.format, self.output.as_deref())?;
+        if format == Format::Gcode {
+            return Err(Failure::request_with_hint(
+                "a batch has no G-code",
+                "'curveto circle', 'arc' and 'path --to arcs' write it, one path at a time; batch -f dxf keeps circular arcs",
+            ));
+        }
         Ok(Options {
             format,
             rule: self.each.rule(),
@@ -89,7 +100,7 @@ impl BatchArgs {
                 OnErrorArg::Stop => OnError::Stop,
                 OnErrorArg::Skip => OnError::Skip,
                 OnErrorArg::Blank => OnError::Blank,
-                OnErrorArg::Report if !matches!(self.format, BatchFormat::Json) => {
+                OnErrorArg::Report if format != Format::Json => {
                     return Err(Failure::request_with_hint(
                         "--on-error report answers with JSON objects",
                         "add -f json, or take --on-error blank",

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use curveto::number::Precision;
-use curveto::write::{self, Format, Image};
+use curveto::write::{self, Format};
 use kurbo::Affine;
 
 use super::TalkArgs;
@@ -71,20 +71,14 @@ impl OutputArgs {
         if self.feed.is_some() && format != Format::Gcode {
             return idle("--feed", "which moves nothing", "-f gcode".to_owned());
         }
-        match self.picture.given() {
-            Some(option) if !matches!(format, Format::Image(_)) => {
-                let images = formats::list::<Image>();
-                let remedy = format!("a picture with -f or the extension of -o: {images}");
-                idle(option, "which is data and no picture", remedy)
-            }
-            _ => Ok(write::Options {
-                style: self.picture.style(),
-                relative: self.relative,
-                precision: self.precision.and_then(PrecisionWord::precision),
-                feed: self.feed,
-                exact: false,
-            }),
-        }
+        self.picture.check(format)?;
+        Ok(write::Options {
+            style: self.picture.style(),
+            relative: self.relative,
+            precision: self.precision.and_then(PrecisionWord::precision),
+            feed: self.feed,
+            exact: false,
+        })
     }
 
     /// How the points are to be rounded: as it was asked for, else as the format wants it, else by what is drawn.

@@ -4,8 +4,11 @@ use clap::Args;
 use curveto::picture::paint::Paint;
 use curveto::picture::size::Size;
 use curveto::picture::style::{Show, Shown, Style};
+use curveto::write::{Format, Image};
 
 use super::values;
+use crate::cli::failure::Failure;
+use crate::cli::formats;
 
 /// How pictures look.
 #[derive(Debug, Args)]
@@ -52,8 +55,26 @@ impl PictureArgs {
         }
     }
 
+    /// Refuses the options where the format is no picture.
+    pub(super) fn check(&self, format: Format) -> Result<(), Failure> {
+        match self.given() {
+            Some(option) if !matches!(format, Format::Image(_)) => {
+                let images = formats::list::<Image>();
+                Err(Failure::request_with_hint(
+                    format!(
+                        "{option} says nothing in the format {format}, which is data and no picture"
+                    ),
+                    format!(
+                        "leave it out, or take a picture with -f or the extension of -o: {images}"
+                    ),
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The first option that was given.
-    pub(super) fn given(&self) -> Option<&'static str> {
+    fn given(&self) -> Option<&'static str> {
         [
             (self.size.is_some(), "--size"),
             (self.stroke.is_some(), "--stroke"),

@@ -90,6 +90,7 @@ impl Sheet<'_> {
 
     fn finish(mut self) -> Vec<Group> {
         self.groups.push(Group {
+            id: None,
             class: Some("words"),
             pen: Pen::filled(INK),
             marks: self.words,
@@ -112,6 +113,7 @@ impl Sheet<'_> {
         match self.groups.last_mut() {
             Some(last) if last.class == Some(class) && last.pen == *pen => last.marks.push(mark),
             _ => self.groups.push(Group {
+                id: None,
                 class: Some(class),
                 pen: pen.clone(),
                 marks: vec![mark],

@@ -1,0 +1,228 @@
+//! All lines as one picture.
+
+use std::io::{self, BufRead as _, BufReader, Read};
+
+use kurbo::Affine;
+
+use super::lines::text_of;
+use super::spec::{Spec, Subject};
+use super::{BYTE_ORDER_MARK, LONGEST_LINE, OnError, Options, Summary};
+use crate::approximate::{self, approximate};
+use crate::arcs;
+use crate::contour::{Contour, Step, Target, draw};
+use crate::course::Course;
+use crate::error::{Error, Result};
+use crate::method::Rule;
+use crate::picture::figure::{Figure, Layer};
+use crate::shape::Shape;
+use crate::write::Writable;
+use crate::write::dxf::{self, Trace};
+
+/// The most shapes of one picture.
+pub const MOST_SHAPES: usize = 100_000;
+
+/// The most segments of one picture, and of one of its shapes.
+const MOST_SEGMENTS: usize = 1_000_000;
+
+/// All lines as one picture, in their order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Picture {
+    /// The shapes, each a layer.
+    pub figure: Figure,
+    /// Their lines and circular arcs, each with the number of its shape, where all are such and no option asks for Béziers.
+    pub courses: Option<Vec<(usize, Course)>>,
+    /// How the run went.
+    pub summary: Summary,
+}
+
+impl Writable for Picture {
+    fn figure(&self) -> Figure {
+        self.figure.clone()
+    }
+
+    #[cfg(feature = "serde")]
+    fn json(&self) -> Result<String> {
+        Err(Error::Json(
+            "one answer a line has JSON, a picture has none".to_owned(),
+        ))
+    }
+}
+
+impl Picture {
+    /// The lines and circular arcs as a DXF file, each shape on a layer of its id; `None` where the picture has Béziers.
+    #[must_use]
+    pub fn exact_dxf(&self) -> Option<String> {
+        let traces = self.courses.as_ref()?.iter().map(|(number, course)| {
+            let id = self.figure.layers[*number].id.as_deref();
+            (id, Trace::Course(course.clone()))
+        });
+        let traces: Vec<_> = traces.collect();
+        Some(dxf::drawing(&self.figure.title, &traces))
+    }
+}
+
+/// Draws every line of `input` into one picture; `complain` gets the number of each line that cannot be drawn. With
+/// [`OnError::Stop`] the first of them ends the run.
+///
+/// # Errors
+///
+/// Where reading fails, and [`io::ErrorKind::InvalidData`] for a line longer than 4 MiB and for more than [`MOST_SHAPES`] shapes or a
+/// million segments.
+///
+/// ```
+/// use curveto::batch::{Options, figure};
+/// let lines = "circle 0 0 5\n{\"id\": \"a\", \"circle\": {\"radius\": 2}, \"fill\": \"red\"}\n";
+/// let picture = figure(lines.as_bytes(), &Options::default(), |_, _| ())?;
+/// assert_eq!(picture.figure.layers[1].id.as_deref(), Some("a"));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn figure(
+    input: impl Read,
+    options: &Options,
+    mut complain: impl FnMut(u64, &Error),
+) -> io::Result<Picture> {
+    let mut picture = Picture {
+        courses: (options.rule == Rule::default() && options.cut == crate::Cut::Quarters)
+            .then(Vec::new),
+        ..Picture::default()
+    };
+    let mut input = BufReader::new(input);
+    let (mut line, mut segments, mut worst) = (Vec::new(), 0, 0.0_f64);
+    loop {
+        line.clear();
+        let most = LONGEST_LINE as u64 + 1;
+        if input.by_ref().take(most).read_until(b'\n', &mut line)? == 0 {
+            break;
+        }
+        if line.len() > LONGEST_LINE {
+            return Err(too_much("a line is longer than 4 MiB"));
+        }
+        let bytes = match line.strip_prefix(BYTE_ORDER_MARK) {
+            Some(rest) if picture.summary.lines == 0 => rest,
+            _ => &line,
+        };
+        picture.summary.lines += 1;
+        let exact = picture.courses.is_some();
+        match shape(bytes, options, exact) {
+            Ok(Some(Found {
+                layer,
+                peak,
+                courses,
+            })) => {
+                let number = picture.figure.layers.len();
+                picture.courses = picture.courses.zip(courses).map(|(mut all, found)| {
+                    all.extend(found.into_iter().map(|course| (number, course)));
+                    all
+                });
+                segments += layer.curves.iter().map(|c| c.segments.len()).sum::<usize>();
+                worst = worst.max(peak);
+                picture.figure.layers.push(layer);
+            }
+            Ok(None) => {}
+            Err(error) => {
+                complain(picture.summary.lines, &error);
+                picture.summary.failed += 1;
+                if options.on_error == OnError::Stop {
+                    break;
+                }
+            }
+        }
+        if picture.figure.layers.len() > MOST_SHAPES || segments > MOST_SEGMENTS {
+            return Err(too_much(
+                "a picture has at most 100000 shapes and 1000000 segments; -f path answers without end",
+            ));
+        }
+    }
+    describe(&mut picture.figure, worst);
+    Ok(picture)
+}
+
+fn too_much(why: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, why)
+}
+
+fn describe(figure: &mut Figure, worst: f64) {
+    use crate::number::{rounded_up, significant};
+    let count = figure.layers.len();
+    let s = if count == 1 { "" } else { "s" };
+    figure.name = "batch";
+    figure.title = format!("{count} shape{s}");
+    figure.description = if worst > 0.0 {
+        let peak = significant(rounded_up(worst, 3), 3);
+        format!("{count} shape{s}, each within {peak} of its true shape")
+    } else {
+        format!("{count} shape{s}, exact")
+    };
+}
+
+/// What a line draws.
+struct Found {
+    layer: Layer,
+    peak: f64,
+    /// Its lines and circular arcs, where it is such.
+    courses: Option<Vec<Course>>,
+}
+
+/// Draws a line; `None` for a blank one.
+fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
+    let Some(text) = text_of(line)? else {
+        return Ok(None);
+    };
+    let spec = Spec::parse(text)?;
+    let exact = exact && spec.method.is_none() && spec.cut.is_none();
+    let how = approximate::Options {
+        rule: spec.method.map_or(options.rule, Rule::Method),
+        cut: spec.cut.unwrap_or_else(|| options.cut.clone()),
+        precision: options.precision,
+        transform: Affine::IDENTITY,
+    };
+    let (curves, peak, courses) = match &spec.subject {
+        Subject::Shape(shape) => {
+            let drawing = approximate(shape, &how)?;
+            let course = match &drawing.outline {
+                Some(outline) => Course::of_arc(outline),
+                None => Course::of_lines(&drawing.curve),
+            };
+            let courses = course.filter(|_| exact).map(|course| vec![course]);
+            (vec![drawing.curve], drawing.error.peak(), courses)
+        }
+        Subject::Path(contours) => {
+            let drawing = draw(contours, Target::Beziers, &how)?;
+            let courses = (exact && contours.iter().all(is_course))
+                .then(|| arcs::arcs(contours, &arcs::Options::default()).ok())
+                .flatten()
+                .map(|found| found.courses().cloned().collect());
+            let peak = drawing.error().peak();
+            (drawing.curves().cloned().collect(), peak, courses)
+        }
+    };
+    let layer = Layer {
+        curves,
+        joined: true,
+        id: spec.id.map(name),
+        look: spec.look,
+        ..Layer::default()
+    };
+    Ok(Some(Found {
+        layer,
+        peak,
+        courses,
+    }))
+}
+
+/// Whether a contour is lines and circular arcs.
+fn is_course(contour: &Contour) -> bool {
+    contour.steps.iter().all(|step| match step {
+        Step::Given(segment) => matches!(segment, kurbo::PathSeg::Line(_)),
+        Step::Arc(arc) => {
+            let outline = Shape::Arc(*arc).outline();
+            outline.is_none_or(|outline| Course::of_arc(&outline).is_some())
+        }
+    })
+}
+
+/// The text of an id: a string without its quotes, all else as it stands; no format has control characters in a name.
+fn name(raw: &str) -> String {
+    let text = serde_json::from_str::<String>(raw).unwrap_or_else(|_| raw.to_owned());
+    text.replace(char::is_control, "_")
+}
