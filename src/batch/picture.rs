@@ -12,6 +12,7 @@ use crate::arcs;
 use crate::contour::{Contour, Step, Target, draw};
 use crate::course::Course;
 use crate::error::{Error, Result};
+use crate::joints::Cut;
 use crate::method::Rule;
 use crate::picture::figure::{Figure, Layer};
 use crate::shape::Shape;
@@ -29,8 +30,8 @@ const MOST_SEGMENTS: usize = 1_000_000;
 pub struct Picture {
     /// The shapes, each a layer.
     pub figure: Figure,
-    /// Their lines and circular arcs, each with the number of its shape, where all are such and no option asks for Béziers.
-    pub courses: Option<Vec<(usize, Course)>>,
+    /// The lines and circular arcs of each shape that is an arc or a path of such, and whose line and options ask for no Béziers.
+    pub courses: Vec<Option<Vec<Course>>>,
     /// How the run went.
     pub summary: Summary,
 }
@@ -49,15 +50,20 @@ impl Writable for Picture {
 }
 
 impl Picture {
-    /// The lines and circular arcs as a DXF file, each shape on a layer of its id; `None` where the picture has Béziers.
+    /// A DXF file, each shape on a layer of its id: lines, arcs and bulges themselves where [`Picture::courses`] has them.
     #[must_use]
-    pub fn exact_dxf(&self) -> Option<String> {
-        let traces = self.courses.as_ref()?.iter().map(|(number, course)| {
-            let id = self.figure.layers[*number].id.as_deref();
-            (id, Trace::Course(course.clone()))
+    pub fn dxf(&self) -> String {
+        let shapes = self.figure.layers.iter().zip(&self.courses);
+        let traces = shapes.flat_map(|(layer, courses)| {
+            let id = layer.id.as_deref();
+            let traces: Vec<Trace> = match courses {
+                Some(courses) => courses.iter().cloned().map(Trace::Course).collect(),
+                None => layer.curves.iter().map(Trace::Curve).collect(),
+            };
+            traces.into_iter().map(move |trace| (id, trace))
         });
         let traces: Vec<_> = traces.collect();
-        Some(dxf::drawing(&self.figure.title, &traces))
+        dxf::drawing(&self.figure.title, &traces)
     }
 }
 
@@ -81,11 +87,8 @@ pub fn figure(
     options: &Options,
     mut complain: impl FnMut(u64, &Error),
 ) -> io::Result<Picture> {
-    let mut picture = Picture {
-        courses: (options.rule == Rule::default() && options.cut == crate::Cut::Quarters)
-            .then(Vec::new),
-        ..Picture::default()
-    };
+    let exact = options.rule == Rule::default() && options.cut == Cut::Quarters;
+    let mut picture = Picture::default();
     let mut input = BufReader::new(input);
     let (mut line, mut segments, mut worst) = (Vec::new(), 0, 0.0_f64);
     loop {
@@ -102,18 +105,13 @@ pub fn figure(
             _ => &line,
         };
         picture.summary.lines += 1;
-        let exact = picture.courses.is_some();
         match shape(bytes, options, exact) {
             Ok(Some(Found {
                 layer,
                 peak,
                 courses,
             })) => {
-                let number = picture.figure.layers.len();
-                picture.courses = picture.courses.zip(courses).map(|(mut all, found)| {
-                    all.extend(found.into_iter().map(|course| (number, course)));
-                    all
-                });
+                picture.courses.push(courses);
                 segments += layer.curves.iter().map(|c| c.segments.len()).sum::<usize>();
                 worst = worst.max(peak);
                 picture.figure.layers.push(layer);
@@ -179,9 +177,9 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
     let (curves, peak, courses) = match &spec.subject {
         Subject::Shape(shape) => {
             let drawing = approximate(shape, &how)?;
-            let course = match &drawing.outline {
-                Some(outline) => Course::of_arc(outline),
-                None => Course::of_lines(&drawing.curve),
+            let course = match (shape, &drawing.outline) {
+                (Shape::Arc(_), Some(outline)) => Course::of_arc(outline),
+                _ => None,
             };
             let courses = course.filter(|_| exact).map(|course| vec![course]);
             (vec![drawing.curve], drawing.error.peak(), courses)

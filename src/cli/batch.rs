@@ -120,8 +120,8 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
             let picture = batch::figure(input, &options, complain)
                 .with_context(|| format!("cannot go on with {name}"))?;
             if keeps(picture.summary, &options) {
-                let bytes = match (format, picture.exact_dxf()) {
-                    (Format::Dxf, Some(text)) => text.into_bytes(),
+                let bytes = match format {
+                    Format::Dxf => picture.dxf().into_bytes(),
                     _ => write(&picture, format, &looks)?,
                 };
                 target.write(&bytes)?;
