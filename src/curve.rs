@@ -113,6 +113,17 @@ pub fn control_points(segment: &PathSeg) -> Vec<Point> {
     }
 }
 
+/// The segment with these control points, of which there are at most four.
+pub(crate) fn segment_of(points: &[Point]) -> PathSeg {
+    match *points {
+        [p0, p1, p2, p3] => PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3)),
+        [p0, p1, p2] => PathSeg::Quad(QuadBez::new(p0, p1, p2)),
+        [p0, .., p1] => PathSeg::Line(kurbo::Line::new(p0, p1)),
+        [p] => PathSeg::Line(kurbo::Line::new(p, p)),
+        [] => PathSeg::Line(kurbo::Line::new(Point::ORIGIN, Point::ORIGIN)),
+    }
+}
+
 /// The angle between the tangents of two segments where they join, in degrees.
 pub(crate) fn turn(before: &PathSeg, after: &PathSeg) -> f64 {
     let (incoming, outgoing) = (before.reverse(), *after);

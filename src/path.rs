@@ -1,11 +1,15 @@
-//! SVG path data: read as curves, and written; transforms and the path operators of PostScript read.
+//! SVG path data: read as curves, and written; transforms, the path operators of PostScript and curves in equation space read.
 
 mod postscript;
+#[cfg(feature = "serde")]
+mod power;
 mod read;
 mod transform;
 mod write;
 
 pub use postscript::postscript;
+#[cfg(feature = "serde")]
+pub use power::contours_of_power;
 pub use read::{contours, curve, curves, shortened};
 pub use transform::transform;
 #[cfg(feature = "batch")]

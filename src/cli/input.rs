@@ -49,6 +49,24 @@ pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
     text(Path::new(words))
 }
 
+/// Coefficients as JSON: what stands in `words` itself where that begins like JSON, else in the file of that name or on standard
+/// input.
+pub(crate) fn coefficients(words: &str) -> Result<String, Failure> {
+    if words.trim_start().starts_with(['{', '[']) && !Path::new(words).is_file() {
+        return Ok(words.to_owned());
+    }
+    if words != "-" && !Path::new(words).exists() {
+        return Err(Failure::request_with_hint(
+            format!(
+                "'{}' is neither JSON nor a file",
+                curveto::path::shortened(words)
+            ),
+            r#"coefficients are {"x": [A,B,C,D], "y": [E,F,G,H]}, or what -f json prints; - reads standard input"#,
+        ));
+    }
+    Ok(text(Path::new(words))?.0)
+}
+
 fn read(input: impl Read, name: &str) -> Result<String, Failure> {
     let mut bytes = Vec::new();
     input

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use curveto::approximate::Options;
 use curveto::arcs;
 use curveto::contour::draw;
-use curveto::path::contours;
+use curveto::path::{contours, contours_of_power};
 
 use super::args::{PathArgs, PathKind as Kind};
 use super::failure::Failure;
@@ -14,14 +14,16 @@ use super::{Outcome, input};
 
 pub(super) fn run(args: &PathArgs) -> Outcome {
     let format = args.output.format()?;
-    let (data, _) = input::path_data(&args.source)?;
     if args.approximation.extremes {
         return Err(Failure::request_with_hint(
             "--extremes is for a circle, an ellipse or an arc",
             "draw each shape by itself, or leave it out",
         ));
     }
-    let contours = contours(&data)?;
+    let contours = match &args.power {
+        Some(words) => contours_of_power(&input::coefficients(words)?)?,
+        None => contours(&input::path_data(args.source.as_deref().unwrap_or_default())?.0)?,
+    };
     let (precision, transform) = (args.output.rounding(format), args.output.transform());
     let mut drawing = match args.kind() {
         Kind::Beziers(target) => {

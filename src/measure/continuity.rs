@@ -8,7 +8,7 @@ use kurbo::{PathSeg, Point};
 
 use super::curvature::{self, Curvature};
 use crate::continuity::Continuity;
-use crate::curve::{control_points, first_direction, turn};
+use crate::curve::{control_points, first_direction, segment_of, turn};
 
 /// One joint.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,7 +128,7 @@ fn reach(segment: &PathSeg, delta: f64) -> [f64; 4] {
             } else {
                 &mut p.y
             }) += by;
-            curvature::at(&of_points(&points), 0.0)
+            curvature::at(&segment_of(&points), 0.0)
         };
         if let (Some(more), Some(less)) = (moved(step), moved(-step)) {
             for (reach, (more, less)) in reach[1..]
@@ -146,14 +146,4 @@ fn reach(segment: &PathSeg, delta: f64) -> [f64; 4] {
         }
     }
     reach
-}
-
-fn of_points(points: &[Point]) -> PathSeg {
-    match *points {
-        [p0, p1, p2, p3] => PathSeg::Cubic(kurbo::CubicBez::new(p0, p1, p2, p3)),
-        [p0, p1, p2] => PathSeg::Quad(kurbo::QuadBez::new(p0, p1, p2)),
-        [p0, .., p1] => PathSeg::Line(kurbo::Line::new(p0, p1)),
-        [p] => PathSeg::Line(kurbo::Line::new(p, p)),
-        [] => PathSeg::Line(kurbo::Line::new(Point::ORIGIN, Point::ORIGIN)),
-    }
 }

@@ -230,3 +230,72 @@ fn spans_and_counts_of_a_turn_compare_alike() {
     assert!(refused(&["compare", "--spans", "30", "-n", "4"]).contains("--segments"));
     assert!(refused(&["compare", "--spans", "30", "--ellipse", "0.5"]).contains("--ellipse"));
 }
+
+#[test]
+fn coefficients_lead_back_to_the_points_that_they_came_from() {
+    let shapes: [&[&str]; 5] = [
+        &["circle", "50", "-p", "6"],
+        &[
+            "ellipse",
+            "30",
+            "20",
+            "--rotation",
+            "15",
+            "--center",
+            "1e3,-7",
+        ],
+        &["circle", "1", "-m", "quadratic-minimax", "-p", "9"],
+        &["path", "M0 0L10 0C12 3 14 5.5 9 9Q3 3 1 2ZM5 5L6 7.25 8 1"],
+        &["spline", "--points", "0,0 1,2 3,1 4,4"],
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("power.json");
+    for shape in shapes {
+        let document = printed(&[shape, &["-f", "json"]].concat());
+        std::fs::write(&file, &document).unwrap();
+        let back = json(&["path", "--power", file.to_str().unwrap()]);
+        let there: Value = serde_json::from_str(&document).unwrap();
+        let points = |document: &Value| -> Vec<f64> {
+            let chains = document["subpaths"].as_array().cloned();
+            chains
+                .unwrap_or_else(|| vec![document.clone()])
+                .iter()
+                .flat_map(|chain| chain["segments"].as_array().unwrap().clone())
+                .flat_map(|segment| segment["points"].as_array().unwrap().clone())
+                .flat_map(|p| [number(&p[0]), number(&p[1])])
+                .collect()
+        };
+        let (there, back) = (points(&there), points(&back));
+        assert_eq!(there.len(), back.len(), "{shape:?}");
+        let largest = there.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for (a, b) in there.iter().zip(&back) {
+            assert!((a - b).abs() <= 1e-15 * largest * 4.0, "{shape:?}: {a} {b}");
+        }
+    }
+    // Few decimals come back digit for digit.
+    let path = printed(&["circle", "50", "-p", "6"]);
+    std::fs::write(&file, printed(&["circle", "50", "-p", "6", "-f", "json"])).unwrap();
+    assert_eq!(printed(&["path", "--power", file.to_str().unwrap()]), path);
+}
+
+#[test]
+fn coefficients_that_are_none_are_refused() {
+    let wrong = [
+        "{",
+        "[1,2]",
+        r#"{"x": [1,2,3,4]}"#,
+        r#"{"x": [1,2,3,1e200], "y": [0,0,0,0]}"#,
+        "no-such-file",
+    ];
+    for json in wrong {
+        assert!(
+            refused(&["path", "--power", json]).contains("error: "),
+            "{json}"
+        );
+    }
+    assert!(refused(&["path", "--power", "[1,2]"]).contains("[A,B,C,D]"));
+    assert!(refused(&["path", "--power", "[]", "M0 0"]).contains("--power"));
+    // Segments that do not meet are subpaths of their own.
+    let apart = r#"[{"x": [0,0,1,0], "y": [0,0,1,0]}, {"x": [0,0,1,5], "y": [0,0,1,5]}]"#;
+    assert_eq!(printed(&["path", "--power", apart]), "M0 0L1 1M5 5L6 6\n");
+}

@@ -13,8 +13,15 @@ use crate::cli::failure::Failure;
 )]
 pub(crate) struct PathArgs {
     /// SVG path data, or a file that holds it; - is standard input
-    #[arg(value_name = "DATA|FILE|-", allow_hyphen_values = true)]
-    pub(crate) source: String,
+    #[arg(
+        value_name = "DATA|FILE|-",
+        allow_hyphen_values = true,
+        required_unless_present = "power"
+    )]
+    pub(crate) source: Option<String>,
+    /// Equation-space coefficients in its place: JSON with the "power" of each segment, as -f json prints it, or a file of it
+    #[arg(long, value_name = "JSON|FILE|-", conflicts_with = "source")]
+    pub(crate) power: Option<String>,
     /// What it becomes
     #[arg(long, value_enum, value_name = "KIND", default_value_t)]
     to: TargetArg,

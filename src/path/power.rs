@@ -1,0 +1,182 @@
+//! Curves in Lancaster's equation space, as our JSON has it, back in graph space.
+
+use kurbo::Point;
+use serde::Deserialize;
+
+use super::read::shortened;
+use crate::contour::{Contour, Step};
+use crate::curve::segment_of;
+use crate::error::{Error, Result, finite};
+use crate::number::{decimals_of, round};
+use crate::power::control_points;
+
+/// Ends of segments that differ by less than this part of the largest coordinate are one point.
+const SAME_POINT: f64 = 1e-9;
+
+/// The most decimals that coefficients are taken to have been printed with.
+const MOST_DECIMALS: u8 = 12;
+
+/// What may hold coefficients: the JSON of a drawing, of a path, or of segments alone.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Document {
+    Path { subpaths: Vec<Chain> },
+    Drawing(Chain),
+    Segments(Vec<Segment>),
+    Segment(Segment),
+}
+
+#[derive(Deserialize)]
+struct Chain {
+    #[serde(default)]
+    closed: bool,
+    segments: Vec<Segment>,
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Segment {
+    Named { power: Equation },
+    Bare(Equation),
+}
+
+/// x = At³ + Bt² + Ct + D and y = Et³ + Ft² + Gt + H.
+#[derive(Deserialize)]
+struct Equation {
+    x: [f64; 4],
+    y: [f64; 4],
+}
+
+/// The contours of equation-space coefficients: of every segment's `power` in the JSON that this program prints of a drawing or a
+/// path, or of `{"x": [A,B,C,D], "y": [E,F,G,H]}`, alone or in an array. Segments without a third power are quadratics, those
+/// without a second one too are lines.
+///
+/// # Errors
+///
+/// Where the text is no such JSON, and where a coefficient is not finite or beyond 1e150.
+///
+/// ```
+/// use curveto::{path, contour::{Target, draw}};
+/// let contours = path::contours_of_power(r#"{"x": [4,-3,6,2], "y": [0,0,3,1]}"#)?;
+/// let drawing = draw(&contours, Target::Beziers, &curveto::Options::default())?;
+/// assert_eq!(path::data(drawing.curves(), false), "M2 1C4 2 5 3 9 4");
+/// # Ok::<(), curveto::Error>(())
+/// ```
+pub fn contours_of_power(json: &str) -> Result<Vec<Contour>> {
+    let wrong = |why: String, column: usize| Error::Syntax {
+        what: "the coefficients",
+        text: shortened(json),
+        column,
+        why,
+    };
+    // Broken JSON first, whose place is known; then JSON of another form.
+    let value: serde_json::Value =
+        serde_json::from_str(json).map_err(|e| wrong(e.to_string(), e.column()))?;
+    let document = Document::deserialize(value).map_err(|_| {
+        let form = r#"they are JSON of this program with "power" in every segment, or {"x": [A,B,C,D], "y": [E,F,G,H]}"#;
+        wrong(form.to_owned(), 1)
+    })?;
+    let chains = match document {
+        Document::Path { subpaths } => subpaths,
+        Document::Drawing(chain) => vec![chain],
+        Document::Segments(segments) => vec![open(segments)],
+        Document::Segment(segment) => vec![open(vec![segment])],
+    };
+    let mut contours = Vec::new();
+    for chain in &chains {
+        push_contours(&mut contours, chain)?;
+    }
+    Ok(contours)
+}
+
+const fn open(segments: Vec<Segment>) -> Chain {
+    Chain {
+        closed: false,
+        segments,
+    }
+}
+
+/// Appends the contours of a chain: one, where each segment starts at the end of the one before it.
+fn push_contours(contours: &mut Vec<Contour>, chain: &Chain) -> Result<()> {
+    let mut segments = Vec::with_capacity(chain.segments.len());
+    for segment in &chain.segments {
+        let (Segment::Named { power } | Segment::Bare(power)) = segment;
+        segments.push(graph(power)?);
+    }
+    let reach = segments.iter().flatten().flat_map(|p| [p.x, p.y]);
+    let near = SAME_POINT * reach.fold(0.0, |most: f64, x| most.max(x.abs()));
+    let mut runs: Vec<Vec<Vec<Point>>> = Vec::new();
+    for segment in segments {
+        let joined = runs
+            .last_mut()
+            .and_then(|run| join(run, segment[0], near).then_some(run));
+        match joined {
+            Some(run) => run.push(segment),
+            None => runs.push(vec![segment]),
+        }
+    }
+    let whole = runs.len() == 1;
+    for mut run in runs {
+        let closed = whole && chain.closed && {
+            let start = run[0][0];
+            join(&mut run, start, near)
+        };
+        let steps = run
+            .iter()
+            .map(|points| Step::Given(segment_of(points)))
+            .collect();
+        contours.push(Contour { steps, closed });
+    }
+    Ok(())
+}
+
+/// Ends a run at this point, where that is its end but for rounding.
+fn join(run: &mut [Vec<Point>], start: Point, near: f64) -> bool {
+    let Some(end) = run.last_mut().and_then(|points| points.last_mut()) else {
+        return false;
+    };
+    let same = end.distance(start) <= near;
+    if same {
+        *end = start;
+    }
+    same
+}
+
+/// The control points: four, three without a third power, two without a second one too.
+fn graph(equation: &Equation) -> Result<Vec<Point>> {
+    for c in equation.x.iter().chain(&equation.y) {
+        finite("coefficient", *c)?;
+    }
+    let lacks = |power: usize| equation.x[power] == 0.0 && equation.y[power] == 0.0;
+    let axis = |coefficients: &[f64; 4]| {
+        let [a, b, c, d] = *coefficients;
+        let cubic = control_points(*coefficients);
+        let points = match (lacks(0), lacks(1)) {
+            (true, true) => vec![d, cubic[3]],
+            (true, false) => vec![d, d + c / 2.0, cubic[3]],
+            _ => cubic.to_vec(),
+        };
+        let decimals = [a, b, c, d].map(decimals_of).into_iter().max().unwrap_or(0);
+        let slack = 4.0
+            * f64::EPSILON
+            * coefficients
+                .iter()
+                .fold(0.0, |most: f64, x| most.max(x.abs()));
+        points
+            .into_iter()
+            .map(|x| decimal(x, decimals, slack))
+            .collect()
+    };
+    let (x, y): (Vec<f64>, Vec<f64>) = (axis(&equation.x), axis(&equation.y));
+    Ok(x.into_iter().zip(y).map(Point::from).collect())
+}
+
+/// The number with so many decimals, where it is that one but for rounding: points with few decimals have coefficients with as few.
+fn decimal(x: f64, decimals: u8, slack: f64) -> f64 {
+    let rounded = round(x, decimals.min(MOST_DECIMALS));
+    if decimals <= MOST_DECIMALS && (x - rounded).abs() <= slack {
+        rounded
+    } else {
+        x
+    }
+}
