@@ -3,6 +3,7 @@
 mod args;
 mod batch;
 mod compare;
+mod conic;
 mod convert;
 mod diff;
 mod draw;
@@ -50,6 +51,7 @@ fn run(command: Command) -> Outcome {
         Command::Circle(args) => draw::circle(&args.0),
         Command::Ellipse(args) => draw::ellipse(&args.0),
         Command::Arc(args) => draw::arc(&args.0),
+        Command::Conic(args) => conic::run(&args.0),
         Command::Batch(args) => batch::run(&args.0),
         Command::Path(args) => path::run(&args.0),
         Command::Spline(args) => spline::run(&args.0),

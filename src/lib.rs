@@ -31,6 +31,7 @@ pub mod arcs;
 #[cfg(feature = "batch")]
 pub mod batch;
 pub mod compare;
+pub mod conic;
 pub mod continuity;
 pub mod contour;
 pub mod course;

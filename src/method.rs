@@ -7,6 +7,7 @@
 mod apprich;
 mod catalogue;
 mod chen;
+mod conic;
 pub(crate) mod ellipse;
 mod equioscillating;
 mod integral;

@@ -6,6 +6,7 @@ pub mod canvas;
 #[cfg(feature = "serde")]
 pub mod catalogue;
 pub mod comparison;
+pub mod conic;
 #[cfg(feature = "serde")]
 pub mod difference;
 pub mod dxf;

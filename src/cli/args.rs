@@ -3,6 +3,7 @@
 mod approximation;
 mod batch;
 pub(crate) mod compare;
+mod conic;
 mod convert;
 mod deferred;
 pub(crate) mod diff;
@@ -23,6 +24,7 @@ mod values;
 pub(crate) use approximation::ApproximationArgs;
 pub(crate) use batch::BatchArgs;
 pub(crate) use compare::CompareArgs;
+pub(crate) use conic::ConicShape;
 pub(crate) use convert::{ConvertArgs, DestinationArgs, Report};
 pub(crate) use deferred::Deferred;
 pub(crate) use explore::ExploreArgs;
@@ -65,6 +67,8 @@ pub(crate) enum Command {
     Ellipse(Deferred<Draw<EllipseShape>>),
     /// Draw an arc of a circle or an ellipse
     Arc(Deferred<Draw<ArcShape>>),
+    /// Draw a conic by its control point and weight: an arc of an ellipse, a parabola or a hyperbola
+    Conic(Deferred<Draw<ConicShape>>),
     /// Draw SVG path data: every arc becomes Béziers, all else stays as it is; or all of it becomes lines or circular arcs
     Path(Deferred<PathArgs>),
     /// Draw the shapes of a stream, one a line in, one a line out
@@ -125,10 +129,12 @@ mod tests {
     use super::Cli;
 
     /// What takes all of its values when it is given several times: positional words, and lists.
-    const LISTS: [&str; 13] = [
+    const LISTS: [&str; 15] = [
+        "batch show",
         "circle show",
         "ellipse show",
         "arc show",
+        "conic show",
         "path show",
         "spline show",
         "sphere show",
@@ -162,7 +168,7 @@ mod tests {
         let mut lists = Vec::new();
         visit(&command, "", &mut lists);
         let of_measure =
-            ["circle", "ellipse", "arc"].map(|shape| format!("measure {shape} method"));
+            ["circle", "ellipse", "arc", "conic"].map(|shape| format!("measure {shape} method"));
         let of_explore = ["circle", "ellipse", "arc"].map(|shape| format!("explore {shape} "));
         let of_explore = of_explore
             .iter()

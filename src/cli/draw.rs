@@ -23,7 +23,7 @@ pub(super) fn arc(args: &Draw<ArcShape>) -> Outcome {
     draw(&args.shape, &args.approximation, &args.output)
 }
 
-fn draw(
+pub(super) fn draw(
     shape: &impl ShapeWords,
     approximation: &ApproximationArgs,
     output: &OutputArgs,

@@ -1,5 +1,6 @@
 //! `measure`.
 
+mod conic;
 mod foreign;
 mod samples;
 mod table;
@@ -54,6 +55,13 @@ pub(super) fn run(args: &MeasureArgs) -> Outcome {
         Some(MeasuredShape::Circle(shape)) => drawn(shape),
         Some(MeasuredShape::Ellipse(shape)) => drawn(shape),
         Some(MeasuredShape::Arc(shape)) => drawn(shape),
+        Some(MeasuredShape::Conic(shape)) => {
+            let conic = shape.shape.conic()?;
+            match conic.arc()? {
+                Some(_) => drawn(shape),
+                None => conic::run(&conic, shape),
+            }
+        }
         None => {
             let subjects = foreign::measured(&args.foreign, &args.report)?;
             tell(&subjects, &args.report, args.foreign.file.is_some())

@@ -48,15 +48,28 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, mut visit: impl FnMut(f6
         return;
     }
     let (segment, truth) = &about_the_centre(segment, truth);
-    let search = Search { segment, truth };
-    visit(0.0, search.distance(0.0));
+    let foot = |p| nearest(truth, p);
     let crossings = Profile::new(segment, truth).crossings();
     // Where the curve crosses the long axis, the nearest point jumps to the other side, and the distance has a peak without a slope.
     let axis = short_coordinate(segment, truth).sign_changes();
     for t in axis.iter() {
-        visit(t, search.distance(t));
+        visit(t, foot(segment.eval(t)).distance);
     }
-    let mut cuts: Vec<f64> = crossings.iter().chain(axis.iter()).collect();
+    let cuts: Vec<f64> = crossings.iter().chain(axis.iter()).collect();
+    visit_between(segment, &cuts, foot, visit);
+}
+
+/// Visits the ends and every extreme of the signed distance as (t, distance), each between two of these places at which the
+/// distance changes its sign or jumps; `foot` finds the nearest point of the true shape.
+pub(crate) fn visit_between(
+    segment: &PathSeg,
+    cuts: &[f64],
+    foot: impl Fn(Point) -> Foot,
+    mut visit: impl FnMut(f64, f64),
+) {
+    let search = Search { segment, foot };
+    visit(0.0, search.distance(0.0));
+    let mut cuts = cuts.to_vec();
     cuts.sort_by(f64::total_cmp);
     let ends = iter::once(0.0).chain(cuts.iter().copied());
     for (from, to) in ends.zip(cuts.iter().copied().chain(iter::once(1.0))) {
@@ -103,10 +116,10 @@ fn short_coordinate(segment: &PathSeg, truth: &Truth) -> Polynomial {
     }
 }
 
-/// The search for the extremes of the distance from an ellipse.
-struct Search<'a> {
+/// The search for the extremes of the distance from a shape whose nearest points are known.
+struct Search<'a, F> {
     segment: &'a PathSeg,
-    truth: &'a Truth,
+    foot: F,
 }
 
 /// A place on the segment with the derivative of the distance there.
@@ -116,14 +129,14 @@ struct Sample {
     normal: Vec2,
 }
 
-impl Search<'_> {
+impl<F: Fn(Point) -> Foot> Search<'_, F> {
     fn distance(&self, t: f64) -> f64 {
-        distance(self.truth, self.segment.eval(t))
+        (self.foot)(self.segment.eval(t)).distance
     }
 
     fn sample(&self, t: f64) -> Sample {
         let (p, derivative) = eval(self.segment, t);
-        let normal = nearest(self.truth, p).outward;
+        let normal = (self.foot)(p).outward;
         Sample {
             t,
             slope: derivative.dot(normal),

@@ -5,6 +5,7 @@ use kurbo::Rect;
 use super::paint::Paint;
 use super::style::{Style, default_stroke_width};
 use crate::approximate::Drawing;
+use crate::conic;
 use crate::contour::{Maker, PathDrawing};
 use crate::course::Course;
 use crate::curve::Curve;
@@ -155,6 +156,44 @@ impl Figure {
             courses: drawing.courses().cloned().collect(),
         }
     }
+}
+
+impl Figure {
+    /// A parabola or a hyperbola.
+    #[must_use]
+    pub fn of_conic(drawing: &conic::Drawing) -> Self {
+        let title = sentence(&conic_title(&drawing.conic));
+        Self {
+            name: "conic",
+            description: sentence(&conic_summary(drawing)),
+            title,
+            layers: vec![Layer {
+                curves: vec![drawing.curve.clone()],
+                ..Layer::default()
+            }],
+            ..Self::default()
+        }
+    }
+}
+
+fn conic_title(conic: &conic::Conic) -> String {
+    let [from, to] = [conic.from, conic.to].map(|p| text(p.x) + "," + &text(p.y));
+    format!("{} from {from} to {to}", conic.kind().name())
+}
+
+/// A parabola or a hyperbola and how closely it was drawn, in a line; the figure is rounded up.
+pub(crate) fn conic_summary(drawing: &conic::Drawing) -> String {
+    let count = drawing.curve.segments.len();
+    let closeness = match (drawing.error.peak(), drawing.method) {
+        (0.0, None) => ", exact".to_owned(),
+        (peak, method) => format!(
+            "{}, within {}",
+            method.map_or_else(String::new, |method| format!(" by {method}")),
+            significant(rounded_up(peak, 3), 3)
+        ),
+    };
+    let title = conic_title(&drawing.conic);
+    format!("{title}: {count} segment{}{closeness}", plural(count))
 }
 
 /// A path and how closely it was drawn, in a line; the figures are rounded up.

@@ -87,7 +87,7 @@ impl Truth {
     }
 
     /// The ellipse that an affine map makes of the unit circle.
-    fn of(placement: Affine) -> Result<Self> {
+    pub(crate) fn of(placement: Affine) -> Result<Self> {
         let [a, b, c, d, e, f] = placement.as_coeffs();
         for (what, value) in [
             ("x coordinate of the transform", e),

@@ -167,6 +167,9 @@ fn commands() -> Vec<Vec<String>> {
         "path M10_80a25,25-30_0150-25c3_4_5_6_7_8 --to quadratics -t 0.001 -p 12",
         "compare -f html",
         "sphere 100 --view 33,21 -p 15 -f json",
+        "conic --from 0,0 --control 1,2 --to 3,0 --weight 2.5 -t 1e-7 -p 15 -f json",
+        "measure conic --from 0,0 --control 1,2 --to 3,0 --weight 0.3 -f json",
+        "compare --spans 33,77 --by square -f csv",
     ]
     .into_iter()
     .map(|words| {

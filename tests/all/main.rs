@@ -11,6 +11,7 @@ mod batch;
 mod batch_picture;
 mod chen_uneven;
 mod cli;
+mod conic;
 mod convert;
 mod convert_cli;
 mod convert_meaning;

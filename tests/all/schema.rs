@@ -8,6 +8,7 @@ use std::process::Command;
 use curveto::compare::Comparison;
 use curveto::page::PageDocument;
 use curveto::write::catalogue::{CatalogueDocument, MethodDocument};
+use curveto::write::conic::{ConicDocument, ConicMeasurement};
 use curveto::write::difference::DifferenceDocument;
 use curveto::write::json::DrawingDocument;
 use curveto::write::measurement::{Measurement, Samples};
@@ -17,12 +18,14 @@ use curveto::write::spline::SplineDocument;
 use schemars::{Schema, schema_for};
 use serde_json::Value;
 
-fn published() -> [(&'static str, Schema); 11] {
+fn published() -> [(&'static str, Schema); 13] {
     [
         ("drawing", schema_for!(DrawingDocument)),
         ("path", schema_for!(PathDocument)),
         ("difference", schema_for!(DifferenceDocument)),
         ("measurement", schema_for!(Measurement)),
+        ("conic", schema_for!(ConicDocument)),
+        ("conic-measurement", schema_for!(ConicMeasurement)),
         ("samples", schema_for!(Samples<'_>)),
         ("comparison", schema_for!(Comparison)),
         ("page", schema_for!(PageDocument)),
@@ -184,7 +187,40 @@ fn flattened(schema: &Value, root: &Value) -> Value {
 const PATH: &str = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
 
 /// Each schema, and commands that print what it describes.
-const CASES: [(&str, &[&str]); 21] = [
+const CASES: [(&str, &[&str]); 23] = [
+    (
+        "conic",
+        &[
+            "conic",
+            "--from",
+            "0,0",
+            "--control",
+            "1,2",
+            "--to",
+            "3,0",
+            "--weight",
+            "2",
+            "-f",
+            "json",
+        ],
+    ),
+    (
+        "conic-measurement",
+        &[
+            "measure",
+            "conic",
+            "--from",
+            "0,0",
+            "--control",
+            "1,2",
+            "--to",
+            "3,0",
+            "--weight",
+            "2",
+            "-f",
+            "json",
+        ],
+    ),
     ("drawing", &["circle", "50", "-f", "json"]),
     (
         "drawing",

@@ -11,7 +11,7 @@ use curveto::{Angle, Ellipse, Shape};
 use kurbo::{Affine, Vec2};
 
 use super::shape::{ArcShape, CircleShape, EllipseShape};
-use super::{ApproximationArgs, values};
+use super::{ApproximationArgs, ConicShape, values};
 use crate::cli::formats::FileFormat;
 
 /// What to measure: a shape that is drawn here, or a curve that someone else made.
@@ -20,7 +20,7 @@ use crate::cli::formats::FileFormat;
     args_conflicts_with_subcommands = true,
     subcommand_help_heading = "Shapes",
     subcommand_value_name = "SHAPE",
-    override_usage = "curveto measure circle|ellipse|arc ... [OPTIONS]\n       curveto measure --path 'M...' | --file F.svg [--against SHAPE] [OPTIONS]"
+    override_usage = "curveto measure circle|ellipse|arc|conic ... [OPTIONS]\n       curveto measure --path 'M...' | --file F.svg [--against SHAPE] [OPTIONS]"
 )]
 pub(crate) struct MeasureArgs {
     #[command(subcommand)]
@@ -39,6 +39,8 @@ pub(crate) enum MeasuredShape {
     Ellipse(Measured<EllipseShape>),
     /// Measure an arc as it would be drawn
     Arc(Measured<ArcShape>),
+    /// Measure a conic as it would be drawn
+    Conic(Measured<ConicShape>),
 }
 
 /// A shape, how it is approximated, and what is told of it. Several methods may be named.

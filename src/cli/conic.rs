@@ -1,0 +1,51 @@
+//! `conic`.
+
+use std::process::ExitCode;
+
+use curveto::Rule;
+use curveto::approximate::Options;
+use curveto::conic::{Conic, Drawing};
+use curveto::number::Precision;
+use kurbo::Affine;
+
+use super::Outcome;
+use super::args::{ApproximationArgs, ConicShape, Draw};
+use super::draw;
+use super::failure::Failure;
+use super::output::write_drawn;
+
+pub(super) fn run(args: &Draw<ConicShape>) -> Outcome {
+    let conic = args.shape.conic()?;
+    if conic.arc()?.is_some() {
+        return draw::draw(&args.shape, &args.approximation, &args.output);
+    }
+    let format = args.output.format()?;
+    let (precision, transform) = (args.output.rounding(format), args.output.transform());
+    let rule = args.approximation.rule()?;
+    let drawing = drawing(&conic, &args.approximation, rule, precision, transform)?;
+    let manner = args.output.options(format)?;
+    write_drawn(&drawing, format, &manner, &args.output)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The drawing of a parabola or a hyperbola.
+pub(super) fn drawing(
+    conic: &Conic,
+    approximation: &ApproximationArgs,
+    rule: Rule,
+    precision: Option<Precision>,
+    transform: Affine,
+) -> Result<Drawing, Failure> {
+    if approximation.extremes {
+        return Err(Failure::request_with_hint(
+            "--extremes is for circles and ellipses, not for a parabola or a hyperbola",
+            "-n and -t cut them",
+        ));
+    }
+    Ok(conic.draw(&Options {
+        rule,
+        cut: approximation.cut(),
+        precision,
+        transform,
+    })?)
+}

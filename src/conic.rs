@@ -1,0 +1,386 @@
+//! Conics by control point and weight: arcs of ellipses, parabolas and hyperbolas.
+//!
+//! P0, P1, P2 and the weight w of P1 make a rational quadratic: w < 1 an arc of an ellipse, w = 1 a parabola, w > 1 a hyperbola.
+//! The first is a [`Shape`] like any other ([`Conic::arc`]); the second is one quadratic Bézier, exactly; the third is drawn here, as
+//! is an ellipse so near to a parabola that its centre is out of reach.
+
+mod error;
+mod frame;
+mod report;
+
+use kurbo::{Affine, CubicBez, PathSeg, Point, QuadBez, Vec2};
+
+use crate::angle::Angle;
+use crate::approximate::{Options, automatic_precision};
+use crate::curve::Curve;
+use crate::error::{Error, Result, finite, positive};
+use crate::joints::{Cut, MOST_SEGMENTS, quarters};
+use crate::method::{Method, Rule};
+use crate::number::{Precision, text};
+use crate::radial_error::RadialError;
+use crate::shape::{Arc, Shape, Truth};
+use frame::Frame;
+pub use report::Report;
+
+/// A conic between two points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conic {
+    /// Where it starts.
+    pub from: Point,
+    /// Where the tangents at its ends meet.
+    pub control: Point,
+    /// Where it ends.
+    pub to: Point,
+    /// The weight of the control point, positive; those of the ends are 1.
+    pub weight: f64,
+}
+
+/// What a conic is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// An arc of an ellipse: the weight is below 1.
+    Ellipse,
+    /// A parabola: the weight is 1.
+    Parabola,
+    /// A hyperbola: the weight is above 1.
+    Hyperbola,
+}
+
+impl Kind {
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ellipse => "ellipse",
+            Self::Parabola => "parabola",
+            Self::Hyperbola => "hyperbola",
+        }
+    }
+}
+
+/// From this weight on an ellipse counts as next to a parabola: the distance of its centre costs digits.
+const NEXT_TO_PARABOLA: f64 = 1.0 - 1e-4;
+
+/// The largest weight: beyond, a conic is its control polygon.
+const LARGEST_WEIGHT: f64 = 1e9;
+
+/// The most segments that a tolerance may ask for.
+const MOST_FOR_TOLERANCE: usize = 10_000;
+
+/// The parts of a tolerance for which joints are tried, the largest first: rounding takes its share.
+const PARTS: [f64; 6] = [1.0, 0.97, 0.94, 0.91, 0.8, 0.5];
+
+/// A conic that was drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    /// What was drawn, the transform applied.
+    pub conic: Conic,
+    /// What gave the control points; `None` for a parabola, which is exact.
+    pub method: Option<Method>,
+    /// The curve, rounded.
+    pub curve: Curve,
+    /// Its largest distances outside (towards the control point) and inside, both ways.
+    pub error: RadialError,
+}
+
+impl Drawing {
+    /// The id of the method, or `exact` for a parabola.
+    #[must_use]
+    pub fn method_name(&self) -> &'static str {
+        self.method.map_or("exact", Method::id)
+    }
+
+    /// The peak error over half the longer side of the box of the three points.
+    #[must_use]
+    pub fn relative_peak(&self) -> f64 {
+        self.error.peak() / self.conic.size()
+    }
+}
+
+impl Conic {
+    /// A conic.
+    ///
+    /// # Errors
+    ///
+    /// Where a number is not finite, the weight not positive or beyond 1e9, or the three points lie on a line.
+    pub fn new(from: Point, control: Point, to: Point, weight: f64) -> Result<Self> {
+        for x in [from.x, from.y, control.x, control.y, to.x, to.y] {
+            finite("coordinate of a point", x)?;
+        }
+        if !(weight > 0.0 && weight <= LARGEST_WEIGHT) {
+            return Err(Error::Shape(format!(
+                "the weight of a conic is above 0 and at most {LARGEST_WEIGHT:e}, not {}: below 1 an ellipse, 1 a parabola, above 1 a hyperbola",
+                text(weight)
+            )));
+        }
+        let (u, v) = (from - control, to - control);
+        let conic = Self {
+            from,
+            control,
+            to,
+            weight,
+        };
+        if u.cross(v).abs() <= 1e-12 * u.hypot() * v.hypot() {
+            return Err(Error::Shape(
+                "the three points of a conic lie on a line: nothing is left of it but the line"
+                    .to_owned(),
+            ));
+        }
+        positive("size of the conic", conic.size())?;
+        Ok(conic)
+    }
+
+    /// What it is.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        match self.weight.total_cmp(&1.0) {
+            core::cmp::Ordering::Less => Kind::Ellipse,
+            core::cmp::Ordering::Equal => Kind::Parabola,
+            core::cmp::Ordering::Greater => Kind::Hyperbola,
+        }
+    }
+
+    /// Half the longer side of the box of its three points.
+    fn size(&self) -> f64 {
+        let bounds = kurbo::Rect::from_points(self.from, self.to).union_pt(self.control);
+        bounds.width().max(bounds.height()) / 2.0
+    }
+
+    /// The arc of an ellipse that it is; `None` from a weight of 0.9999 on.
+    ///
+    /// The unit circle's arc from -h to h, cos h = w, under the affine map that takes its ends and the point (1/w, 0), where its
+    /// tangents meet, to the three points.
+    ///
+    /// # Errors
+    ///
+    /// Where the ellipse is too flat or too large.
+    pub fn arc(&self) -> Result<Option<Shape>> {
+        let w = self.weight;
+        if w >= NEXT_TO_PARABOLA {
+            return Ok(None);
+        }
+        let (from, to) = (self.from.to_vec2(), self.to.to_vec2());
+        let apart = (1.0 - w) * (1.0 + w);
+        let x = (self.control.to_vec2() - (from + to) / 2.0) * (w / apart);
+        let y = (to - from) / (2.0 * apart.sqrt());
+        let center = (from + to) / 2.0 - x * w;
+        let placement = Affine::new([x.x, x.y, y.x, y.y, center.x, center.y]);
+        let truth = Truth::of(placement)?;
+        let first = truth.placement().inverse() * self.from;
+        let sweep = 4.0 * libm::asin(((1.0 - w) / 2.0).sqrt()).to_degrees();
+        let arc = Arc::new(
+            truth.center,
+            truth.radii,
+            Angle::from_radians(libm::atan2(truth.axis.y, truth.axis.x)),
+            Angle::from_radians(libm::atan2(first.y, first.x)),
+            Angle::from_degrees(sweep.copysign(placement.determinant())),
+        )?;
+        Ok(Some(Shape::Arc(Arc {
+            ends: Some([self.from, self.to]),
+            ..arc
+        })))
+    }
+
+    /// One segment for every quarter turn of hyperbolic angle, or of an ellipse's.
+    fn quarters(&self) -> usize {
+        quarters(Angle::from_radians(2.0 * Frame::new(self).half))
+    }
+
+    /// Draws it: a parabola as quadratics, exactly; a hyperbola, and an ellipse next to a parabola, as cubics that touch it at both
+    /// ends of each. Without a count there is one for every quarter turn; the pieces of a count are of equal hyperbolic angle; those of a tolerance are each as long as it lets them be.
+    ///
+    /// # Errors
+    ///
+    /// Where the method draws circles and ellipses only, joints or a handle on the unit circle are asked for, or no number of
+    /// segments keeps the tolerance.
+    ///
+    /// ```
+    /// use curveto::{Cut, Options, Tolerance, conic::Conic};
+    /// let branch = Conic::new((0.0, 0.0).into(), (1.0, 2.0).into(), (3.0, 0.0).into(), 2.5)?;
+    /// let cut = Cut::Tolerance(Tolerance::Absolute(1e-3));
+    /// let drawing = branch.draw(&Options { cut, ..Options::default() })?;
+    /// assert!(drawing.error.peak() <= 1e-3);
+    /// # Ok::<(), curveto::Error>(())
+    /// ```
+    pub fn draw(&self, options: &Options) -> Result<Drawing> {
+        let map = options.transform;
+        let conic = Self::new(
+            map * self.from,
+            map * self.control,
+            map * self.to,
+            self.weight,
+        )?;
+        let method = conic.method(options.rule)?;
+        let finish = |segments: Vec<PathSeg>| conic.finish(segments, method, options);
+        match (&options.cut, method) {
+            (Cut::Quarters | Cut::Tolerance(_), None) => finish(conic.equal(1, None)?),
+            (Cut::Quarters, _) => finish(conic.equal(conic.quarters(), method)?),
+            (&Cut::Count(count), _) => finish(conic.equal(count, method)?),
+            (&Cut::Tolerance(tolerance), Some(method)) => {
+                let tolerance = positive("tolerance", tolerance.for_radius(conic.size()))?;
+                conic.within(tolerance, method, options)
+            }
+            _ => Err(Error::Joints(
+                "a hyperbola and a parabola have no angles; -n and -t cut them".to_owned(),
+            )),
+        }
+    }
+
+    /// What gives the handles; nothing where none are needed.
+    fn method(&self, rule: Rule) -> Result<Option<Method>> {
+        let Rule::Method(method) = rule else {
+            return Err(Error::Shape(
+                "a literal handle and --quadrature are for circles and ellipses, not for a hyperbola or a parabola".to_owned(),
+            ));
+        };
+        Ok((self.kind() != Kind::Parabola).then_some(method))
+    }
+
+    /// Pieces of equal parameter.
+    fn equal(&self, count: usize, method: Option<Method>) -> Result<Vec<PathSeg>> {
+        if count == 0 || count > MOST_SEGMENTS {
+            return Err(Error::Count {
+                count,
+                most: MOST_SEGMENTS,
+            });
+        }
+        let half = Frame::new(self).half;
+        let joint = |i: usize| half * (2.0 * i as f64 - count as f64) / count as f64;
+        self.pieces(&(0..=count).map(joint).collect::<Vec<_>>(), method)
+    }
+
+    /// The pieces between these parameters, of which the first and the last are the ends.
+    fn pieces(&self, joints: &[f64], method: Option<Method>) -> Result<Vec<PathSeg>> {
+        if let (None, [_, _]) = (method, joints) {
+            let whole = QuadBez::new(self.from, self.control, self.to);
+            return Ok(vec![PathSeg::Quad(whole)]);
+        }
+        let frame = Frame::new(self);
+        let ends = joints.windows(2);
+        ends.map(|ends| self.piece(&frame, [ends[0], ends[1]], method))
+            .collect()
+    }
+
+    /// The piece between two parameters.
+    fn piece(
+        &self,
+        frame: &Frame,
+        [from, to]: [f64; 2],
+        method: Option<Method>,
+    ) -> Result<PathSeg> {
+        let point = |x: f64| {
+            if x == -frame.half {
+                self.from
+            } else if x == frame.half {
+                self.to
+            } else {
+                frame.point(x)
+            }
+        };
+        let (weight, reach) = frame.piece(to - from);
+        let (p0, p3) = (point(from), point(to));
+        Ok(match method {
+            None => PathSeg::Quad(QuadBez::new(p0, p0 + frame.derivative(from) * reach, p3)),
+            Some(method) => {
+                let handle = reach * method.conic_handle(weight)?;
+                let arms = [from, to].map(|x| -> Vec2 { frame.derivative(x) * handle });
+                PathSeg::Cubic(CubicBez::new(p0, p0 + arms[0], p3 - arms[1], p3))
+            }
+        })
+    }
+
+    /// The fewest segments within a tolerance after rounding: each is as long as it can be.
+    fn within(&self, tolerance: f64, method: Method, options: &Options) -> Result<Drawing> {
+        for part in PARTS {
+            let segments = self.pieces(&self.marched(part * tolerance, method)?, Some(method))?;
+            let drawing = self.finish(segments, Some(method), options)?;
+            if drawing.error.peak() <= tolerance {
+                return Ok(drawing);
+            }
+        }
+        Err(Error::ToleranceOutOfReach {
+            method: method.id(),
+            tolerance,
+            why: "rounding moves points farther than that".to_owned(),
+            remedy: "give more decimals with -p, or take a larger tolerance".to_owned(),
+        })
+    }
+
+    /// Joints each as far from the one before as the tolerance lets it be.
+    fn marched(&self, tolerance: f64, method: Method) -> Result<Vec<f64>> {
+        let end = Frame::new(self).half;
+        let reaches = |from: f64, to: f64| -> Result<bool> {
+            let piece = self.piece(&Frame::new(self), [from, to], Some(method))?;
+            Ok(error::error(self, &[piece]).peak() <= tolerance)
+        };
+        let mut joints = vec![-end];
+        let mut from = -end;
+        while !reaches(from, end)? {
+            let (mut low, mut high) = (from, end);
+            for _ in 0..40 {
+                let middle = f64::midpoint(low, high);
+                if reaches(from, middle)? {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            if low <= from || joints.len() > MOST_FOR_TOLERANCE {
+                return Err(Error::ToleranceOutOfReach {
+                    method: method.id(),
+                    tolerance,
+                    why: format!(
+                        "it takes more than {MOST_FOR_TOLERANCE} segments, or is finer than coordinates are"
+                    ),
+                    remedy: "take a larger tolerance, or -m minimax".to_owned(),
+                });
+            }
+            from = low;
+            joints.push(from);
+        }
+        joints.push(end);
+        Ok(joints)
+    }
+
+    /// The drawing, measured as it is written. Points that were given stay as they are unless a precision is asked for.
+    fn finish(
+        &self,
+        segments: Vec<PathSeg>,
+        method: Option<Method>,
+        options: &Options,
+    ) -> Result<Drawing> {
+        let curve = Curve {
+            segments,
+            closed: false,
+        };
+        for p in curve.segments.iter().flat_map(crate::curve::control_points) {
+            finite("coordinate of a control point", p.x)?;
+            finite("coordinate of a control point", p.y)?;
+        }
+        let given = [self.from, self.control, self.to];
+        let (precision, kept) = match (options.precision, method, &options.cut) {
+            (Some(precision), ..) => (precision, &[][..]),
+            (None, None, _) => (Precision::Full, &given[..]),
+            (None, Some(_), cut) => {
+                let mut error = error::error(self, &curve.segments).peak();
+                if let Cut::Tolerance(tolerance) = cut {
+                    error = error.min(tolerance.for_radius(self.size()));
+                }
+                (automatic_precision(error, &curve.segments), &given[..])
+            }
+        };
+        let curve = curve.rounded(precision, kept);
+        let exact = method.is_none() && curve.segments.len() == 1 && precision == Precision::Full;
+        let error = if exact {
+            RadialError::default()
+        } else {
+            error::error(self, &curve.segments)
+        };
+        Ok(Drawing {
+            conic: *self,
+            method,
+            curve,
+            error,
+        })
+    }
+}

@@ -1,0 +1,25 @@
+//! A conic as a figure and as JSON.
+
+#[cfg(feature = "serde")]
+mod document;
+
+use super::Writable;
+use crate::conic::Drawing;
+use crate::picture::figure::{Figure, conic_summary};
+#[cfg(feature = "serde")]
+pub use document::{ConicDocument, ConicMeasurement, ConicShapeDocument, conic_csv};
+
+impl Writable for Drawing {
+    fn figure(&self) -> Figure {
+        Figure::of_conic(self)
+    }
+
+    fn summary(&self) -> String {
+        conic_summary(self)
+    }
+
+    #[cfg(feature = "serde")]
+    fn json(&self) -> crate::Result<String> {
+        super::json::to_string(&ConicDocument::from(self))
+    }
+}

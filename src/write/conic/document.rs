@@ -1,0 +1,148 @@
+//! The JSON of a conic.
+
+use serde::Serialize;
+
+use crate::conic::{Conic, Drawing, Report};
+use crate::number::text;
+use crate::path;
+use crate::picture::figure::Figure;
+use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
+
+/// The JSON of a parabola or a hyperbola; an arc of an ellipse is written as any other arc.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ConicDocument {
+    /// The version of this form.
+    pub version: u32,
+    /// What was drawn, the transform applied.
+    pub shape: ConicShapeDocument,
+    /// The id of the method, or `exact` for a parabola.
+    pub method: String,
+    /// Whether the path is closed.
+    pub closed: bool,
+    /// The segments in their order.
+    pub segments: Vec<SegmentDocument>,
+    /// The error of the points as printed, both ways, outward being towards the control point; relative to half the longer side of
+    /// the box of the three points.
+    pub error: ErrorDocument,
+    /// SVG path data.
+    pub path: String,
+}
+
+/// A conic by its control point and weight.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ConicShapeDocument {
+    /// `conic`.
+    pub kind: &'static str,
+    /// `ellipse` (next to a parabola), `parabola` or `hyperbola`.
+    pub form: &'static str,
+    /// Where it starts.
+    pub from: [f64; 2],
+    /// Where the tangents at its ends meet.
+    pub control: [f64; 2],
+    /// Where it ends.
+    pub to: [f64; 2],
+    /// The weight of the control point.
+    pub weight: f64,
+}
+
+impl From<&Conic> for ConicShapeDocument {
+    fn from(conic: &Conic) -> Self {
+        let [from, control, to] = [conic.from, conic.control, conic.to].map(|p| [p.x, p.y]);
+        Self {
+            kind: "conic",
+            form: conic.kind().name(),
+            from,
+            control,
+            to,
+            weight: conic.weight,
+        }
+    }
+}
+
+impl From<&Drawing> for ConicDocument {
+    fn from(drawing: &Drawing) -> Self {
+        let segments = drawing.curve.segments.iter();
+        Self {
+            version: 1,
+            shape: (&drawing.conic).into(),
+            method: drawing.method_name().to_owned(),
+            closed: false,
+            segments: segments.map(|s| segment_document(s, None)).collect(),
+            error: error_document(drawing),
+            path: path::data([&drawing.curve], false),
+        }
+    }
+}
+
+fn error_document(drawing: &Drawing) -> ErrorDocument {
+    ErrorDocument {
+        outward: drawing.error.outward,
+        inward: drawing.error.inward,
+        peak: drawing.error.peak(),
+        relative_peak: drawing.relative_peak(),
+    }
+}
+
+/// What is measured of a parabola or a hyperbola; an arc of an ellipse is measured as any other arc.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ConicMeasurement {
+    /// The version of this form.
+    pub version: u32,
+    /// What was drawn.
+    pub shape: ConicShapeDocument,
+    /// The id of the method, or `exact` for a parabola.
+    pub method: String,
+    /// A few words.
+    pub title: String,
+    /// The largest distances, both ways, as in the JSON of a drawing.
+    pub error: ErrorDocument,
+    /// The length and the joints.
+    #[serde(flatten)]
+    pub report: Report,
+}
+
+impl From<&Drawing> for ConicMeasurement {
+    fn from(drawing: &Drawing) -> Self {
+        let count = drawing.curve.segments.len();
+        let segments = if count == 1 { "segment" } else { "segments" };
+        let (title, method) = (Figure::of_conic(drawing).title, drawing.method_name());
+        Self {
+            version: 1,
+            shape: (&drawing.conic).into(),
+            method: method.to_owned(),
+            title: format!("{title}, {count} {segments} by {method}"),
+            error: error_document(drawing),
+            report: drawing.report(),
+        }
+    }
+}
+
+/// One line of CSV for each measurement, below a line of names.
+#[must_use]
+pub fn conic_csv(all: &[ConicMeasurement]) -> String {
+    let mut out =
+        "form,weight,method,segments,outward,inward,peak,relative_peak,length,true_length,continuity,largest_turn\n"
+            .to_owned();
+    for m in all {
+        let (e, r) = (&m.error, &m.report);
+        let fields = [
+            m.shape.form.to_owned(),
+            text(m.shape.weight),
+            m.method.clone(),
+            r.segments.to_string(),
+            text(e.outward),
+            text(e.inward),
+            text(e.peak),
+            text(e.relative_peak),
+            text(r.length.curve),
+            text(r.length.truth),
+            r.continuity.clone().unwrap_or_default(),
+            text(r.largest_turn),
+        ];
+        out += &(fields.join(",") + "\n");
+    }
+    out
+}
