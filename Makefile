@@ -9,7 +9,7 @@ BASHDIR = $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
-.PHONY: help build install uninstall clean
+.PHONY: help build install uninstall dist deb wheel clean
 .PHONY: test judges test-readers test-browser test-tex corpora test-corpora fuzz numbers lint
 .PHONY: golden pictures
 .PHONY: bench bench-startup bench-convert growth-convert scale
@@ -33,6 +33,21 @@ install: build ## Install the program, its man pages and its shell completions b
 uninstall: ## Remove what install installed
 	rm -f '$(BINDIR)/curveto' '$(MANDIR)'/curveto.1 '$(MANDIR)'/curveto-*.1
 	rm -f '$(BASHDIR)/curveto' '$(ZSHDIR)/_curveto' '$(FISHDIR)/curveto.fish'
+
+dist: build ## Make a tarball of the program, its man pages, completions and licences in target/dist
+	packaging/dist.sh target/release/curveto target/dist
+
+deb: build ## Make a Debian package in target/debian, by cargo-deb
+	target/release/curveto man --out-dir target/deb/man
+	for shell in bash zsh fish; do target/release/curveto completions $$shell > target/deb/curveto.$$shell || exit 1; done
+	command -v cargo-deb > /dev/null || $(CARGO) install --locked cargo-deb
+	$(CARGO) deb --no-build --locked
+
+wheel: ## Make a wheel that carries the program, and try it in a fresh environment
+	rm -rf target/wheel
+	python3 -m venv target/wheel
+	target/wheel/bin/pip install --quiet ./packaging/python
+	target/wheel/bin/curveto circle 50
 
 clean: ## Remove everything that was built
 	$(CARGO) clean

@@ -49,6 +49,8 @@ mod mistakes;
 mod oracle_checks;
 mod oracle_reference;
 mod output_options;
+#[cfg(target_os = "linux")]
+mod packages;
 mod pdf;
 mod peers;
 mod pictures;
