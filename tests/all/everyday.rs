@@ -477,3 +477,28 @@ fn a_method_that_needs_thousands_of_segments_answers() {
         "{message}"
     );
 }
+
+#[test]
+fn the_catalogue_fits_terminals_from_60_to_200_columns() {
+    for columns in [60, 66, 72, 80, 100, 200] {
+        let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+            .arg("methods")
+            .env("COLUMNS", columns.to_string())
+            .output()
+            .unwrap();
+        let table = String::from_utf8(output.stdout).unwrap();
+        let widest = table
+            .lines()
+            .map(|line| line.chars().count())
+            .max()
+            .unwrap();
+        assert!(widest <= columns, "{columns}: {widest}");
+        for method in curveto::Method::ALL {
+            let id = format!("\n{} ", method.id());
+            assert!(table.contains(&id), "{columns}: {id}");
+        }
+        // A criterion is not cut into single words.
+        assert_eq!(table.contains("criterion"), columns >= 72);
+        assert_eq!(table.contains("Lancaster 2005"), columns >= 90);
+    }
+}

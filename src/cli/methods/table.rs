@@ -15,9 +15,16 @@ pub(super) fn plain() -> Table {
     table
         .load_style(presets::NOTHING)
         .set_content_arrangement(ContentArrangement::Dynamic);
-    let width = table.width().unwrap_or(WIDEST).clamp(60, WIDEST);
-    table.set_width(width);
+    table.set_width(width());
     table
+}
+
+/// The width of the terminal, or what `COLUMNS` says of it, as far as lines are a joy to read.
+fn width() -> u16 {
+    let told = std::env::var("COLUMNS").ok();
+    let told = told.and_then(|columns| columns.parse().ok());
+    let width = told.or_else(|| Table::new().width());
+    width.unwrap_or(WIDEST).clamp(60, WIDEST)
 }
 
 /// Without the blanks that a table puts at both ends of its lines.
@@ -39,33 +46,27 @@ const GROUPS: [(u8, Ends, &str); 4] = [
     (
         3,
         Ends::OffCircle,
-        "CUBICS WITH ENDS OFF THE CIRCLE (closed shapes with equal segments only)",
+        "CUBICS OFF THE CIRCLE (closed shapes, equal segments)",
     ),
     (2, Ends::OnCircle, "QUADRATICS"),
     (
         2,
         Ends::OffCircle,
-        "QUADRATICS WITH ENDS OFF THE CIRCLE (closed shapes with equal segments only)",
+        "QUADRATICS OFF THE CIRCLE (closed shapes, equal segments)",
     ),
 ];
 
 pub(super) fn render(entries: &[MethodDocument]) -> String {
+    let columns = columns(width());
+    let cut = |row: [String; 7]| row.into_iter().take(columns);
     let mut table = plain();
-    table.add_row([
-        "method",
-        "joints",
-        "order",
-        "error",
-        "angle",
-        "criterion",
-        "source",
-    ]);
+    table.add_row(cut(HEADINGS.map(str::to_owned)));
     for (degree, ends, heading) in GROUPS {
         // One table, so that the groups share their columns; a heading is put in its place afterwards.
         table.add_row([marker(heading)]);
         for entry in entries {
             if entry.degree == degree && entry.ends == ends {
-                table.add_row(row(entry));
+                table.add_row(cut(row(entry)));
             }
         }
     }
@@ -82,8 +83,27 @@ pub(super) fn render(entries: &[MethodDocument]) -> String {
     out + LEGEND
 }
 
+const HEADINGS: [&str; 7] = [
+    "method",
+    "joints",
+    "order",
+    "error",
+    "angle",
+    "criterion",
+    "source",
+];
+
 /// The column whose texts are wrapped.
 const CRITERION: usize = 5;
+
+/// How many columns a width has room for: criteria of a few letters a line say nothing.
+const fn columns(width: u16) -> usize {
+    match width {
+        ..72 => CRITERION,
+        72..90 => CRITERION + 1,
+        _ => HEADINGS.len(),
+    }
+}
 
 /// Stands for a heading, which would widen its column: no wider than the ids.
 fn marker(heading: &str) -> String {
@@ -112,10 +132,13 @@ fn row(entry: &MethodDocument) -> [String; 7] {
 }
 
 const LEGEND: &str = "
-joints  continuity where segments of equal angles meet; behind the stroke of unequal ones
+joints  continuity where equal segments meet, after the
+        stroke where unequal ones do
 order   the power of the angle with which the error falls
-error   the largest distance from the circle, in radii, with four segments to the circle
+error   the largest distance from the circle, in radii, of
+        four segments
 angle   the largest of one segment
 
-'curveto methods ID' tells everything of one method; an indented name is an alias.
+'curveto methods ID' tells everything of one method;
+an indented name is an alias.
 ";
