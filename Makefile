@@ -10,7 +10,7 @@ ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall dist deb wheel clean
-.PHONY: test judges test-readers test-browser test-tex corpora test-corpora fuzz numbers lint
+.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz numbers lint
 .PHONY: golden pictures
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
@@ -96,6 +96,11 @@ corpora/%/package/package.json:
 
 test-corpora: corpora ## Convert the icon sets and judge every file
 	$(CARGO) test --locked --test all corpora:: -- --ignored --nocapture
+
+KILLS ?= 100
+
+kills: ## Kill convert a hundred times at random moments; every file has to be whole
+	CURVETO_KILLS=$(KILLS) $(CARGO) test --locked --test all faults::a_killed_run
 
 FUZZ ?= 50
 

@@ -147,10 +147,12 @@ pub fn run(
         }
         return Ok(writer.summary);
     }
-    let (jobs, threads) = start_threads(options);
     // What was written goes back to the reader, so that memory is asked for once and not a chunk.
     let (done, free) = channel::<Job>();
-    let reader = thread::spawn(move || {
+    // It starts first: the others may be as many as the system gives.
+    let (begin, begun) = channel::<Vec<SyncSender<Job>>>();
+    let reader = thread::Builder::new().spawn(move || {
+        let jobs = begun.recv().unwrap_or_default();
         let mut before = 0;
         for queue in jobs.iter().cycle() {
             let Some(chunk) = chunks.next_chunk()? else {
@@ -167,7 +169,10 @@ pub fn run(
             }
         }
         Ok(())
-    });
+    })?;
+    let (jobs, threads) = start_threads(options)?;
+    // The reader waits for them.
+    let _ = begin.send(jobs);
     let mut turn = threads.iter().cycle();
     let mut thread = turn.next();
     while let Some((results, written)) = thread
@@ -207,26 +212,35 @@ struct Job {
 /// What comes out of a thread, and the way to say that a long one was written.
 type Thread = (Receiver<Job>, Sender<()>);
 
-/// Threads that answer chunks: one queue into each and one out of it. A thread holds no more than one long part of its answers.
-fn start_threads(options: &Options) -> (Vec<SyncSender<Job>>, Vec<Thread>) {
+/// Threads that answer chunks, as many as the system gives: one queue into each and one out of it. A thread holds no more than
+/// one long part of its answers.
+fn start_threads(options: &Options) -> io::Result<(Vec<SyncSender<Job>>, Vec<Thread>)> {
     let options = Arc::new(options.clone());
-    (0..options.jobs)
-        .map(|_| {
-            let (job, jobs) = sync_channel::<Job>(QUEUE);
-            let (result, results) = sync_channel(QUEUE);
-            let (written, was_written) = channel();
-            let options = Arc::clone(&options);
-            thread::spawn(move || {
-                let mut worker = Worker::new((*options).clone());
-                for job in jobs {
-                    if !answer(&mut worker, job, &result, &was_written) {
-                        break;
-                    }
+    let start = |_| {
+        let (job, jobs) = sync_channel::<Job>(QUEUE);
+        let (result, results) = sync_channel(QUEUE);
+        let (written, was_written) = channel();
+        let options = Arc::clone(&options);
+        let work = move || {
+            let mut worker = Worker::new((*options).clone());
+            for job in jobs {
+                if !answer(&mut worker, job, &result, &was_written) {
+                    break;
                 }
-            });
-            (job, (results, written))
-        })
-        .unzip()
+            }
+        };
+        thread::Builder::new().spawn(work)?;
+        Ok((job, (results, written)))
+    };
+    let mut started = Vec::new();
+    for thread in (0..options.jobs).map(start) {
+        match thread {
+            Ok(thread) => started.push(thread),
+            Err(error) if started.is_empty() => return Err(error),
+            Err(_) => break,
+        }
+    }
+    Ok(started.into_iter().unzip())
 }
 
 /// Answers a chunk, in several parts where they are long. Whether someone is left to take them.

@@ -16,7 +16,7 @@ use crate::curve::Curve;
 use crate::error::{Error, Result, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Method, Rule};
-use crate::number::{Precision, text};
+use crate::number::{Precision, compact};
 use crate::radial_error::RadialError;
 use crate::shape::{Arc, Shape, Truth};
 use frame::Frame;
@@ -110,7 +110,11 @@ impl Conic {
         if !(weight > 0.0 && weight <= LARGEST_WEIGHT) {
             return Err(Error::Shape(format!(
                 "the weight of a conic is above 0 and at most {LARGEST_WEIGHT:e}, not {}: below 1 an ellipse, 1 a parabola, above 1 a hyperbola",
-                text(weight)
+                if weight.is_nan() {
+                    "NaN".to_owned()
+                } else {
+                    compact(weight, 6)
+                }
             )));
         }
         let (u, v) = (from - control, to - control);

@@ -22,7 +22,7 @@ use super::output::Target;
 const MOST_SEGMENTS: usize = 10_000;
 
 /// Refuses what would take minutes.
-fn check_segments(counts: &[usize]) -> Result<(), Failure> {
+pub(super) fn check_segments(counts: &[usize]) -> Result<(), Failure> {
     let segments = counts
         .iter()
         .fold(0_usize, |sum, &count| sum.saturating_add(count));

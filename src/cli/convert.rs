@@ -1,5 +1,6 @@
 //! `convert`: files in, files out, several at a time.
 
+mod folders;
 mod report;
 mod tree;
 
@@ -58,6 +59,12 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
             .collect()
     });
     bar.finish_and_clear();
+    for folder in folders::written(&jobs) {
+        folders::remove_left_overs(&folder);
+        if args.destination.in_place && reports.iter().any(|report| report.changed) {
+            folders::sync(&folder);
+        }
+    }
     if reports.iter().any(FileReport::is_closed_pipe) {
         return Ok(ExitCode::SUCCESS);
     }

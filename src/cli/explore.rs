@@ -9,6 +9,7 @@ use curveto::write::json;
 use super::Outcome;
 use super::args::explore::{ExploreArgs, Explored, ExploredShape, PageFormat};
 use super::args::shape::{Direction, ShapeWords};
+use super::compare::check_segments;
 use super::formats::choose;
 use super::output::Target;
 
@@ -31,6 +32,7 @@ fn explore<S: ShapeWords + clap::Args>(args: &Explored<S>) -> Outcome {
     } else {
         &args.segments
     };
+    check_segments(counts)?;
     let document = PageDocument::new(&Request {
         shape,
         open: args.shape.open(),

@@ -78,6 +78,9 @@ fn is_stdout(path: &Path) -> bool {
         .any(|name| path.as_os_str() == *name)
 }
 
+/// What the names of files begin with that are being made.
+pub(crate) const TEMPORARY: &str = ".curveto-";
+
 /// Writes a file atomically: it is made beside its place and moved there when it is whole. The mode and the owner of a file that
 /// was there are kept; a link is followed; what is no plain file, such as a device or a pipe, is written to directly, and so is
 /// what the process has open already.
@@ -121,10 +124,13 @@ fn beside(
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
     let mode = existing.map(fs::Metadata::permissions);
-    // Opened here and not by tempfile, whose errors name a file that nobody knows.
-    tempfile::Builder::new()
-        .prefix(".curveto-")
-        .make_in(folder, |path| create(path, mode.as_ref()))
+    // Opened and written here and not by tempfile, whose errors name a file that nobody knows.
+    let file = tempfile::Builder::new()
+        .prefix(TEMPORARY)
+        .make_in(folder, |path| create(path, mode.as_ref()))?;
+    // A lock ends with its process, so that a later run knows a file that was left. Not every file system has locks.
+    let _ = file.as_file().try_lock();
+    Ok(file)
 }
 
 /// Gives a new file the owner and the mode of the one that was there.
@@ -161,7 +167,7 @@ pub(crate) fn write_file_unless(
         return Ok(true);
     }
     let mut file = beside(path, existing.as_ref())?;
-    file.write_all(bytes)?;
+    file.as_file_mut().write_all(bytes)?;
     take_over(file.as_file(), existing.as_ref())?;
     if durability == Durability::Synced {
         file.as_file().sync_all()?;

@@ -15,7 +15,7 @@ const TABLE: &str = "fixtures/bad-input.txt";
 /// Enough of a message to know it by.
 const LONGEST: usize = 200;
 /// Bounds on each command, in KiB and in seconds of a processor, and on how long anything may hang.
-const BOUNDS: &str = "ulimit -v 1500000; ulimit -t 20";
+const BOUNDS: &str = "ulimit -v 3000000; ulimit -t 20";
 const SECONDS: &str = "120";
 /// How many rows run at a time, each in a folder of its own.
 const THREADS: usize = 4;

@@ -42,6 +42,7 @@ fn mode_and_owner_are_kept() {
     );
     let data = fs::metadata(&file).unwrap();
     assert_eq!((data.uid(), data.mode() & 0o777), (owner, 0o640));
+    assert!(owner != 1000 || data.gid() == 1000);
     assert!(fs::read_to_string(&file).unwrap().contains("<path"));
 }
 
@@ -200,5 +201,111 @@ fn a_signal_ends_between_files_and_says_how_far_it_came() {
                 .starts_with(".curveto-")
         );
         assert!(fs::read_to_string(&path).unwrap().ends_with("</svg>"));
+    }
+}
+
+#[test]
+fn two_files_that_lead_to_one_are_refused_and_one_file_by_two_names_is_converted_once() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir_all(at("in")).unwrap();
+    fs::create_dir_all(at("out")).unwrap();
+    fs::write(at("in/a.svg"), SVG).unwrap();
+    fs::write(at("in/b.svg"), SVG).unwrap();
+    // Both results would go to one file.
+    symlink("a.svg", at("out/b.svg")).unwrap();
+    fs::write(at("out/a.svg"), "old").unwrap();
+    let output = curveto(folder.path(), &["convert", "in", "--out-dir", "out"]);
+    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+    assert!(
+        said(&output).contains("would both be written to"),
+        "{}",
+        said(&output)
+    );
+    assert_eq!(fs::read_to_string(at("out/a.svg")).unwrap(), "old");
+    symlink("a.svg", at("in/c.svg")).unwrap();
+    let output = curveto(folder.path(), &["convert", "--in-place", "-v", "in"]);
+    assert!(output.status.success(), "{}", said(&output));
+    assert!(said(&output).contains("2 of 2 files"), "{}", said(&output));
+    assert!(fs::symlink_metadata(at("in/c.svg")).unwrap().is_symlink());
+}
+
+#[test]
+fn links_to_folders_are_not_walked() {
+    let outer = folder();
+    fs::create_dir_all(outer.path().join("in")).unwrap();
+    symlink("..", outer.path().join("in/up")).unwrap();
+    symlink("../..", outer.path().join("in/up.svg")).unwrap();
+    let output = curveto(outer.path(), &["convert", "--in-place", "in"]);
+    assert!(output.status.success(), "{}", said(&output));
+    assert_eq!(fs::read_to_string(outer.path().join("a.svg")).unwrap(), SVG);
+}
+
+#[test]
+fn a_hard_link_keeps_the_old_content_and_a_symbolic_one_leads_to_the_new() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    fs::hard_link(at("a.svg"), at("hard")).unwrap();
+    symlink("a.svg", at("soft")).unwrap();
+    assert!(
+        curveto(folder.path(), &["convert", "a.svg", "-o", "soft"])
+            .status
+            .success()
+    );
+    assert_eq!(fs::read_to_string(at("hard")).unwrap(), SVG);
+    assert!(fs::symlink_metadata(at("soft")).unwrap().is_symlink());
+    assert!(fs::read_to_string(at("a.svg")).unwrap().contains("<path"));
+}
+
+#[test]
+fn fifos_and_devices_are_written_to() {
+    let folder = folder();
+    let fifo = folder.path().join("fifo");
+    assert!(
+        Command::new("mkfifo")
+            .arg(&fifo)
+            .status()
+            .unwrap()
+            .success()
+    );
+    let reader = {
+        let fifo = fifo.clone();
+        std::thread::spawn(move || fs::read_to_string(fifo).unwrap())
+    };
+    assert!(
+        curveto(folder.path(), &["circle", "3", "-p", "0", "-o", "fifo"])
+            .status
+            .success()
+    );
+    assert!(reader.join().unwrap().starts_with("M3 0"));
+    assert!(fs::metadata(&fifo).unwrap().file_type().is_fifo());
+    assert!(
+        curveto(folder.path(), &["circle", "3", "-o", "/dev/null"])
+            .status
+            .success()
+    );
+    assert!(
+        fs::metadata("/dev/null")
+            .unwrap()
+            .file_type()
+            .is_char_device()
+    );
+}
+
+#[test]
+fn a_new_file_has_the_mode_of_the_mask_and_is_never_open_to_more_than_the_old_one() {
+    let folder = folder();
+    let script = format!(
+        "umask 027; '{0}' circle 3 -o new; '{0}' convert a.svg -o b.svg",
+        env!("CARGO_BIN_EXE_curveto")
+    );
+    let status = Command::new("sh")
+        .current_dir(folder.path())
+        .args(["-c", &script])
+        .status();
+    assert!(status.unwrap().success());
+    for name in ["new", "b.svg"] {
+        let mode = fs::metadata(folder.path().join(name)).unwrap().mode() & 0o777;
+        assert_eq!(mode, 0o640, "{name}: {mode:o}");
     }
 }

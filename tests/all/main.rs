@@ -28,6 +28,8 @@ mod everyday;
 mod examples;
 mod exchange;
 mod explore;
+#[cfg(target_os = "linux")]
+mod faults;
 mod fewest_segments;
 #[cfg(unix)]
 mod files;
