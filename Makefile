@@ -10,7 +10,7 @@ ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall dist deb wheel clean
-.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz numbers lint
+.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz truth numbers lint
 .PHONY: golden pictures
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
@@ -106,6 +106,9 @@ FUZZ ?= 50
 
 fuzz: ## Feed random and damaged input to all that reads, 50 times as many cases as make test (FUZZ=1000: for hours)
 	CURVETO_FUZZ=$(FUZZ) $(CARGO) test --locked --test all fuzz::
+
+truth: ## Hold the stated errors of a hundred thousand shapes off the beaten track against 256-bit arithmetic (CURVETO_CASES: of each class)
+	$(CARGO) test --release --locked --test all truth:: -- --ignored --nocapture
 
 numbers: ## Hold a billion printed numbers against the standard library
 	$(CARGO) test --release --locked --lib -- --ignored a_billion_mixed_numbers

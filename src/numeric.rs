@@ -18,7 +18,13 @@ const MOST_HALVINGS: u32 = 300;
 /// The root of `f` in `[low, high]`, where its signs differ, to the last bit that f can resolve.
 ///
 /// Bisection and false position in turn (the Illinois rule), so that it converges always, and fast where f is smooth.
-pub(crate) fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+pub(crate) fn root(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
+    root_within(f, low, high, 0.0)
+}
+
+/// The same, done where the root is within `width` for certain.
+pub(crate) fn root_within(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64, width: f64) -> f64 {
+    let mut last_side = 0;
     let (mut f_low, mut f_high) = (f(low), f(high));
     if f_low == 0.0 {
         return low;
@@ -26,7 +32,6 @@ pub(crate) fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     if f_high == 0.0 || (f_low > 0.0) == (f_high > 0.0) {
         return high;
     }
-    let mut last_side = 0;
     for step in 0..MOST_STEPS {
         let secant = (low * f_high - high * f_low) / (f_high - f_low);
         let middle = f64::midpoint(low, high);
@@ -36,7 +41,8 @@ pub(crate) fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
             secant
         };
         let value = f(x);
-        if value == 0.0 || high - low <= f64::EPSILON * x.abs() || x == low || x == high {
+        let is_done = high - low <= f64::EPSILON * x.abs() || high - low < width;
+        if value == 0.0 || is_done || x == low || x == high {
             return x;
         }
         if (value > 0.0) == (f_low > 0.0) {
@@ -47,6 +53,20 @@ pub(crate) fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
             (high, f_high) = (x, value);
             f_low *= if last_side == 1 { 0.5 } else { 1.0 };
             last_side = 1;
+        }
+        // False position comes near from one side; a step to the other side shows how near.
+        if step > 0 && width > 0.0 && high - low > width {
+            let probe = if last_side == -1 {
+                low + width
+            } else {
+                high - width
+            };
+            let value = f(probe);
+            if (value > 0.0) == (f_low > 0.0) {
+                (low, f_low) = (probe, value);
+            } else {
+                (high, f_high) = (probe, value);
+            }
         }
     }
     f64::midpoint(low, high)

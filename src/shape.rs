@@ -5,7 +5,7 @@ pub mod machine;
 mod outline;
 
 pub(crate) use outline::Axes;
-pub use outline::{Outline, Truth, UnitArc};
+pub use outline::{Outline, Pencil, Truth, UnitArc};
 
 use kurbo::{Point, Vec2};
 
@@ -221,11 +221,8 @@ impl Shape {
             }
             Self::Line(_) | Self::Empty => return None,
         };
-        let truth = Truth {
-            center,
-            radii,
-            axis: rotation.direction(),
-        };
+        let truth = Truth::new(center, radii, rotation.direction());
+        let truth = ends.map_or(truth, |ends| truth.through(ends, unit.sweep.degrees()));
         Some(Outline {
             unit,
             placement: truth.placement(),

@@ -119,11 +119,11 @@ impl Input {
     }
 
     fn truth(&self) -> Truth {
-        Truth {
-            center: self.ours.center,
-            radii: self.ours.radii,
-            axis: self.ours.rotation.direction(),
-        }
+        Truth::new(
+            self.ours.center,
+            self.ours.radii,
+            self.ours.rotation.direction(),
+        )
     }
 }
 

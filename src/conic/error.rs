@@ -26,7 +26,7 @@ pub(super) fn error(conic: &Conic, segments: &[PathSeg]) -> RadialError {
         visit_between(
             segment,
             &crossings,
-            |p| frame.foot(p),
+            |t| frame.foot(segment.eval(t)),
             |_, distance| {
                 range.take_in_all([distance]);
             },

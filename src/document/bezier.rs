@@ -89,11 +89,7 @@ pub(super) fn ellipse(
     let Some(count) = count(options, Angle::TURN) else {
         return by_engine(approximate, &shape, center, options, out);
     };
-    let truth = Truth {
-        center: Point::ZERO,
-        radii,
-        axis: Vec2::new(1.0, 0.0),
-    };
+    let truth = Truth::new(Point::ZERO, radii, Vec2::new(1.0, 0.0));
     let (piece, error) = memo
         .piece(options.rule, 360.0 / count as f64)
         .map_err(|error| refused(&error))?;
@@ -178,7 +174,7 @@ fn single(
         .piece(options.rule, chord.sweep.abs())
         .map_err(|error| refused(&error))?;
     out.begin(piece.degree);
-    let truth = chord.truth();
+    let truth = chord.truth().through([arc.from, arc.to], chord.sweep);
     let sign = 1.0_f64.copysign(chord.sweep);
     let [first, last] = chord.directions();
     let joint = |radius, offset| Joint { radius, offset };

@@ -3,7 +3,7 @@
 use kurbo::{PathSeg, Point};
 
 use super::continuity::{Joint, joint};
-use super::radial::{Profile, visit_extremes};
+use super::radial::Profile;
 use super::reference::Reference;
 use super::report::{
     ContinuityReport, CurvatureReport, ErrorReport, Extent, Extreme, LagReport, Place,
@@ -115,11 +115,12 @@ impl<'a> Bench<'a> {
         let (mut out, mut inside) = (Largest::above(0.0), Largest::above(0.0));
         let (mut mean, mut square, mut over_angle, mut angle) = (0.0, 0.0, 0.0, 0.0);
         for (i, segment) in self.segments() {
-            visit_extremes(segment, truth, |t, distance| {
-                out.take(distance, i, t);
-                inside.take(-distance, i, t);
-            });
             let profile = Profile::new(segment, truth);
+            profile.visit_extremes(|t, distance| {
+                let [least, most] = profile.bounds(t, distance);
+                out.take(most, i, t);
+                inside.take(-least, i, t);
+            });
             let framed = self.reference.framed(segment);
             mean += profile.integral(|_, d| d);
             square += profile.integral(|_, d| d * d);

@@ -42,11 +42,7 @@ impl Reference {
     /// The reference with all lengths multiplied by a power of two, which is exact.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self {
-            truth: Truth {
-                center: (self.truth.center.to_vec2() * factor).to_point(),
-                radii: self.truth.radii * factor,
-                axis: self.truth.axis,
-            },
+            truth: self.truth.scaled(factor),
             placement: Affine::new(self.placement.as_coeffs().map(|c| c * factor)),
             arc: self.arc,
         }

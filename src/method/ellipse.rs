@@ -128,7 +128,9 @@ impl Segment {
         let mut misses = [0.0; 3];
         for (i, t) in self.extremes(&cubic)?.into_iter().enumerate() {
             let (s, sign) = (1.0 - t, SIGNS[i]);
-            let Foot { distance, outward } = self.foot(cubic.eval(t));
+            let Foot {
+                distance, outward, ..
+            } = self.foot(cubic.eval(t));
             let [u0, u1] = self.ends.map(|u| outward.dot(u));
             let inward = s * s * (1.0 + 2.0 * t) * u0 + t * t * (3.0 - 2.0 * t) * u1;
             rows[i] = [

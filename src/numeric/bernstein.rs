@@ -1,24 +1,46 @@
-//! Polynomials on [0, 1] in Bernstein form, up to degree 6: what the extremes of distance, curvature and angle are the roots of.
+//! Polynomials on [0, 1] in Bernstein form: what the extremes of distance, curvature and angle are the roots of.
 
-use super::root;
+use super::root_within;
 
-/// The largest degree: the square of a cubic.
-const MOST: usize = 6;
+/// The coefficients of the square of a cubic, which most polynomials here come from.
+const SQUARE: usize = 7;
+
+/// The most coefficients: those of the product of such a square with the slope of another.
+pub(crate) const MOST: usize = 12;
 
 /// How often a part is cut in two at most; roots that are closer than that pass for one.
 const MOST_CUTS: u32 = 48;
 
-/// A polynomial on [0, 1] in Bernstein form.
+/// n over k for n up to 11: [n][k].
+const BINOMIALS: [[f64; MOST]; MOST] = {
+    let mut rows = [[0.0; MOST]; MOST];
+    let mut n = 0;
+    while n < MOST {
+        rows[n][0] = 1.0;
+        let mut k = 1;
+        while k <= n {
+            rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
+            k += 1;
+        }
+        n += 1;
+    }
+    rows
+};
+
+/// A polynomial on [0, 1] in Bernstein form, with room for so many coefficients.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Polynomial {
-    coefficients: [f64; MOST + 1],
+pub(crate) struct Bernstein<const ROOM: usize> {
+    coefficients: [f64; ROOM],
     degree: usize,
 }
 
-impl Polynomial {
-    /// The polynomial with these coefficients, at most seven.
+/// One of up to degree 6: the square of a cubic.
+pub(crate) type Polynomial = Bernstein<SQUARE>;
+
+impl<const ROOM: usize> Bernstein<ROOM> {
+    /// The polynomial with these coefficients, at most as many as there is room for.
     pub(crate) fn new(coefficients: &[f64]) -> Self {
-        let mut padded = [0.0; MOST + 1];
+        let mut padded = [0.0; ROOM];
         padded[..coefficients.len()].copy_from_slice(coefficients);
         Self {
             coefficients: padded,
@@ -44,9 +66,22 @@ impl Polynomial {
         work[0]
     }
 
+    /// The largest size of a coefficient, which no value exceeds.
+    pub(crate) fn largest(&self) -> f64 {
+        self.coefficients()
+            .iter()
+            .fold(0.0, |largest, c| largest.max(c.abs()))
+    }
+
+    /// The polynomial of the sizes of the coefficients.
+    pub(crate) fn sizes(mut self) -> Self {
+        self.coefficients.iter_mut().for_each(|c| *c = c.abs());
+        self
+    }
+
     /// The differences of the coefficients: the derivative over the degree.
     pub(crate) fn differences(&self) -> Self {
-        let mut slope = [0.0; MOST + 1];
+        let mut slope = [0.0; ROOM];
         for (slope, pair) in slope.iter_mut().zip(self.coefficients().windows(2)) {
             *slope = pair[1] - pair[0];
         }
@@ -66,20 +101,29 @@ impl Polynomial {
         self
     }
 
-    /// The product; the degrees must add up to at most 6.
+    /// The product; there must be room for it.
     pub(crate) fn times(&self, other: &Self) -> Self {
+        self.product(other)
+    }
+
+    /// The product in as much room as it needs.
+    pub(crate) fn product<const OTHER: usize, const WIDE: usize>(
+        &self,
+        other: &Bernstein<OTHER>,
+    ) -> Bernstein<WIDE> {
         let degree = self.degree + other.degree;
-        let mut product = [0.0; MOST + 1];
-        for (k, coefficient) in product.iter_mut().enumerate().take(degree + 1) {
-            let sum: f64 = (k.saturating_sub(other.degree)..=k.min(self.degree))
-                .map(|i| {
-                    let weight = binomial(self.degree, i) * binomial(other.degree, k - i);
-                    weight * self.coefficients[i] * other.coefficients[k - i]
-                })
-                .sum();
-            *coefficient = sum / binomial(degree, k);
+        let mut product = [0.0; WIDE];
+        let (own, others) = (&BINOMIALS[self.degree], &BINOMIALS[other.degree]);
+        for (i, a) in self.coefficients().iter().enumerate() {
+            let a = a * own[i];
+            for (j, b) in other.coefficients().iter().enumerate() {
+                product[i + j] += a * (b * others[j]);
+            }
         }
-        Self {
+        for (coefficient, binomial) in product.iter_mut().zip(BINOMIALS[degree]) {
+            *coefficient /= if binomial > 0.0 { binomial } else { 1.0 };
+        }
+        Bernstein {
             coefficients: product,
             degree,
         }
@@ -96,7 +140,7 @@ impl Polynomial {
     }
 
     fn raised(&self, degree: usize) -> Self {
-        let ones = [1.0; MOST + 1];
+        let ones = [1.0; ROOM];
         self.times(&Self::new(&ones[..=degree - self.degree]))
     }
 
@@ -105,13 +149,18 @@ impl Polynomial {
     /// A polynomial has as many roots as its Bernstein coefficients have changes of sign, or fewer by an even number (Descartes):
     /// it is cut in two until every part has at most one.
     pub(crate) fn sign_changes(&self) -> Parameters {
+        self.sign_changes_within(0.0)
+    }
+
+    /// The same, each of them within about `width`.
+    pub(crate) fn sign_changes_within(&self, width: f64) -> Parameters {
         let mut found = Parameters::default();
-        self.isolate([0.0, 1.0], MOST_CUTS, &mut found);
+        self.isolate([0.0, 1.0], MOST_CUTS, width, &mut found);
         found
     }
 
     /// Finds the changes of sign of a part of a polynomial, whose parameters lie between these.
-    fn isolate(&self, [from, to]: [f64; 2], cuts: u32, found: &mut Parameters) {
+    fn isolate(&self, [from, to]: [f64; 2], cuts: u32, width: f64, found: &mut Parameters) {
         let changes = self.coefficient_changes();
         if changes == 0 {
             return;
@@ -119,12 +168,13 @@ impl Polynomial {
         let (first, last) = (self.coefficients[0], self.coefficients[self.degree]);
         let differ = (first > 0.0 && last < 0.0) || (first < 0.0 && last > 0.0);
         if (changes == 1 || cuts == 0) && differ {
-            found.push(from + (to - from) * root(|t| self.at(t), 0.0, 1.0));
+            let root = root_within(|t| self.at(t), 0.0, 1.0, width / (to - from));
+            found.push(from + (to - from) * root);
         } else if cuts > 0 {
             let (place, [left, right]) = self.cut();
             let middle = from + (to - from) * place;
-            left.isolate([from, middle], cuts - 1, found);
-            right.isolate([middle, to], cuts - 1, found);
+            left.isolate([from, middle], cuts - 1, width, found);
+            right.isolate([middle, to], cuts - 1, width, found);
         }
     }
 
@@ -140,7 +190,7 @@ impl Polynomial {
 
     /// The parts before and behind a parameter near the middle that is no root.
     fn cut(&self) -> (f64, [Self; 2]) {
-        let places = (0..=MOST).map(|i| 0.5 - i as f64 / 64.0);
+        let places = (0..ROOM).map(|i| 0.5 - i as f64 / 64.0);
         let mut cut = (0.5, [*self; 2]);
         for place in places {
             cut = (place, self.cut_at(place));
@@ -165,9 +215,9 @@ impl Polynomial {
     }
 }
 
-/// n over k for n up to 6.
+/// n over k for n up to 11.
 pub(crate) fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
+    BINOMIALS[n][k]
 }
 
 /// A handful of parameters in ascending order.

@@ -55,6 +55,11 @@ impl Double {
         Self::sum(quotient, rest / divisor)
     }
 
+    /// What is left of it without so much, as an `f64`.
+    pub(crate) fn less(self, part: f64) -> f64 {
+        self.plus(Self::difference(0.0, part)).value()
+    }
+
     /// The nearest `f64`.
     pub(crate) fn value(self) -> f64 {
         self.high + self.low

@@ -51,3 +51,51 @@ pub(crate) fn foot(radii: Vec2, p: Vec2) -> Foot {
         outward: Vec2::new(unit.x.copysign(p.x), unit.y.copysign(p.y)),
     }
 }
+
+/// The nearest point of an ellipse, and how the ellipse bends there.
+pub(crate) struct BentFoot {
+    pub(crate) foot: Foot,
+    /// The curvature of the ellipse.
+    pub(crate) curvature: f64,
+}
+
+/// How far a point may lie from the ellipse for [`foot_by_excess`], in units of the radius of curvature beside it.
+const NEAR: f64 = 0.25;
+
+/// The same for a point near the ellipse of which `excess`, (x/a)² + (y/b)² - 1, is known with more digits than the point itself
+/// has: the distance then has them too.
+///
+/// The equation of [`foot`] less the excess is free of cancellation: with u = s/a² and v = s/b² it is
+/// (x/a)² u (2 + u)/(1 + u)² + (y/b)² v (2 + v)/(1 + v)². Sampson's distance is the start. `None` where the point is not near.
+pub(crate) fn foot_by_excess(radii: Vec2, p: Vec2, excess: f64) -> Option<BentFoot> {
+    let scale = radii.x.max(radii.y);
+    let (a, b) = (radii.x / scale, radii.y / scale);
+    let (alpha, beta) = (1.0 / (a * a), 1.0 / (b * b));
+    let (x, y) = (p.x / scale, p.y / scale);
+    let (xx, yy) = (x * x * alpha, y * y * beta);
+    let mut s = excess / (2.0 * (xx * alpha + yy * beta));
+    if s.is_nan() || s.abs() * alpha.max(beta) > NEAR {
+        return None;
+    }
+    for _ in 0..MOST_STEPS {
+        let (u, v) = (s * alpha, s * beta);
+        let (m, n) = (1.0 / (1.0 + u), 1.0 / (1.0 + v));
+        let (xm, yn) = (xx * m * m, yy * n * n);
+        let rest = excess - xm * u * (2.0 + u) - yn * v * (2.0 + v);
+        let step = rest / (2.0 * (xm * m * alpha + yn * n * beta));
+        s += step;
+        if step.abs() <= 1e-9 * s.abs() {
+            break;
+        }
+    }
+    let arm = Vec2::new(x * alpha / (1.0 + s * alpha), y * beta / (1.0 + s * beta));
+    let length = arm.hypot();
+    Some(BentFoot {
+        foot: Foot {
+            distance: s * length * scale,
+            outward: arm / length,
+        },
+        // G of the foot is |arm|², and the curvature 1/(a² b² G^(3/2)).
+        curvature: alpha * beta / (length * length * length * scale),
+    })
+}

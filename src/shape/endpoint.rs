@@ -7,6 +7,7 @@ use super::{Arc, Line, Shape, Truth, finite_point, positive_radii};
 use crate::angle::Angle;
 use crate::error::{Error, Result, finite, positive};
 use crate::number::{decimals_of, round};
+use crate::numeric::double::Double;
 
 /// An arc as SVG path data gives it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,6 +79,8 @@ impl SvgArc {
         let too_small = size >= 1.0;
         let depth = if too_small {
             0.0
+        } else if size > NEARLY_SEMICIRCLE {
+            depth_of(from, to, axis, radii)
         } else {
             ((1.0 - size) * (1.0 + size)).sqrt()
         };
@@ -105,6 +108,20 @@ impl SvgArc {
     }
 }
 
+/// The part of the diameter from which on 1 - size² loses digits.
+const NEARLY_SEMICIRCLE: f64 = 0.99;
+
+/// The distance of the chord from the centre on the unit circle, with the digits that cancel near a semicircle.
+fn depth_of(from: Point, to: Point, axis: Vec2, radii: Vec2) -> f64 {
+    let half = [(from.x, to.x), (from.y, to.y)].map(|(a, b)| Double::difference(a, b).scaled(0.5));
+    let along = half[0].scaled(axis.x).plus(half[1].scaled(axis.y));
+    let across = half[0].scaled(-axis.y).plus(half[1].scaled(axis.x));
+    let (x, y) = (along.over(radii.x), across.over(radii.y));
+    let square = x.times(x).plus(y.times(y));
+    let rest = Double::difference(1.0, 0.0).plus(square.scaled(-1.0));
+    rest.value().max(0.0).sqrt()
+}
+
 /// An elliptical arc by its chord.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Chord {
@@ -124,11 +141,7 @@ impl Chord {
     /// The ellipse.
     #[inline]
     pub(crate) fn truth(&self) -> Truth {
-        let truth = Truth {
-            center: self.middle,
-            radii: self.radii,
-            axis: self.axis,
-        };
+        let truth = Truth::new(self.middle, self.radii, self.axis);
         Truth {
             center: self.middle + truth.image(self.across),
             ..truth
@@ -244,7 +257,7 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
         return Err(Error::Shape(format!("no arc is determined: {which}")));
     }
     let (u, v) = (from - on, to - on);
-    let (cross, dot) = (u.cross(v), u.dot(v));
+    let [cross, dot] = products_about(on, from, to);
     // What rounding alone can make of the cross product of points on a line.
     let largest = [from, on, to]
         .iter()
@@ -261,6 +274,15 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
     // The inscribed angle at `on` is half of what the arc leaves of the turn; the bulge is tan(sweep/4).
     let bulge = libm::tan(libm::atan2(cross.abs(), -dot) / 2.0);
     from_bulge(from, to, if cross > 0.0 { -bulge } else { bulge })
+}
+
+/// (from - on) × (to - on) and (from - on)·(to - on) to the last digit: they cancel for points near a line, and on a semicircle.
+fn products_about(on: Point, from: Point, to: Point) -> [f64; 2] {
+    let arm = |p: Point| [Double::difference(p.x, on.x), Double::difference(p.y, on.y)];
+    let ([ux, uy], [vx, vy]) = (arm(from), arm(to));
+    let cross = ux.times(vy).plus(uy.times(vx).scaled(-1.0));
+    let dot = ux.times(vx).plus(uy.times(vy));
+    [cross.value(), dot.value()]
 }
 
 /// The arc from `from` to `to` with the DXF bulge tan(sweep/4), positive in the direction of growing angles; a line where it is 0.

@@ -1,6 +1,6 @@
 //! What the three documents say beyond the methods: their tables, procedures and figures, each by a command.
 
-use curveto::kurbo::{CubicBez, Point, Vec2};
+use curveto::kurbo::{CubicBez, Point};
 use curveto::measure::radial;
 use curveto::shape::Truth;
 use curveto::{Method, method::Span};
@@ -173,11 +173,7 @@ fn apprichs_errors_are_his_formulas_at_any_angle() {
 
 #[test]
 fn apprichs_error_has_one_maximum_at_the_middle() {
-    let truth = Truth {
-        center: Point::ORIGIN,
-        radii: Vec2::new(1.0, 1.0),
-        axis: Vec2::new(1.0, 0.0),
-    };
+    let truth = Truth::circle(Point::ORIGIN, 1.0);
     for degrees in 10..=120 {
         let phi = f64::from(degrees).to_radians();
         let (s, c) = phi.sin_cos();

@@ -63,3 +63,4 @@ mod schema;
 mod sphere;
 mod spline;
 mod stated_errors;
+mod truth;

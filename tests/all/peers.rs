@@ -102,8 +102,9 @@ fn lyon_draws_cubics_by_curvature_and_quadratics_along_the_tangents() {
     let cubic = kept("lyon", &data(&cubics));
     let quadratic = kept("lyon-quadratic", &data(&quadratics));
     assert_eq!((cubic.segments, quadratic.segments), (4, 8));
-    assert!((cubic.error.peak - peak(Method::Curvature, 4)).abs() < 1e-14);
-    assert!((quadratic.error.peak - peak(Method::QuadraticTangent, 8)).abs() < 1e-14);
+    // Both are bounds, each with the rounding of its own points.
+    assert!((cubic.error.peak - peak(Method::Curvature, 4)).abs() < 1e-13);
+    assert!((quadratic.error.peak - peak(Method::QuadraticTangent, 8)).abs() < 1e-13);
 }
 
 #[test]

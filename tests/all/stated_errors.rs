@@ -34,8 +34,8 @@ fn cuts() -> Vec<Cut> {
     cuts
 }
 
-/// Compares what is stated with the oracle: each side to 1e-9 of it, or to the last digit of the other side where that errs
-/// far more.
+/// Compares what is stated with the oracle: it is never less, and at most a billionth and four units in the last place of the
+/// largest coordinate more.
 fn compare(drawing: &Drawing, centre: (f64, f64), radius: f64) -> Option<String> {
     let (mut outward, mut inward) = (0.0_f64, 0.0_f64);
     for segment in &drawing.curve.segments {
@@ -47,10 +47,16 @@ fn compare(drawing: &Drawing, centre: (f64, f64), radius: f64) -> Option<String>
         outward = outward.max(to_f64(&found.0));
         inward = inward.max(to_f64(&found.1));
     }
-    let near = |ours: f64, theirs: f64| {
-        let off = (ours - theirs).abs();
-        off <= 1e-9 * theirs || off <= 1e-15 * outward.max(inward)
-    };
+    let largest = drawing
+        .curve
+        .segments
+        .iter()
+        .flat_map(control_points)
+        .map(|p| p.x.abs().max(p.y.abs()))
+        .fold(0.0, f64::max);
+    let unit = largest.next_up() - largest;
+    let near =
+        |ours: f64, theirs: f64| ours >= theirs && ours <= theirs * (1.0 + 1e-9) + 4.0 * unit;
     let stated = drawing.error;
     (!near(stated.outward, outward) || !near(stated.inward, inward)).then(|| {
         format!(

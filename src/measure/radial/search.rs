@@ -1,0 +1,98 @@
+//! The extremes of the distance from any shape whose nearest points are known: a search between the crossings.
+
+use core::iter;
+
+use kurbo::{ParamCurve, ParamCurveDeriv, PathSeg, Vec2};
+
+use crate::numeric::foot::Foot;
+use crate::numeric::root;
+
+/// How many brackets the search begins with between two crossings; they narrow towards the crossings, as the
+/// distance does where the curve touches the ellipse.
+const BRACKETS: u32 = 32;
+
+/// A bracket in which the ellipse's normal turns by more than this, as a cosine, is halved: at the tips of a flat ellipse the
+/// distance varies with the normal, far faster than with t.
+const NORMAL_TURN: f64 = 0.95;
+
+/// How often a bracket is halved at most.
+const MOST_HALVINGS: u32 = 24;
+
+/// A place on the segment with the derivative of the distance there.
+struct Sample {
+    t: f64,
+    slope: f64,
+    normal: Vec2,
+}
+
+/// Visits the ends and every extreme of the signed distance as (t, distance), each between two of these places at which the
+/// distance changes its sign or jumps; `foot` finds the nearest point of the true shape at t.
+pub(crate) fn visit_between(
+    segment: &PathSeg,
+    cuts: &[f64],
+    foot: impl Fn(f64) -> Foot,
+    mut visit: impl FnMut(f64, f64),
+) {
+    let search = Search { segment, foot };
+    visit(0.0, search.distance(0.0));
+    let mut cuts = cuts.to_vec();
+    cuts.sort_by(f64::total_cmp);
+    let ends = iter::once(0.0).chain(cuts.iter().copied());
+    for (from, to) in ends.zip(cuts.iter().copied().chain(iter::once(1.0))) {
+        let mut before = search.sample(from);
+        for i in 1..=BRACKETS {
+            let part = libm::cos(core::f64::consts::PI * f64::from(i) / f64::from(BRACKETS));
+            let after = search.sample(from + (to - from) * (1.0 - part) / 2.0);
+            search.bracket(&before, &after, MOST_HALVINGS, &mut visit);
+            before = after;
+        }
+    }
+    visit(1.0, search.distance(1.0));
+}
+
+struct Search<'a, F> {
+    segment: &'a PathSeg,
+    foot: F,
+}
+
+impl<F: Fn(f64) -> Foot> Search<'_, F> {
+    fn distance(&self, t: f64) -> f64 {
+        (self.foot)(t).distance
+    }
+
+    fn sample(&self, t: f64) -> Sample {
+        let normal = (self.foot)(t).outward;
+        Sample {
+            t,
+            slope: derivative(self.segment, t).dot(normal),
+            normal,
+        }
+    }
+
+    /// Visits the extreme between two places, halving where the normal turns far.
+    fn bracket(
+        &self,
+        before: &Sample,
+        after: &Sample,
+        halvings: u32,
+        visit: &mut impl FnMut(f64, f64),
+    ) {
+        if halvings > 0 && before.normal.dot(after.normal) < NORMAL_TURN {
+            let middle = self.sample(f64::midpoint(before.t, after.t));
+            self.bracket(before, &middle, halvings - 1, visit);
+            self.bracket(&middle, after, halvings - 1, visit);
+        } else if (before.slope > 0.0) != (after.slope > 0.0) {
+            let t = root(|t| self.sample(t).slope, before.t, after.t);
+            visit(t, self.distance(t));
+        }
+    }
+}
+
+/// The derivative at t.
+pub(super) fn derivative(segment: &PathSeg, t: f64) -> Vec2 {
+    match segment {
+        PathSeg::Line(line) => line.p1 - line.p0,
+        PathSeg::Quad(quad) => quad.deriv().eval(t).to_vec2(),
+        PathSeg::Cubic(cubic) => cubic.deriv().eval(t).to_vec2(),
+    }
+}
