@@ -76,14 +76,24 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
         .map_or(Some(Precision::Full), super::args::PrecisionWord::precision);
     let mut subjects = Vec::new();
     let rules = args.approximation.rules()?;
-    if let Cut::Count(count) | Cut::Adaptive(count) = args.approximation.cut() {
-        check_segments(rules.len().saturating_mul(count))?;
-    }
+    let counts = args.approximation.counts();
+    let planned = counts.iter().fold(0_usize, |sum, &n| sum.saturating_add(n));
+    check_segments(rules.len().saturating_mul(planned))?;
+    let cut = draw::cut(&args.shape, &args.approximation)?;
+    let cuts: Vec<Cut> = match cut {
+        Cut::Adaptive(_) => counts.iter().copied().map(Cut::Adaptive).collect(),
+        Cut::Count(_) => counts.iter().copied().map(Cut::Count).collect(),
+        other => vec![other],
+    };
+    let several = cuts.len() > 1;
+    let ways = rules
+        .iter()
+        .flat_map(|&rule| cuts.iter().map(move |cut| (rule, cut)));
     let mut segments = 0;
-    for rule in rules {
+    for (rule, cut) in ways {
         let options = Options {
             rule,
-            cut: draw::cut(&args.shape, &args.approximation)?,
+            cut: cut.clone(),
             precision,
             transform: args.transform.unwrap_or_default(),
         };
@@ -102,7 +112,12 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
             ));
         };
         subjects.push(Subject {
-            name: rule.id().to_owned(),
+            name: match cut {
+                Cut::Count(count) | Cut::Adaptive(count) if several => {
+                    format!("{}, {count} segments", rule.id())
+                }
+                _ => rule.id().to_owned(),
+            },
             reference: Reference::from(outline),
             curve: drawing.curve,
             measurement,

@@ -638,3 +638,39 @@ fn segments_of_no_length_are_left_out_and_said() {
         );
     }
 }
+
+#[test]
+fn several_counts_and_methods_are_measured_in_their_order() {
+    let found = json(&[
+        "measure",
+        "ellipse",
+        "5",
+        "3",
+        "-n",
+        "2,4",
+        "-m",
+        "minimax,midpoint",
+    ]);
+    let found = found.as_array().unwrap();
+    let names: Vec<String> = found
+        .iter()
+        .map(|one| format!("{}", one["subject"]["title"]))
+        .collect();
+    assert_eq!(names.len(), 4);
+    for (name, (count, method)) in names.iter().zip([
+        (2, "minimax"),
+        (4, "minimax"),
+        (2, "midpoint"),
+        (4, "midpoint"),
+    ]) {
+        assert!(
+            name.contains(&format!("{count} segments by {method}")),
+            "{name}"
+        );
+    }
+    let peak = |i: usize| found[i]["error"]["peak"].as_f64().unwrap();
+    assert!(peak(0) > 10.0 * peak(1) && peak(2) > 10.0 * peak(3));
+    assert!(refused(&["ellipse", "5", "3", "-n", "2,4"]).contains("one number of segments"));
+    assert!(refused(&["measure", "circle", "5", "-n", "2,0"]).contains("from 1"));
+    assert!(refused(&["measure", "circle", "5", "-n", "90000,90000"]).contains("at most"));
+}

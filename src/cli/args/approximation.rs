@@ -32,8 +32,8 @@ pub(crate) struct ApproximationArgs {
     #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader, action = ArgAction::Set)]
     method: Vec<Method>,
     /// Exactly N segments, of equal parametric angle
-    #[arg(short = 'n', long, value_name = "N", value_parser = values::count, allow_hyphen_values = true, conflicts_with_all = ["tolerance", "joints"])]
-    segments: Option<usize>,
+    #[arg(short = 'n', long, value_name = "N", value_delimiter = ',', value_parser = values::count, allow_hyphen_values = true, action = ArgAction::Set, conflicts_with_all = ["tolerance", "joints"])]
+    segments: Vec<usize>,
     /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
     #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true, conflicts_with = "joints")]
     tolerance: Option<Tolerance>,
@@ -60,6 +60,12 @@ const LARGEST_HANDLE: f64 = 1e9;
 impl ApproximationArgs {
     /// What gives the control points of a drawing.
     pub(crate) fn rule(&self) -> Result<Rule, Failure> {
+        if self.segments.len() > 1 {
+            return Err(Failure::request_with_hint(
+                "a drawing has one number of segments",
+                "'curveto measure' takes several, and so does 'curveto compare'",
+            ));
+        }
         match self.rules()?.as_slice() {
             &[rule] => Ok(rule),
             _ => Err(Failure::request_with_hint(
@@ -125,11 +131,16 @@ impl ApproximationArgs {
             && self.cut() == Cut::Quarters
     }
 
-    /// Where the sweep is cut.
+    /// How often a curve is measured: once for each of several numbers of segments.
+    pub(crate) fn counts(&self) -> &[usize] {
+        &self.segments
+    }
+
+    /// Where the sweep is cut: by the first number of segments, where there are several.
     pub(crate) fn cut(&self) -> Cut {
-        match (self.segments, self.tolerance) {
-            (Some(count), _) if self.adaptive => Cut::Adaptive(count),
-            (Some(count), _) => Cut::Count(count),
+        match (self.segments.first(), self.tolerance) {
+            (Some(&count), _) if self.adaptive => Cut::Adaptive(count),
+            (Some(&count), _) => Cut::Count(count),
             (None, Some(tolerance)) => Cut::Tolerance(tolerance),
             (None, None) if self.joints.is_empty() => Cut::Quarters,
             (None, None) => Cut::At(self.joints.clone()),
