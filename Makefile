@@ -11,7 +11,7 @@ FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall dist deb wheel clean
 .PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz truth numbers lint
-.PHONY: golden pictures
+.PHONY: golden gallery
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
 # ---- Build
@@ -129,23 +129,8 @@ lint: ## Check formatting, lints, each feature alone, and the documentation of t
 golden: ## Write the golden files in fixtures/ anew
 	CURVETO_GOLDEN=1 $(CARGO) test --locked --test all -- golden bad_input:: format_goldens schema peers measure_cli documented_commands convert::
 
-CURVETO ?= target/release/curveto
-IMAGES = docs/images
-
-pictures: build $(addprefix $(IMAGES)/,circle.png midpoint.png curvature.png quadratic.png ellipse.png arc.svg) ## Draw the pictures of the documentation anew, with the program itself
-	sh docs/pictures-chen.sh
-
-$(IMAGES)/%: Makefile build
-	@mkdir -p $(@D)
-	$(CURVETO) $(words_$*) -o $@
-
-everything = --show joints,handles,truth,error
-words_circle.png    = circle 50 $(everything)=500
-words_midpoint.png  = circle 50 -m midpoint $(everything)=500 --size 320x320
-words_curvature.png = circle 50 -m curvature $(everything)=60 --size 320x320
-words_quadratic.png = circle 50 -m quadratic-minimax $(everything)=12 --size 320x320
-words_ellipse.png   = ellipse 120 50 --rotation 20 $(everything)=500 --size 640x400
-words_arc.svg       = arc --svg 'M10 80a25,25-30 0150-25' $(everything)=300 --background white
+gallery: build ## Draw the pictures of the documentation anew, and the page that shows them with their commands
+	PATH="$(CURDIR)/target/release:$$PATH" docs/gallery/draw
 
 # ---- Measure
 

@@ -137,8 +137,9 @@ pub struct DrawingEntry {
     /// The lowest order of continuity at a joint; nothing where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub continuity: Option<String>,
-    /// The signed distance from the true shape at 25 equal steps of t, in thousandths of the peak in `figures`, positive outside: a
-    /// list for each kind of segment, or its first 13 where it is the same from both ends.
+    /// The signed distance from the true shape at 25 values of t, (1 - cos(πi/24))/2 for i from 0 to 24, in thousandths of the peak in
+    /// `figures`, positive outside: a list for each kind of segment, or its first 13 where it is the same from both ends. The polynomial
+    /// through them is the distance to a thousandth or so: that of a circle has hardly more than the degree 6 of r².
     pub profiles: Vec<Vec<i16>>,
     /// Which profile each segment has, counted from 1; negative where it runs backwards. Nothing where all have the first.
     #[serde(skip_serializing_if = "Vec::is_empty")]

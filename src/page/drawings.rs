@@ -1,20 +1,23 @@
 //! Drawings, computed and measured.
 
+use core::f64::consts::PI;
+
 use super::document::{DrawingEntry, ShapeChoice, Step};
 use super::words::{words, words_ps};
 use crate::approximate::{Drawing, Options, approximate, automatic_precision};
 use crate::compare::{Criterion, square};
 use crate::error::{Error, Result};
 use crate::joints::Cut;
-use crate::measure::{Quantity, Reference, profile, report};
+use crate::measure::radial::Profile;
+use crate::measure::{Reference, report};
 use crate::method::Rule;
 use crate::number::{Precision, rounded_up};
 use crate::picture::figure::describe;
 use crate::radial_error::RadialError;
-use crate::shape::{Outline, Shape};
+use crate::shape::{Outline, Shape, Truth};
 use crate::write::json::{DrawingDocument, shape_document};
 
-/// At how many steps of t the distance is told.
+/// The distance is told at the ends and extremes of the Chebyshev polynomial of this degree, through which the page draws a polynomial.
 const STEPS: u32 = 24;
 
 /// In how many parts of the peak the distance is told.
@@ -111,7 +114,7 @@ fn drawing(
     }
     let document = DrawingDocument::from(&printed);
     let figures = figures(&full, outline);
-    let (profiles, profile_of) = profiles(&full, &reference, figures[0]);
+    let (profiles, profile_of) = profiles(&full, &outline.truth, figures[0]);
     let entry = DrawingEntry {
         method: rule.id().to_owned(),
         segments: count,
@@ -144,12 +147,16 @@ fn figures(full: &Drawing, outline: &Outline) -> [f64; 6] {
 
 /// The kinds of profiles, and which each segment has: one that is another run backwards is not told again, nor is the second half of one
 /// that mirrors itself.
-fn profiles(full: &Drawing, reference: &Reference, peak: f64) -> (Vec<Vec<i16>>, Vec<i16>) {
+fn profiles(full: &Drawing, truth: &Truth, peak: f64) -> (Vec<Vec<i16>>, Vec<i16>) {
     let unit = (peak * full.larger_radius()).max(f64::MIN_POSITIVE);
     let mut kinds: Vec<Vec<i16>> = Vec::new();
     let mut kind_of = Vec::new();
-    for part in profile::along(&full.curve, reference, Quantity::Error, STEPS) {
-        let parts = part.iter().map(|&(_, d)| (d / unit * PARTS).round());
+    let angles = (0..=STEPS).map(|i| PI * f64::from(i) / f64::from(STEPS));
+    let places: Vec<f64> = angles.map(|a| (1.0 - libm::cos(a)) / 2.0).collect();
+    for segment in &full.curve.segments {
+        let profile = Profile::new(segment, truth);
+        let part = |&t: &f64| (profile.at(t) / unit * PARTS).round();
+        let parts = places.iter().map(part);
         let own: Vec<i16> = parts.map(|d| d.clamp(-PARTS, PARTS) as i16).collect();
         let backwards: Vec<i16> = own.iter().rev().copied().collect();
         let position = |wanted: &[i16]| kinds.iter().position(|kind| near(kind, wanted));

@@ -88,7 +88,7 @@ impl Figure {
     pub(crate) fn described(&self, style: &Style) -> String {
         match style.show.error {
             Some(factor) if !self.truths.is_empty() => format!(
-                "{}; deviation drawn {} times as large",
+                "{}; deviation drawn {} times as large, orange outside and blue inside",
                 self.description,
                 text(factor)
             ),

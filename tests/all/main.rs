@@ -36,6 +36,7 @@ mod files;
 mod format_goldens;
 mod formats;
 mod fuzz;
+mod gallery;
 mod golden;
 mod house;
 mod judges;

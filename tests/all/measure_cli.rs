@@ -521,57 +521,6 @@ fn compare_draws_every_method_in_every_picture_format() {
     }
 }
 
-/// The pictures of docs/measure.md; with `CURVETO_GOLDEN=1` they are drawn anew.
-#[test]
-fn the_pictures_of_the_documentation_are_what_the_program_draws() {
-    let images = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/images");
-    let folder = tempfile::tempdir().unwrap();
-    let pictures: [(&str, &[&str]); 2] = [
-        (
-            "apprich-k2.svg",
-            &[
-                "measure",
-                "circle",
-                "1",
-                "-m",
-                "apprich",
-                "-n",
-                "4",
-                "--quantity",
-                "curvature-d2",
-                "--plot",
-            ],
-        ),
-        (
-            "compare.svg",
-            &[
-                "compare",
-                "-m",
-                "all",
-                "-n",
-                "2,3,4,5,6,8",
-                "-f",
-                "svg",
-                "-o",
-            ],
-        ),
-    ];
-    for (name, arguments) in pictures {
-        let drawn = folder.path().join(name);
-        printed(&[arguments, &[drawn.to_str().unwrap()]].concat());
-        let kept = images.join(name);
-        if std::env::var_os("CURVETO_GOLDEN").is_some() {
-            fs::create_dir_all(&images).unwrap();
-            fs::copy(&drawn, &kept).unwrap();
-        }
-        assert_eq!(
-            fs::read(&kept).unwrap(),
-            fs::read(&drawn).unwrap(),
-            "{name}"
-        );
-    }
-}
-
 #[test]
 fn each_subpath_is_judged_by_itself() {
     let folder = tempfile::tempdir().unwrap();

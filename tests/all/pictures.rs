@@ -117,7 +117,11 @@ fn what_is_shown_lies_in_groups_of_its_own() {
             "joints"
         ]
     );
-    assert!(document.contains("; deviation drawn 500 times as large</desc>"));
+    assert!(
+        document.contains(
+            "; deviation drawn 500 times as large, orange outside and blue inside</desc>"
+        )
+    );
     assert_eq!(document.matches("<circle").count(), 4 + 8);
     // The true shape is no Bézier curve.
     assert!(document.contains("<path d=\"M50 0A50 50 0 0 1 "));

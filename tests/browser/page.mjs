@@ -73,7 +73,7 @@ const tests = {
     await tab.$eval("#value", slider => { slider.value = 8; slider.dispatchEvent(new Event("input", { bubbles: true })); });
     assert.match(await text(tab, "statement"), /Ellipse with radii 50 and 5: 8 segments by apprich/);
     await tab.click("input[value=arc]");
-    assert.match(await text(tab, "statement"), /Arc of radius 50 over \d+ degrees: 2 segments by apprich/);
+    assert.match(await text(tab, "statement"), /Arc of radius 50 over \d+ degrees: 1 segment by apprich/);
     await tab.click("input[value=asked]");
     await tab.click("input[value=handles]");
     assert.equal(await tab.$$eval("#figure .control", controls => controls.length), 0);
@@ -95,6 +95,18 @@ const tests = {
       return wrong;
     });
     assert.deepEqual(faults, []);
+  },
+
+  async "the drawn distance is that of the Béziers, to a thousandth of the peak or so"({ tab }) {
+    const farthest = await tab.evaluate(() => {
+      const frame = frameOf(view.step.shape);
+      return Math.max(...view.step.drawings.flatMap(drawing => {
+        const { segments } = readPath(drawing.path);
+        const off = ([t, d], number) => Math.abs(Math.hypot(...pointAt(segments[number], t)) - 50 - d) / (50 * drawing.figures[0]);
+        return distances(drawing, frame).flatMap((profile, number) => profile.map(place => off(place, number)));
+      }));
+    });
+    assert.ok(farthest < .002, String(farthest));
   },
 
   async "the slider magnifies from 1 to 10000"({ tab }) {
@@ -223,6 +235,17 @@ const tests = {
       await tab.emulateMediaFeatures([{ name: "prefers-color-scheme", value }]);
       assert.equal(await paper(), colours[value]);
     }
+  },
+
+  async "on paper there is the drawing in light colours, and nothing to press"({ tab }) {
+    await tab.select("#theme", "dark");
+    await tab.emulateMediaType("print");
+    const seen = await tab.evaluate(() => {
+      const shown = selector => [...document.querySelectorAll(selector)].some(element => element.checkVisibility());
+      return [shown("form"), shown("#copies"), shown("#theme"), shown("#figure svg"), shown("#methods"), getComputedStyle(document.body).backgroundColor];
+    });
+    assert.deepEqual(seen, [false, false, false, true, true, "rgb(255, 255, 255)"]);
+    assert.ok((await tab.pdf({ width: "210mm", height: "297mm" })).length > 10_000);
   },
 
   async "everything is within reach of the keyboard, in order"({ tab }) {

@@ -33,7 +33,7 @@ pub(crate) struct PictureArgs {
     /// Free space around all that is drawn, strokes included, in user units [default: 0, with --show about 2 % of the larger side]
     #[arg(long, value_name = "M", value_parser = values::length, allow_hyphen_values = true)]
     margin: Option<f64>,
-    /// Show with the curve any of joints, handles, truth (the true shape beneath), error=K (the deviation drawn K times as large)
+    /// Show with the curve any of joints, handles, truth (the true shape beneath), error=K (the deviation drawn K times as large, orange outside and blue inside)
     #[arg(long, value_name = "WHAT,...", value_delimiter = ',')]
     show: Vec<Shown>,
 }

@@ -82,29 +82,30 @@ function frameOf(shape) {
   };
 }
 
-/** How finely each of the engine's steps of t is drawn. */
-const FINER = 4;
+/** How many steps of t the distance along a segment is drawn in. */
+const FINE = 96;
 
-/** The signed distance along each segment as [t, distance]: the engine's values, joined smoothly. */
+/** The signed distance along each segment as [t, distance]: the polynomial through the engine's values, by the barycentric formula. */
 function distances(drawing, frame) {
   const unit = drawing.figures[0] * frame.radius / 1000;
   const kinds = drawing.profile_of || Array(drawing.segments).fill(1);
+  const node = (i, steps) => (1 - Math.cos(Math.PI * i / steps)) / 2;
   return kinds.map(number => {
-    let kind = drawing.profiles[Math.abs(number) - 1];
+    let values = drawing.profiles[Math.abs(number) - 1];
     // Of a profile that mirrors itself the first half is given.
-    if (kind.length === 13) kind = [...kind, ...kind.slice(0, -1).reverse()];
-    const values = number < 0 ? [...kind].reverse() : kind;
-    const last = values.length - 1, result = [];
-    for (let i = 0; i < last; i++) {
-      const b = values[i], c = values[i + 1];
-      const a = i > 0 ? values[i - 1] : 2 * b - c, d = i + 1 < last ? values[i + 2] : 2 * c - b;
-      for (let j = 0; j < FINER; j++) {
-        const s = j / FINER, from = (c - a) / 2, to = (d - b) / 2;
-        const value = b + s * (from + s * (3 * (c - b) - 2 * from - to + s * (2 * (b - c) + from + to)));
-        result.push([(i + s) / last, value * unit]);
+    if (values.length === 13) values = [...values, ...values.slice(0, -1).reverse()];
+    if (number < 0) values = [...values].reverse();
+    const last = values.length - 1;
+    const at = (t, i) => {
+      if (i * last % FINE === 0) return values[i * last / FINE];
+      let sum = 0, weights = 0;
+      for (let j = 0; j <= last; j++) {
+        const weight = (j % 2 ? -1 : 1) * (j === 0 || j === last ? .5 : 1) / (t - node(j, last));
+        sum += weight * values[j];
+        weights += weight;
       }
-    }
-    result.push([1, values[last] * unit]);
-    return result;
+      return sum / weights;
+    };
+    return Array.from({ length: FINE + 1 }, (_, i) => [node(i, FINE), at(node(i, FINE), i) * unit]);
   });
 }

@@ -26,7 +26,7 @@ function labels(values) {
 function sheet(place, titled) {
   const width = Math.max(place.clientWidth, 240), height = Math.max(place.clientHeight, 160);
   const em = parseFloat(getComputedStyle(place).fontSize) * .78;
-  const frame = { left: 4.6 * em, right: width - em, top: 1.9 * em, bottom: height - 3.4 * em };
+  const frame = { left: 4.6 * em, right: width - 1.7 * em, top: 1.9 * em, bottom: height - 3.4 * em };
   const picture = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "img", "aria-labelledby": titled });
   return { picture, frame, em, width, height };
 }

@@ -27,10 +27,11 @@ function settle() {
   if (drawing) [view.method, view.count] = [drawing.method, drawing.segments];
 }
 
-/** The magnification at which the peak is an eighth of the radius. */
+/** The round magnification at which the peak is about an eighth of the larger radius, and less than half of the smaller one. */
 function fitting() {
-  const peak = errorOf(view.step, view.drawing).relative_peak;
-  const wanted = Math.min(Math.max(.12 / Math.max(peak, 1e-12), 1), MOST_MAGNIFIED);
+  const { radii } = view.step.shape, { peak } = errorOf(view.step, view.drawing);
+  const room = Math.min(.12 * Math.max(...radii), .45 * Math.min(...radii));
+  const wanted = Math.min(Math.max(room / Math.max(peak, 1e-12 * room), 1), MOST_MAGNIFIED);
   const size = 10 ** Math.floor(Math.log10(wanted));
   return Math.min([5, 2, 1].map(x => x * size).find(x => x <= wanted * 1.001) || size, MOST_MAGNIFIED);
 }
@@ -122,11 +123,10 @@ function drawChoices() {
   byId("magnify").setAttribute("aria-valuetext", `${people(view.magnify, 3)} times`);
   byId("magnify-said").textContent = `${plain(view.magnify)} ×`;
   for (const box of document.querySelectorAll("input[name=show]")) box.checked = view.show.has(box.value);
-  const { criterion, origin, advice } = page.methods.find(m => m.id === view.method);
-  byId("about").textContent = `${sentence(criterion)} (${origin}). ${advice}`;
+  const about = page.methods.find(m => m.id === view.method);
+  byId("about").replaceChildren(...[["criterion", "Criterion"], ["origin", "From"], ["advice", "When to use it"]]
+    .flatMap(([key, name]) => [html("dt", {}, name), html("dd", {}, about[key])]));
 }
-
-const sentence = words => words[0].toUpperCase() + words.slice(1);
 
 function drawStatement() {
   const { step, drawing } = view, { outward, inward, peak, relative_peak } = errorOf(step, drawing);
@@ -145,7 +145,7 @@ function drawCharts() {
   const { title: what, label } = page.criteria[view.criterion];
   const names = other ? `${view.method} (solid) and ${view.beside} (dashed)` : view.method;
   byId("error-title").textContent = `Distance from the true shape: ${names}`;
-  byId("counts-title").textContent = `${sentence(what)} by the number of segments: ${step.title}`;
+  byId("counts-title").textContent = `${what[0].toUpperCase()}${what.slice(1)} by the number of segments: ${step.title}`;
   drawCounts(byId("chart-counts"), view, label, choose);
 }
 
@@ -196,9 +196,12 @@ function prepare() {
     input.addEventListener("change", () => {
       view.shape = choice.id;
       view.at = choice.id === "asked" ? 0 : Math.floor((choice.steps.length - 1) / 2);
+      if (choice.id === "arc") view.count = 1;
+      settle();
+      view.magnify = fitting();
       draw();
     });
-    byId("shapes").append(html("label", {}, input, ` ${choice.title}`));
+    byId("shapes").append(html("label", {}, input, html("span", {}, choice.title)));
   }
   on("value", "input", value => { view.at = Number(value); });
   on("method", "change", value => { view.method = value; });
