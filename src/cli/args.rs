@@ -169,7 +169,8 @@ mod tests {
         visit(&command, "", &mut lists);
         let of_measure =
             ["circle", "ellipse", "arc", "conic"].map(|shape| format!("measure {shape} method"));
-        let of_explore = ["circle", "ellipse", "arc"].map(|shape| format!("explore {shape} "));
+        let of_explore =
+            ["circle", "ellipse", "arc", "conic"].map(|shape| format!("explore {shape} "));
         let of_explore = of_explore
             .iter()
             .flat_map(|path| ["method", "segments"].map(|id| path.clone() + id));

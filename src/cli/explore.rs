@@ -21,6 +21,7 @@ pub(super) fn run(args: &ExploreArgs) -> Outcome {
         ExploredShape::Circle(explored) => explore(explored),
         ExploredShape::Ellipse(explored) => explore(explored),
         ExploredShape::Arc(explored) => explore(explored),
+        ExploredShape::Conic(explored) => explore(explored),
     }
 }
 

@@ -61,8 +61,9 @@ impl PageDocument {
         })?;
         let rules = distinct(request.rules);
         // A segment has six numbers: what is certainly too large need not be drawn first.
-        let segments = rules.len().saturating_mul(request.counts.iter().sum());
-        if segments > LARGEST / 12 {
+        let counts = request.counts.iter();
+        let segments = counts.fold(0_usize, |sum, &count| sum.saturating_add(count));
+        if segments.saturating_mul(rules.len()) > LARGEST / 12 {
             return Err(too_large());
         }
         let asked = asked(&shape, &outline, &rules, request)?;

@@ -200,6 +200,10 @@ fn what_cannot_be_a_page_is_refused() {
             "its formats are html and json",
         ),
         ("explore circle 50 -m nonesuch", "unknown method"),
+        (
+            "explore conic --from 0,0 --control 5,9 --to 10,0 --weight 1",
+            "no arc of an ellipse",
+        ),
         ("explore", "Usage"),
     ] {
         let output = curveto(command);

@@ -36,7 +36,12 @@ impl ShapeWords for ConicShape {
     fn shape(&self, _: Direction) -> Result<Shape, Failure> {
         self.conic()?
             .arc()?
-            .ok_or_else(|| Failure::request("this conic is no arc of an ellipse"))
+            .ok_or_else(|| {
+                Failure::request_with_hint(
+                    "this conic is no arc of an ellipse",
+                    "take a weight below 0.9999; 'curveto conic' and 'curveto measure conic' take the others too",
+                )
+            })
     }
 
     fn open(&self) -> bool {

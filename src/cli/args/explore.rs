@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand, ValueEnum};
 use curveto::Rule;
 
+use super::ConicShape;
 use super::compare::{MethodList, methods};
 use super::shape::{ArcShape, CircleShape, EllipseShape};
 use crate::cli::formats::FileFormat;
@@ -14,7 +15,7 @@ use crate::cli::formats::FileFormat;
 #[command(
     subcommand_help_heading = "Shapes",
     subcommand_value_name = "SHAPE",
-    override_usage = "curveto explore circle|ellipse|arc ... -o PAGE.html [OPTIONS]",
+    override_usage = "curveto explore circle|ellipse|arc|conic ... -o PAGE.html [OPTIONS]",
     after_help = EXAMPLES
 )]
 pub(crate) struct ExploreArgs {
@@ -38,6 +39,8 @@ pub(crate) enum ExploredShape {
     Ellipse(Explored<EllipseShape>),
     /// Look at an arc
     Arc(Explored<ArcShape>),
+    /// Look at a conic that is an arc of an ellipse
+    Conic(Explored<ConicShape>),
 }
 
 /// A shape, and what there is to choose from.
