@@ -10,7 +10,7 @@ ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall dist deb wheel clean
-.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz truth numbers lint
+.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz mutants truth numbers lint
 .PHONY: golden gallery
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
@@ -123,6 +123,12 @@ lint: ## Check formatting, lints, each feature alone, and the documentation of t
 	done
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --all-features
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --no-default-features
+	if command -v cargo-deny >/dev/null; then $(CARGO) deny --offline check licenses bans sources; fi
+
+MUTANTS = src/shape src/joints src/joints.rs src/method src/measure src/approximate src/document src/batch src/batch.rs src/cli/output.rs src/cli/convert
+
+mutants: ## Change the source in every small way and see whether a test notices (cargo install cargo-mutants; takes days)
+	$(CARGO) mutants $(foreach file,$(MUTANTS),-f '$(file)$(if $(filter %.rs,$(file)),,/**)')
 
 # ---- Golden files and pictures
 

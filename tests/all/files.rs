@@ -238,7 +238,42 @@ fn links_to_folders_are_not_walked() {
     symlink("../..", outer.path().join("in/up.svg")).unwrap();
     let output = curveto(outer.path(), &["convert", "--in-place", "in"]);
     assert!(output.status.success(), "{}", said(&output));
+    // A link to a folder is no drawing, whatever its name.
+    assert!(!said(&output).contains("up.svg"), "{}", said(&output));
     assert_eq!(fs::read_to_string(outer.path().join("a.svg")).unwrap(), SVG);
+}
+
+#[test]
+fn a_mode_that_the_mask_would_not_give_is_kept() {
+    let folder = folder();
+    let file = folder.path().join("a.svg");
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o666)).unwrap();
+    let script = format!(
+        "umask 077; '{}' convert --in-place a.svg",
+        env!("CARGO_BIN_EXE_curveto")
+    );
+    let status = Command::new("sh")
+        .current_dir(folder.path())
+        .args(["-c", &script])
+        .status();
+    assert!(status.unwrap().success());
+    assert_eq!(fs::metadata(&file).unwrap().mode() & 0o777, 0o666);
+}
+
+#[test]
+fn a_packed_file_with_nothing_to_do_is_copied_byte_by_byte() {
+    use std::io::Write;
+    let folder = folder();
+    let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::none());
+    packed.write_all(b"<svg><path d='M0 0'/></svg>").unwrap();
+    let packed = packed.finish().unwrap();
+    fs::write(folder.path().join("b.svgz"), &packed).unwrap();
+    assert!(
+        curveto(folder.path(), &["convert", "b.svgz", "-o", "c.svgz"])
+            .status
+            .success()
+    );
+    assert_eq!(fs::read(folder.path().join("c.svgz")).unwrap(), packed);
 }
 
 #[test]

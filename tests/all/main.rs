@@ -9,6 +9,7 @@ mod arcs;
 mod bad_input;
 mod batch;
 mod batch_picture;
+mod bites;
 mod chen_uneven;
 mod cli;
 mod conic;
