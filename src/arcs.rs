@@ -3,7 +3,11 @@
 mod bows;
 mod chords;
 mod fit;
+#[cfg(feature = "document")]
+mod near;
 mod piece;
+#[cfg(feature = "document")]
+pub(crate) mod recognize;
 
 use kurbo::{Affine, Line, PathSeg, Point, Rect};
 

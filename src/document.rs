@@ -1,6 +1,7 @@
 //! SVG documents: arcs become Béziers, every other byte stays.
 
 mod arcs;
+mod back;
 mod bezier;
 mod collapse;
 mod curve_text;
@@ -21,11 +22,15 @@ mod placing;
 mod position;
 mod reason;
 mod rewrite;
+mod run_text;
+mod runs;
 mod scratch;
 mod segments;
+mod shape_data;
 mod splice;
 mod style;
 mod tag;
+mod whole;
 mod xml;
 
 use std::borrow::Cow;
@@ -33,7 +38,8 @@ use std::borrow::Cow;
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::joints::Cut;
+use crate::error::positive;
+use crate::joints::{Cut, Tolerance};
 use crate::method::{Ends, Rule, Span};
 
 pub use doubt::{Doubt, Trust};
@@ -42,7 +48,7 @@ pub use paths::{SvgPath, has_transforms_elsewhere, svg_paths, svg_shapes};
 pub use reason::Reason;
 pub use style::property::Kind;
 
-use rewrite::Pass;
+use rewrite::{Done, Pass};
 use style::facts::Facts;
 use xml::encoding::Source;
 use xml::fault::{Fault, FaultKind};
@@ -75,9 +81,37 @@ impl Default for Only {
     }
 }
 
+/// What becomes of a document.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Target {
+    /// Arcs become Béziers.
+    #[default]
+    Beziers,
+    /// Béziers that are arcs become arcs.
+    Arcs {
+        /// How far an arc may lie from its Béziers; a part is one of its larger radius. Without it, a thousandth of that and what
+        /// rounding to the decimals of the path data moves a point.
+        tolerance: Option<Tolerance>,
+        /// Whether paths that are a whole circle, ellipse or round rectangle become one.
+        shapes: bool,
+    },
+}
+
+impl Target {
+    /// Whether path data have a command that it is about.
+    fn concerns(self, data: &str) -> bool {
+        match self {
+            Self::Beziers => memchr::memchr2(b'a', b'A', data.as_bytes()).is_some(),
+            Self::Arcs { .. } => data.bytes().any(|byte| run_text::family(byte | 0x20) != 0),
+        }
+    }
+}
+
 /// What to replace, and how closely.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
+    /// What it becomes. For arcs, the rule, the cut and the precision have no say, and only shapes of a kind in `only` are made.
+    pub to: Target,
     /// What gives the control points.
     pub rule: Rule,
     /// Where each arc is cut; tolerances are in the user units of the element.
@@ -95,8 +129,14 @@ impl Options {
     ///
     /// # Errors
     ///
-    /// Where arcs are to be replaced by a method that serves closed shapes only.
+    /// Where arcs are to be replaced by a method that serves closed shapes only, and where a tolerance is not positive.
     pub fn check(&self) -> crate::Result<()> {
+        if let Target::Arcs { tolerance, .. } = self.to {
+            if let Some(Tolerance::Absolute(size) | Tolerance::Relative(size)) = tolerance {
+                positive("tolerance", size)?;
+            }
+            return Ok(());
+        }
         let open = self.only.contains(Kind::Path) || self.only.contains(Kind::Rect);
         if open
             && self
@@ -169,7 +209,7 @@ impl core::ops::Add for Counts {
 }
 
 /// A converted document.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Converted<'a> {
     /// The new text; where nothing was replaced the old one, byte for byte and borrowed.
     #[serde(skip)]
@@ -178,6 +218,8 @@ pub struct Converted<'a> {
     pub replaced: Counts,
     /// What was left, and why.
     pub notes: Vec<Note>,
+    /// A bound, both ways, of the distance of new arcs and shapes from the Béziers before them; 0 on the way to Béziers.
+    pub strayed: f64,
 }
 
 /// Why a document cannot be converted.
@@ -223,7 +265,7 @@ impl Error {
 }
 
 /// A converted file.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ConvertedFile<'a> {
     /// The new bytes in the encoding of the old ones; where nothing was replaced the old ones, borrowed.
     pub bytes: Cow<'a, [u8]>,
@@ -231,20 +273,23 @@ pub struct ConvertedFile<'a> {
     pub replaced: Counts,
     /// What was left, and why.
     pub notes: Vec<Note>,
+    /// A bound, both ways, of the distance of new arcs and shapes from the Béziers before them; 0 on the way to Béziers.
+    pub strayed: f64,
 }
 
 /// Replaces circles, ellipses, rounded rectangles and path arcs of an SVG document, and path arcs of an Android `VectorDrawable`, by
-/// cubic Béziers.
+/// cubic Béziers; or, on the way back, Béziers by arcs and shapes.
 ///
 /// # Errors
 ///
 /// A document that is not well-formed XML, or that declares an encoding other than UTF-8.
 pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Error> {
-    let (new, replaced, notes) = pass(text.into(), options)?;
+    let done = pass(text.into(), options)?;
     Ok(Converted {
-        text: new.map_or(Cow::Borrowed(text), Cow::Owned),
-        replaced,
-        notes,
+        text: done.text.map_or(Cow::Borrowed(text), Cow::Owned),
+        replaced: done.counts,
+        notes: done.notes,
+        strayed: done.strayed,
     })
 }
 
@@ -256,37 +301,33 @@ pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Er
 /// Those of [`convert`] and [`decode`].
 pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<ConvertedFile<'a>, Error> {
     let outcome = decode(bytes).and_then(|text| pass(text.into(), options));
-    let (new, replaced, notes) = match outcome {
+    let (new, done) = match outcome {
         Err(Error::Encoding { encoding, .. }) if xml::encoding::keeps_ascii(&encoding) => {
             let text = xml::encoding::widen(bytes);
             let source = Source {
                 text: &text,
                 is_widened: true,
             };
-            let (new, replaced, notes) = pass(source, options)?;
-            (
-                new.map(|text| xml::encoding::narrow(&text)),
-                replaced,
-                notes,
-            )
+            let mut done = pass(source, options)?;
+            let new = done.text.take();
+            (new.map(|text| xml::encoding::narrow(&text)), done)
         }
         outcome => {
-            let (new, replaced, notes) = outcome?;
-            (new.map(|text| text.into_bytes().into()), replaced, notes)
+            let mut done = outcome?;
+            let new = done.text.take();
+            (new.map(|text| text.into_bytes().into()), done)
         }
     };
     Ok(ConvertedFile {
         bytes: new.unwrap_or(Cow::Borrowed(bytes)),
-        replaced,
-        notes,
+        replaced: done.counts,
+        notes: done.notes,
+        strayed: done.strayed,
     })
 }
 
 /// The new text, if anything was replaced, with what was and what was not.
-fn pass(
-    source: Source<'_>,
-    options: &Options,
-) -> Result<(Option<String>, Counts, Vec<Note>), Error> {
+fn pass(source: Source<'_>, options: &Options) -> Result<Done, Error> {
     let pass = scratch::with_scratch(options, |scratch| {
         match rewrite::run(source, options, None, scratch)? {
             Pass::NeedsFacts => rewrite::run(source, options, Some(&Facts::read(source)?), scratch),
@@ -294,8 +335,8 @@ fn pass(
         }
     });
     match pass.map_err(|fault| Error::new(source.text, fault))? {
-        Pass::Done(new, replaced, notes) => Ok((new, replaced, notes)),
-        Pass::NeedsFacts => Ok((None, Counts::default(), Vec::new())),
+        Pass::Done(done) => Ok(done),
+        Pass::NeedsFacts => Ok(Done::default()),
     }
 }
 

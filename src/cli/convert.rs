@@ -117,8 +117,16 @@ impl<E: Into<Failure>> From<E> for Trouble {
     }
 }
 
-/// Converts one file: what was replaced, and what was left.
-fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble> {
+/// What became of one file.
+struct Done {
+    replaced: Counts,
+    notes: Vec<Note>,
+    /// How far new arcs and shapes lie from their Béziers at most.
+    strayed: f64,
+}
+
+/// Converts one file.
+fn process(job: &Job, options: &Options) -> Result<Done, Trouble> {
     let seen = job.input.stamp();
     let raw = read(&job.input)?;
     let compressed = raw.starts_with(&[0x1f, 0x8b]);
@@ -134,7 +142,11 @@ fn process(job: &Job, options: &Options) -> Result<(Counts, Vec<Note>), Trouble>
         Trouble::Document(error, hint)
     })?;
     let changed = converted.replaced.total() > 0;
-    let done = (converted.replaced, converted.notes);
+    let done = Done {
+        replaced: converted.replaced,
+        notes: converted.notes,
+        strayed: converted.strayed,
+    };
     let target = match &job.destination {
         Destination::Nowhere => return Ok(done),
         Destination::InPlace(_) if !changed => return Ok(done),

@@ -2,6 +2,8 @@
 
 use core::ops::Range;
 
+use kurbo::Vec2;
+
 use super::number;
 
 /// One command and one set of its arguments.
@@ -37,6 +39,33 @@ impl Segment {
     /// Whether the end point's numbers are within `f64`.
     pub(super) const fn is_finite(&self) -> bool {
         self.to[0].is_finite() && self.to[1].is_finite()
+    }
+
+    /// The texts of its numbers; of an arc, whose flags are no numbers, they are none.
+    pub(super) fn numbers<'t>(&self, text: &'t str) -> impl Iterator<Item = &'t str> + use<'t> {
+        let (mut at, end) = (self.arguments, self.end);
+        core::iter::from_fn(move || {
+            let bytes = text.as_bytes();
+            let start = at;
+            let behind = (start < end).then(|| number::skip(bytes, start))??;
+            at = behind_separator(bytes, behind);
+            text.get(start..behind)
+        })
+    }
+
+    /// The values of the control points before its end point.
+    pub(super) fn controls(&self, text: &str) -> Option<[Vec2; 2]> {
+        let bytes = text.as_bytes();
+        let (mut points, mut at) = ([Vec2::ZERO; 2], self.arguments);
+        for point in &mut points {
+            if at >= self.tail {
+                break;
+            }
+            (point.x, at) = number::read(bytes, at)?;
+            (point.y, at) = number::read(bytes, behind_separator(bytes, at))?;
+            at = behind_separator(bytes, at);
+        }
+        Some(points)
     }
 
     /// The arguments of an arc, flags as 0 or 1.

@@ -41,6 +41,8 @@ pub enum Reason {
     Entity,
     /// A marker stands on every vertex: no vertex may be added.
     MarkerOnVertices,
+    /// A marker stands on every vertex: no vertex may go.
+    MarkerOnRun,
     /// The arc ends where it starts, and caps, markers or the next command may show it.
     EmptyArc,
     /// The arc's ends are one point in single precision, and some renderers draw nothing where others draw all of it.
@@ -57,6 +59,8 @@ pub enum Reason {
     Refused(String),
     /// Path data with arcs in an attribute that is not a path's `d`.
     Elsewhere(&'static str),
+    /// A whole shape that stays a path.
+    StaysPath(&'static str),
 }
 
 impl Reason {
@@ -73,7 +77,7 @@ impl Reason {
             Self::Marker => Doubt::Marker,
             Self::MotionPath => Doubt::MotionPath,
             Self::AttributeDefaults => Doubt::AttributeDefaults,
-            Self::MarkerOnVertices => Doubt::MarkerMid,
+            Self::MarkerOnVertices | Self::MarkerOnRun => Doubt::MarkerMid,
             Self::EmptyArc => Doubt::EmptyArc,
             Self::NearlyWhole => Doubt::NearlyWhole,
             _ => return None,
@@ -111,6 +115,7 @@ impl Reason {
             Self::TooLarge => "too-large",
             Self::Collapses => "precision",
             Self::Refused(_) => "method",
+            Self::StaysPath(_) => "stays-path",
             _ => "elsewhere",
         }
     }
@@ -157,6 +162,10 @@ impl fmt::Display for Reason {
             Self::MarkerOnVertices => {
                 f.write_str("a marker may stand on every vertex, and this arc needs new ones")
             }
+            Self::MarkerOnRun => {
+                f.write_str("a marker may stand on every vertex, and an arc would take some away")
+            }
+            Self::StaysPath(why) => write!(f, "it stays a path: {why}"),
             Self::EmptyArc => f.write_str(
                 "the arc ends where it starts, and a cap, a marker or the next command may show it",
             ),

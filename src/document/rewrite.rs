@@ -4,10 +4,10 @@ use core::ops::Range;
 
 use super::arcs;
 use super::doubt::Doubt;
-use super::element::{self, Shape};
 use super::output::{Output, Sink};
 use super::reason::Reason;
 use super::scratch::Scratch;
+use super::shape_data::{self, ShapeData};
 use super::splice::Splice;
 use super::style::facts::{self, Facts};
 use super::style::own;
@@ -21,31 +21,34 @@ use super::xml::node::{Element, Node};
 use super::xml::place::Places;
 use super::xml::scan::Scanner;
 use super::xml::value;
-use super::{Counts, Note, Options};
+use super::{Counts, Note, Options, Target, back, runs};
+use crate::joints::Tolerance;
 
 /// What a pass came to.
 pub(super) enum Pass {
-    /// The new text, if anything was replaced.
-    Done(Option<String>, Counts, Vec<Note>),
+    /// It is done.
+    Done(Done),
     /// The document has style sheets, scripts or animations: read them first.
     NeedsFacts,
+}
+
+/// What became of a document.
+#[derive(Debug, Default)]
+pub(super) struct Done {
+    /// The new text, if anything was replaced.
+    pub(super) text: Option<String>,
+    pub(super) counts: Counts,
+    pub(super) notes: Vec<Note>,
+    /// How far new arcs and shapes lie from what was there at most.
+    pub(super) strayed: f64,
 }
 
 /// What an open element passes on to its end tag and its children.
 #[derive(Debug, Clone, Copy)]
 struct Open {
-    renamed: bool,
+    /// Its new name, if it has one.
+    renamed: Option<Kind>,
     markers: Markers,
-}
-
-/// Where the path data of a shape are.
-enum ShapeData {
-    /// In the buffer for curves.
-    Drawn,
-    /// Among those that were worked out before.
-    Kept(usize),
-    /// Nowhere: the rectangle has square corners.
-    Square,
 }
 
 struct Rewriter<'a, 'f> {
@@ -56,6 +59,10 @@ struct Rewriter<'a, 'f> {
     scratch: &'f mut Scratch,
     /// How a shape is spelled.
     key: Vec<u8>,
+    /// How far new arcs and shapes lie from what was there at most.
+    strayed: f64,
+    /// The text in small letters, once it was asked for.
+    lower: Option<String>,
 }
 
 /// Rewrites a document.
@@ -77,6 +84,8 @@ pub(super) fn run(
         counts: Counts::default(),
         scratch,
         key: Vec::new(),
+        strayed: 0.0,
+        lower: None,
     };
     let mut open: Vec<Open> = Vec::new();
     loop {
@@ -107,11 +116,12 @@ pub(super) fn run(
             _ => {}
         }
     }
-    Ok(Pass::Done(
-        rewriter.output.splice.finish(),
-        rewriter.counts,
-        rewriter.output.notes,
-    ))
+    Ok(Pass::Done(Done {
+        text: rewriter.output.splice.finish(),
+        counts: rewriter.counts,
+        notes: rewriter.output.notes,
+        strayed: rewriter.strayed,
+    }))
 }
 
 impl<'a> Rewriter<'a, '_> {
@@ -122,55 +132,89 @@ impl<'a> Rewriter<'a, '_> {
         )
     }
 
-    /// The end tag of an element that became a path gets the new name.
+    /// The end tag of an element that became another one gets the new name.
     fn end(&mut self, open: Option<Open>, local: Range<usize>) {
-        if open.is_some_and(|open| open.renamed) {
-            self.output.splice.replace(local, b"path");
+        if let Some(kind) = open.and_then(|open| open.renamed) {
+            self.output.splice.replace(local, kind.name().as_bytes());
         }
     }
 
-    /// Replaces an element or notes why not; whether its end tag has a new name.
-    fn element(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) -> bool {
+    /// Replaces an element or notes why not; its new name, which its end tag gets too.
+    fn element(
+        &mut self,
+        element: &Element<'_>,
+        scanner: &Scanner<'a>,
+        markers: Markers,
+    ) -> Option<Kind> {
         if element.namespace != Namespace::Svg {
             self.android(element, scanner);
-            return false;
+            return None;
         }
-        match Kind::named(element.local) {
-            Some(kind) if !self.options.only.contains(kind) => false,
-            Some(Kind::Path) => {
-                self.path(element, scanner, markers);
-                false
+        let kind = Kind::named(element.local);
+        match (kind, self.options.to) {
+            (Some(Kind::Path), Target::Arcs { tolerance, shapes }) => {
+                let made = shapes.then(|| self.whole(element, scanner, markers, tolerance));
+                made.flatten().or_else(|| {
+                    self.path(element, scanner, markers);
+                    None
+                })
             }
-            Some(kind) => self.shape(kind, element, scanner, markers),
-            None => {
-                self.elsewhere(element, scanner);
-                false
+            (_, Target::Arcs { .. }) => None,
+            (Some(kind), _) if !self.options.only.contains(kind) => None,
+            (Some(Kind::Path), _) => {
+                self.path(element, scanner, markers);
+                None
+            }
+            (Some(kind), _) => {
+                let replaced = self.shape(kind, element, scanner, markers);
+                replaced.then_some(Kind::Path)
+            }
+            (None, _) => {
+                if self.options.only.contains(Kind::Path)
+                    && let Some((holder, name, at)) = tag::arcs_elsewhere(element, scanner)
+                {
+                    self.output.note(holder, at, Reason::Elsewhere(name));
+                }
+                None
             }
         }
     }
 
-    /// Path data that are not a path's `d`.
-    fn elsewhere(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) {
-        let known = [
-            ("glyph", "d"),
-            ("missing-glyph", "d"),
-            ("hatchpath", "d"),
-            ("hatchPath", "d"),
-            ("animateMotion", "path"),
-            ("textPath", "path"),
-        ];
-        let Some((holder, name)) = known.into_iter().find(|known| known.0 == element.local) else {
-            return;
-        };
-        let has_arcs = |attribute: &&Attribute<'_>| {
-            attribute.name == name && attribute.value.contains(['a', 'A'])
-        };
-        if self.options.only.contains(Kind::Path)
-            && let Some(found) = scanner.attributes.iter().find(has_arcs)
-        {
-            self.output
-                .note(holder, found.start, Reason::Elsewhere(name));
+    /// A path that becomes a shape, whose kind this gives.
+    fn whole(
+        &mut self,
+        element: &Element<'_>,
+        scanner: &Scanner<'a>,
+        markers: Markers,
+        tolerance: Option<Tolerance>,
+    ) -> Option<Kind> {
+        let d = scanner
+            .attributes
+            .iter()
+            .find(|attribute| attribute.name == "d")?;
+        let path = back::Candidate::new(element, &scanner.attributes, d, tolerance)?;
+        let kind = path.whole.kind;
+        if !self.options.only.contains(kind) {
+            return None;
         }
+        let source = scanner.source;
+        let lower = self
+            .lower
+            .get_or_insert_with(|| source.to_ascii_lowercase());
+        let stays = path.stays(lower);
+        let marked = markers.any && Reason::Marker.counts(self.options.trust);
+        let reason = self
+            .forbidden(kind, element, scanner)
+            .or(stays)
+            .or_else(|| marked.then_some(Reason::Marker));
+        if let Some(reason) = reason {
+            self.output.note("path", element.start, reason);
+            return None;
+        }
+        path.replace(source, &mut self.output);
+        self.counts.count(kind, 1);
+        self.strayed = self.strayed.max(path.whole.strayed);
+        Some(kind)
     }
 
     /// Why the document forbids to replace the element.
@@ -193,9 +237,10 @@ impl<'a> Rewriter<'a, '_> {
             })
             .or_else(|| {
                 let prefix = element.name.strip_suffix(element.local).unwrap_or_default();
+                let named = |kind: Kind| format!("{prefix}{}", kind.name());
                 scanner
                     .doctype
-                    .has_defaults_for(element.name, &format!("{prefix}path"))
+                    .has_defaults_for(&named(kind), &named(Kind::Path))
                     .then_some(Reason::AttributeDefaults)
                     .filter(|reason| reason.counts(trust))
             })
@@ -219,7 +264,8 @@ impl<'a> Rewriter<'a, '_> {
         if !rounded && !self.may_be_rounded(scanner) {
             return false;
         }
-        let data = match self.shape_data(kind, scanner) {
+        let data = match shape_data::find(kind, scanner, self.options, self.scratch, &mut self.key)
+        {
             Ok(ShapeData::Square) if !self.may_be_rounded(scanner) => return false,
             Ok(ShapeData::Square) => Err(Reason::StyleGeometry("rx")),
             data => data,
@@ -249,45 +295,6 @@ impl<'a> Rewriter<'a, '_> {
         );
         self.counts.count(kind, 1);
         true
-    }
-
-    /// Works out the path data of a shape.
-    fn shape_data(
-        &mut self,
-        kind: Kind,
-        scanner: &Scanner<'_>,
-    ) -> core::result::Result<ShapeData, Reason> {
-        let key = &mut self.key;
-        key.clear();
-        key.extend_from_slice(kind.name().as_bytes());
-        let mut spelled = true;
-        for name in kind.geometry() {
-            // Bytes that no text has part the values.
-            let found = scanner
-                .attributes
-                .iter()
-                .find(|attribute| attribute.name == *name);
-            spelled &= found.is_none_or(|attribute| !attribute.has_references);
-            key.push(if found.is_some() { 0xff } else { 0xfe });
-            key.extend_from_slice(found.map_or(&[], |attribute| attribute.value.as_bytes()));
-        }
-        let scratch = &mut *self.scratch;
-        if spelled && let Some(index) = scratch.memo.find(key) {
-            return Ok(ShapeData::Kept(index));
-        }
-        let shape = element::read(kind, |name| scanner.attribute(name))?;
-        if shape == Shape::Square {
-            return Ok(ShapeData::Square);
-        }
-        let mut data = core::mem::take(&mut scratch.body.text);
-        let drawn = element::path_data(&shape, self.options, scratch, &mut data);
-        scratch.body.text = data;
-        drawn?;
-        scratch.body.to = None;
-        if spelled {
-            scratch.memo.keep(key, &scratch.body.curve());
-        }
-        Ok(ShapeData::Drawn)
     }
 
     /// Whether a style may give a rectangle round corners that its attributes do not.
@@ -350,19 +357,21 @@ impl<'a> Rewriter<'a, '_> {
         markers: Markers,
         forbidden: impl Fn(&Self) -> Option<Reason>,
     ) {
-        if !d.has_references && memchr::memchr2(b'a', b'A', d.value.as_bytes()).is_none() {
+        if !d.has_references && !self.options.to.concerns(d.value) {
             return;
         }
         let traced = if d.has_references {
             match value::traced(d.value, &scanner.doctype) {
-                Some(traced) if !traced.text.contains(['a', 'A']) => return,
+                Some(traced) if !self.options.to.concerns(&traced.text) => return,
                 Some(traced) if !traced.entities => Some(traced),
                 _ => return self.output.note(name, d.start, Reason::Entity),
             }
         } else {
             None
         };
-        if let Some(reason) = forbidden(self) {
+        if self.options.to == Target::Beziers
+            && let Some(reason) = forbidden(self)
+        {
             return self.output.note(name, start, reason);
         }
         let context = arcs::Context {
@@ -377,6 +386,22 @@ impl<'a> Rewriter<'a, '_> {
             ),
             None => (scanner.source, d.value_span.clone(), None),
         };
+        if let Target::Arcs { tolerance, .. } = self.options.to {
+            let keeps_vertices = markers.middle && Reason::MarkerOnRun.counts(self.options.trust);
+            let found = runs::find(text, span, tolerance, keeps_vertices);
+            let reason = (!found.is_empty()).then(|| forbidden(self)).flatten();
+            if let Some(reason) = reason {
+                return self.output.note(name, start, reason);
+            }
+            self.counts.count(Kind::Path, found.arcs);
+            self.strayed = self.strayed.max(found.strayed);
+            let output = &mut self.output;
+            return found.write(&mut Sink {
+                output,
+                element: name,
+                origin,
+            });
+        }
         let mut sink = Sink {
             output: &mut self.output,
             element: name,

@@ -4,6 +4,26 @@ use super::splice::Splice;
 use super::style::property::Kind;
 use super::xml::attributes::Attribute;
 use super::xml::node::Element;
+use super::xml::scan::Scanner;
+
+/// The element and the attribute that is not a path's `d` and holds path data with arcs, and where it begins.
+pub(super) fn arcs_elsewhere(
+    element: &Element<'_>,
+    scanner: &Scanner<'_>,
+) -> Option<(&'static str, &'static str, usize)> {
+    let known = [
+        ("glyph", "d"),
+        ("missing-glyph", "d"),
+        ("hatchpath", "d"),
+        ("hatchPath", "d"),
+        ("animateMotion", "path"),
+        ("textPath", "path"),
+    ];
+    let (holder, name) = known.into_iter().find(|known| known.0 == element.local)?;
+    let mut attributes = scanner.attributes.iter();
+    let found = attributes.find(|a| a.name == name && a.value.contains(['a', 'A']))?;
+    Some((holder, name, found.start))
+}
 
 /// The tag's name becomes `path`, the first geometry attribute `d`, or a `d` that has no meaning yet gets one; the other ones go
 /// with the space before them.
@@ -31,4 +51,16 @@ pub(super) fn replace(
             written = true;
         }
     }
+}
+
+/// The tag of a path becomes that of a shape, whose attributes stand in place of `d`, up to its closing quote.
+pub(super) fn become_shape(
+    kind: Kind,
+    element: &Element<'_>,
+    d: &Attribute<'_>,
+    attributes: &[u8],
+    splice: &mut Splice<'_>,
+) {
+    splice.replace(element.local_span.clone(), kind.name().as_bytes());
+    splice.replace(d.start..d.value_span.end, attributes);
 }

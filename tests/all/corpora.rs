@@ -29,7 +29,7 @@ struct Verdict {
     complaints: Vec<String>,
 }
 
-fn files(set: &str) -> Vec<PathBuf> {
+pub(crate) fn files(set: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("corpora")
         .join(set)

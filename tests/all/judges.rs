@@ -7,3 +7,4 @@ pub(crate) mod oracle;
 pub(crate) mod program;
 pub(crate) mod random;
 pub(crate) mod raster;
+pub(crate) mod way_back;

@@ -66,3 +66,4 @@ mod sphere;
 mod spline;
 mod stated_errors;
 mod truth;
+mod way_back;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use curveto::document::{self, Doubt, Kind, Only, Trust};
+use curveto::document::{self, Doubt, Kind, Only, Target, Trust};
 
 use super::each::EachArgs;
 use super::{TalkArgs, values};
@@ -17,6 +17,12 @@ pub(crate) struct ConvertArgs {
     pub(crate) inputs: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) destination: DestinationArgs,
+    /// What the curves become
+    #[arg(long, value_enum, value_name = "KIND", default_value_t)]
+    to: TargetArg,
+    /// With --to arcs, paths that are a whole circle, ellipse or round rectangle become one
+    #[arg(long)]
+    shapes: bool,
     /// In folders, take hidden files and folders too
     #[arg(long)]
     pub(crate) hidden: bool,
@@ -33,6 +39,15 @@ pub(crate) struct ConvertArgs {
     pub(crate) talk: TalkArgs,
     #[command(flatten)]
     pub(crate) each: EachArgs,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+enum TargetArg {
+    /// Circles, ellipses, round rectangles and arcs become Béziers
+    #[default]
+    Beziers,
+    /// Béziers that are arcs within -t become arcs; without it a thousandth of the radius and the rounding of the file
+    Arcs,
 }
 
 /// Where the result goes; standard output without any of them.
@@ -101,17 +116,33 @@ impl ConvertArgs {
         } else {
             Only::of(&kinds)
         };
-        let options = document::Options {
-            rule: self.each.rule(),
-            cut: self.each.cut()?,
-            precision: self
-                .each
-                .precision
-                .and_then(values::PrecisionWord::decimals),
+        let mut options = document::Options {
+            to: self.target()?,
             only,
             trust: Trust::of(&self.trust),
+            ..document::Options::default()
         };
+        if options.to == Target::Beziers {
+            let precision = self.each.precision;
+            options.rule = self.each.rule();
+            options.cut = self.each.cut()?;
+            options.precision = precision.and_then(values::PrecisionWord::decimals);
+        }
         options.check()?;
         Ok(options)
+    }
+
+    fn target(&self) -> Result<Target, Failure> {
+        match self.to {
+            TargetArg::Arcs => Ok(Target::Arcs {
+                tolerance: self.each.only_tolerance()?,
+                shapes: self.shapes,
+            }),
+            TargetArg::Beziers if self.shapes => Err(Failure::request_with_hint(
+                "--shapes makes circles, ellipses and rectangles, and Béziers were asked for",
+                "--to arcs --shapes is the way back",
+            )),
+            TargetArg::Beziers => Ok(Target::Beziers),
+        }
     }
 }

@@ -34,6 +34,18 @@ impl EachArgs {
         Rule::Method(self.method.unwrap_or_default())
     }
 
+    /// The tolerance, where no other option says how Béziers are made.
+    pub(crate) fn only_tolerance(&self) -> Result<Option<Tolerance>, Failure> {
+        let says = self.method.is_some() || self.segments.is_some() || self.precision.is_some();
+        if says {
+            return Err(Failure::request_with_hint(
+                "arcs follow no method of Béziers, and their ends keep their digits: of these options only -t has a say",
+                "-t gives the distance that an arc may have from its Béziers",
+            ));
+        }
+        Ok(self.tolerance)
+    }
+
     /// Where each shape is cut; refuses counts that none could have.
     pub(crate) fn cut(&self) -> Result<Cut, Failure> {
         Ok(match (self.segments, self.tolerance) {

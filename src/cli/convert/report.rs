@@ -3,10 +3,11 @@
 use std::io::{self, BufWriter, Write};
 
 use curveto::document::{Counts, Kind, Note};
+use curveto::number::{compact, rounded_up};
 use serde::Serialize;
 
-use super::Trouble;
 use super::tree::Job;
+use super::{Done, Trouble};
 use crate::cli::args::{Report, TalkArgs};
 use crate::cli::failure::{Failure, fit_for_terminals};
 
@@ -18,6 +19,9 @@ pub(super) struct FileReport {
     pub(super) changed: bool,
     replaced: Counts,
     notes: Vec<Note>,
+    /// How far new arcs and shapes lie from their Béziers at most.
+    #[serde(skip_serializing_if = "is_zero")]
+    strayed: f64,
     /// Why it failed.
     pub(super) error: Option<String>,
     /// What would help.
@@ -39,21 +43,23 @@ struct Document<'a> {
 }
 
 impl FileReport {
-    pub(super) fn of(job: &Job, result: Result<(Counts, Vec<Note>), Trouble>) -> Self {
+    pub(super) fn of(job: &Job, result: Result<Done, Trouble>) -> Self {
         let mut report = Self {
             file: job.name(),
             changed: false,
             replaced: Counts::default(),
             notes: Vec::new(),
+            strayed: 0.0,
             error: None,
             hint: None,
             closed_pipe: false,
         };
         match result {
-            Ok((replaced, notes)) => {
-                report.changed = replaced.total() > 0;
-                report.replaced = replaced;
-                report.notes = notes;
+            Ok(done) => {
+                report.changed = done.replaced.total() > 0;
+                report.replaced = done.replaced;
+                report.notes = done.notes;
+                report.strayed = done.strayed;
             }
             Err(Trouble::Document(error, hint)) => {
                 report.error = Some(format!("{}:{error}", report.file));
@@ -74,6 +80,11 @@ impl FileReport {
     pub(super) fn is_closed_pipe(&self) -> bool {
         self.closed_pipe
     }
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_zero(distance: &f64) -> bool {
+    *distance == 0.0
 }
 
 /// Tells about all files: errors and what was left, and with `--report` or `--verbose` the counts.
@@ -136,19 +147,26 @@ fn text(reports: &[FileReport], counts: bool, notes: bool, out: &mut impl Write)
             ))?;
         }
         if counts && report.error.is_none() {
-            say(&format!("{file}: {}\n", told(&report.replaced)))?;
+            say(&format!(
+                "{file}: {}\n",
+                told(&report.replaced, report.strayed)
+            ))?;
         }
     }
     if counts && reports.len() > 1 {
         let changed = reports.iter().filter(|report| report.changed).count();
-        let (files, told) = (reports.len(), told(&total(reports)));
+        let strayed = reports
+            .iter()
+            .map(|report| report.strayed)
+            .fold(0.0, f64::max);
+        let (files, told) = (reports.len(), told(&total(reports), strayed));
         say(&format!("{changed} of {files} files: {told}\n"))?;
     }
     Ok(())
 }
 
-/// The counts in words.
-fn told(counts: &Counts) -> String {
+/// The counts in words, and how far new arcs and shapes lie from their Béziers: on the way to Béziers there are none.
+fn told(counts: &Counts, strayed: f64) -> String {
     let words: Vec<String> = Kind::ALL
         .into_iter()
         .filter(|kind| counts.of(*kind) > 0)
@@ -164,6 +182,9 @@ fn told(counts: &Counts) -> String {
         .collect();
     if words.is_empty() {
         "nothing to replace".to_owned()
+    } else if strayed > 0.0 {
+        let within = compact(rounded_up(strayed, 3), 3);
+        format!("{} made, within {within} of the curves", words.join(", "))
     } else {
         format!("{} replaced", words.join(", "))
     }

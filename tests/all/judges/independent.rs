@@ -6,7 +6,7 @@
 use resvg::usvg::roxmltree::{Document, Node, NodeType, ParsingOptions};
 use svgtypes::{PathParser, PathSegment};
 
-const GEOMETRY: [(&str, &[&str]); 3] = [
+pub(crate) const GEOMETRY: [(&str, &[&str]); 3] = [
     ("circle", &["cx", "cy", "r"]),
     ("ellipse", &["cx", "cy", "rx", "ry"]),
     ("rect", &["x", "y", "width", "height", "rx", "ry"]),
@@ -14,7 +14,7 @@ const GEOMETRY: [(&str, &[&str]); 3] = [
 
 type Check = Result<(), String>;
 
-fn parse(text: &str) -> Result<Document<'_>, String> {
+pub(crate) fn parse(text: &str) -> Result<Document<'_>, String> {
     let options = ParsingOptions {
         allow_dtd: true,
         ..ParsingOptions::default()
@@ -82,7 +82,7 @@ pub(crate) fn left(before: &str, after: &str) -> Result<Vec<core::ops::Range<usi
 }
 
 /// A length in user units.
-fn length(text: Option<&str>) -> Option<f64> {
+pub(crate) fn length(text: Option<&str>) -> Option<f64> {
     let length: svgtypes::Length = text?.trim().parse().ok()?;
     let unit = match length.unit {
         svgtypes::LengthUnit::None | svgtypes::LengthUnit::Px => 1.0,
@@ -353,7 +353,7 @@ pub(crate) fn segments(d: &str) -> Vec<Segment> {
 }
 
 /// The equivalent path of SVG 2 for a shape.
-fn equivalent_path(name: &str, get: impl Fn(&str) -> Option<f64>) -> Vec<Segment> {
+pub(crate) fn equivalent_path(name: &str, get: impl Fn(&str) -> Option<f64>) -> Vec<Segment> {
     let zero = |name: &str| get(name).unwrap_or(0.0);
     let arc = |r: P, end: P| Segment::Arc(r, 0.0, false, true, end);
     if name == "rect" {
@@ -480,16 +480,17 @@ fn points(segment: &Segment) -> Vec<P> {
 }
 
 /// An arc in centre form.
-struct Center {
+pub(crate) struct Center {
     center: P,
-    radii: P,
+    pub(crate) radii: P,
     rotation: (f64, f64),
+    start: f64,
     sweep: f64,
 }
 
 impl Center {
     /// SVG 2, B.2.4 and B.2.5.
-    fn new(from: P, r: P, rotation: f64, large: bool, positive: bool, to: P) -> Self {
+    pub(crate) fn new(from: P, r: P, rotation: f64, large: bool, positive: bool, to: P) -> Self {
         let (sin, cos) = rotation.to_radians().sin_cos();
         let d = [(from[0] - to[0]) / 2.0, (from[1] - to[1]) / 2.0];
         let (x1, y1) = (cos * d[0] + sin * d[1], -sin * d[0] + cos * d[1]);
@@ -521,8 +522,20 @@ impl Center {
             center,
             radii: [rx, ry],
             rotation: (sin, cos),
+            start,
             sweep,
         }
+    }
+
+    /// The point at a part of the sweep.
+    pub(crate) fn point(&self, part: f64) -> P {
+        let (sin, cos) = self.rotation;
+        let angle = self.start + part * self.sweep;
+        let (x, y) = (self.radii[0] * angle.cos(), self.radii[1] * angle.sin());
+        [
+            self.center[0] + cos * x - sin * y,
+            self.center[1] + sin * x + cos * y,
+        ]
     }
 
     fn unit(&self, p: P) -> P {

@@ -1,0 +1,162 @@
+//! How near cubics are to an arc, and whether they are drawn as one is.
+
+use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
+
+use super::fit::distance;
+use crate::Angle;
+use crate::curve::first_direction;
+use crate::number::Precision;
+use crate::shape::{Arc, Truth};
+
+/// The largest turn at a joint that rounding explains, in degrees: anything beyond is a corner, which stays.
+pub(super) const LARGEST_TURN: f64 = 8.0;
+
+/// What a rough constant, such as 0.55, may have done to a point, as a part of the radius.
+const HANDLE_PART: f64 = 1.3e-3;
+
+/// How far a handle may be longer or shorter than the usual one, as a part of it: quadratics of an eighth of a turn differ by 4 %.
+const LENGTH_PART: f64 = 0.08;
+
+/// How far a control point may lie from where the arc has it, in units of what the rounding of the file moves a point: it and the end
+/// that it is counted from are rounded.
+pub(super) const MARGIN: f64 = 1.2;
+
+/// What a run is to keep to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rules {
+    /// The tolerance as a part of the larger radius, which is added to the absolute one.
+    pub(crate) part: f64,
+    /// The absolute tolerance.
+    pub(crate) absolute: f64,
+    /// The decimals of the file.
+    pub(crate) decimals: u8,
+    /// Whether an arc may be one of an ellipse.
+    pub(crate) elliptic: bool,
+    /// Whether cubics count as an arc only where their control points are those of one but for the rounding of the file, and not
+    /// where they happen to lie near it.
+    pub(crate) drawn_only: bool,
+}
+
+impl Rules {
+    /// How far an arc of this radius may lie from its cubics.
+    pub(crate) fn room(&self, radius: f64) -> f64 {
+        self.part * radius + self.absolute
+    }
+
+    /// How far the rounding of the file moves a point.
+    pub(super) fn moved(&self) -> f64 {
+        Precision::Fixed(self.decimals).farthest_moved()
+    }
+
+    /// How far a control point may lie from where an arc of this radius has it.
+    pub(crate) fn slack(&self, radius: f64) -> f64 {
+        MARGIN * self.moved() + HANDLE_PART * radius
+    }
+}
+
+pub(super) fn larger(arc: &Arc) -> f64 {
+    arc.radii.x.max(arc.radii.y)
+}
+
+/// Whether cubics are drawn as an arc is: their control points lie where it has them, up to what rounding and other constants do.
+pub(super) fn is_drawn_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bool {
+    let (to_unit, slack) = (to_unit(arc), rules.slack(larger(arc)));
+    let from_unit = to_unit.inverse();
+    let on =
+        |p: Point| ((to_unit * p).to_vec2().hypot2().sqrt() - 1.0).abs() * larger(arc) <= slack;
+    let lies = |end: Point, control: Point, unit: Vec2, length: f64| {
+        let tip = unit + length * Vec2::new(-unit.y, unit.x);
+        let (own, ideal) = (
+            control - end,
+            from_unit * tip.to_point() - from_unit * unit.to_point(),
+        );
+        let size = ideal.hypot2().sqrt();
+        let (along, across) = (own.dot(ideal) / size, own.cross(ideal) / size);
+        across.abs() <= slack && (along - size).abs() <= slack + LENGTH_PART * size
+    };
+    cubics.iter().all(|cubic| {
+        let [u, v] = [cubic.p0, cubic.p3].map(|p| (to_unit * p).to_vec2());
+        let length = 4.0 / 3.0 * libm::tan(libm::atan2(u.cross(v), u.dot(v)) / 4.0);
+        let joints = on(cubic.p0) && on(cubic.p3);
+        joints && lies(cubic.p0, cubic.p1, u, length) && lies(cubic.p3, cubic.p2, v, -length)
+    })
+}
+
+/// Whether the arc leaves its ends as the cubics do, so that a smooth joint stays one.
+pub(super) fn is_tangent(cubics: &[CubicBez], arc: &Arc) -> bool {
+    let (Some(first), Some(last)) = (cubics.first(), cubics.last()) else {
+        return false;
+    };
+    let (to_unit, sign) = (to_unit(arc), arc.sweep.degrees().signum());
+    let from_unit = to_unit.inverse();
+    let cosine = libm::cos(LARGEST_TURN.to_radians());
+    let agrees = |p: Point, direction: Vec2| {
+        let out = (to_unit * p).to_vec2();
+        let tangent =
+            from_unit * Point::new(-sign * out.y, sign * out.x) - from_unit * Point::ORIGIN;
+        let lengths = (tangent.hypot2() * direction.hypot2()).sqrt();
+        tangent.dot(direction) >= cosine * lengths
+    };
+    agrees(first.p0, first_direction(&PathSeg::Cubic(*first)))
+        && agrees(last.p3, -first_direction(&PathSeg::Cubic(*last).reverse()))
+}
+
+/// The arc of an ellipse from the beginning of a run to its end.
+pub(super) fn swept(cubics: &[CubicBez], ellipse: &Truth) -> Option<Arc> {
+    let to_unit = ellipse.placement().inverse();
+    let mut swept = 0.0;
+    for cubic in cubics {
+        let [u, m, v] = [cubic.p0, cubic.eval(0.5), cubic.p3].map(|p| (to_unit * p).to_vec2());
+        swept += libm::atan2(u.cross(m), u.dot(m)) + libm::atan2(m.cross(v), m.dot(v));
+    }
+    let from = cubics.first()?.p0;
+    let start = (to_unit * from).to_vec2();
+    Some(Arc {
+        center: ellipse.center,
+        radii: ellipse.radii,
+        rotation: Angle::from_radians(libm::atan2(ellipse.axis.y, ellipse.axis.x)),
+        start: Angle::from_radians(libm::atan2(start.y, start.x)),
+        sweep: Angle::from_radians(swept),
+        ends: Some([from, cubics.last()?.p3]),
+    })
+}
+
+pub(super) fn truth(arc: &Arc) -> Truth {
+    Truth::new(arc.center, arc.radii, arc.rotation.direction())
+}
+
+pub(super) fn to_unit(arc: &Arc) -> Affine {
+    truth(arc).placement().inverse()
+}
+
+/// How far a few points of the cubics lie from the arc's ellipse, on a circle; seen from its centre, on another one.
+pub(super) fn strays(cubics: &[CubicBez], arc: &Arc) -> f64 {
+    let (to_unit, radius) = (to_unit(arc), larger(arc));
+    let off = |p: Point| ((to_unit * p).to_vec2().hypot2().sqrt() - 1.0).abs();
+    let points = cubics
+        .iter()
+        .flat_map(|c| [c.p0, c.eval(0.25), c.eval(0.5), c.eval(0.75), c.p3]);
+    points.map(off).fold(0.0, f64::max) * radius
+}
+
+/// A bound, both ways, of the distance of cubics from an arc: that in the plane where the arc's ellipse is the unit circle, times the
+/// larger radius, which is the most that the map from there stretches anything.
+pub(crate) fn bound(cubics: &[CubicBez], arc: &Arc) -> f64 {
+    let Some([from, to]) = arc.ends else {
+        return f64::INFINITY;
+    };
+    if arc.radii.x == arc.radii.y {
+        return distance(cubics, from, to, arc);
+    }
+    let to_unit = to_unit(arc);
+    let mapped: Vec<CubicBez> = cubics.iter().map(|&cubic| to_unit * cubic).collect();
+    let unit = Arc {
+        center: Point::ORIGIN,
+        radii: Vec2::new(1.0, 1.0),
+        rotation: Angle::ZERO,
+        start: arc.start,
+        sweep: arc.sweep,
+        ends: None,
+    };
+    larger(arc) * distance(&mapped, to_unit * from, to_unit * to, &unit)
+}

@@ -1,0 +1,296 @@
+//! Runs of cubics that are one arc of a circle or an ellipse, with the round radii that their author meant.
+//!
+//! A circle is sought through the ends and the middle of a run. An ellipse comes from one cubic p0, p1, p2, p3 with the middle m:
+//! let its end tangents meet in q, M be the middle of p0 and p3, and s the part of the way from M to q at which m lies. As an arc of
+//! a conic it has the weight w = s/(1 - s), the cosine of half its sweep, and
+//!
+//! c = (M - w² q)/(1 - w²),  e₁ = m - c,  e₂ = (p3 - p0)/(2 sqrt(1 - w²))
+//!
+//! are its centre and two conjugate half diameters. With A = (e₁ e₂) the eigenvalues of A Aᵀ are the squares of its radii.
+
+use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
+
+pub(crate) use super::near::Rules;
+use super::near::{
+    LARGEST_TURN, MARGIN, bound, is_drawn_like, is_tangent, larger, strays, swept, truth,
+};
+use crate::Angle;
+use crate::curve::{first_direction, turn};
+use crate::number::round;
+use crate::shape::endpoint::{SvgArc, through};
+use crate::shape::{Arc, Shape, Truth};
+
+/// The least and the largest sweep of an arc, in degrees: with less its radius is anybody's guess, and with more its ends are so close
+/// that the last bits of a renderer move its centre.
+const SWEEPS: [f64; 2] = [4.0, 350.0];
+
+/// How many decimals more than the file radii may have.
+const MORE_DECIMALS: u8 = 3;
+
+/// A run of cubics that is one arc.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Found {
+    /// How many cubics it takes.
+    pub(crate) count: usize,
+    /// The arc by its ends, with radii of few decimals.
+    pub(crate) given: SvgArc,
+    /// The same arc by its centre.
+    pub(crate) arc: Arc,
+    /// A bound, both ways, of its distance from the cubics.
+    pub(crate) strayed: f64,
+}
+
+/// The longest run of the cubics, from the first, that is one arc; of a whole turn no more than 350 degrees.
+pub(crate) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
+    let (first, _) = cubics.split_first()?;
+    if circle_of(&cubics[..1], rules).is_some() {
+        return longest(cubics, rules, |count| circle_of(&cubics[..count], rules));
+    }
+    if !rules.elliptic {
+        return None;
+    }
+    let rough = ellipse_of(first, rules)?;
+    // What one cubic says of its ellipse is too little for those after it, unless it is known by its round numbers.
+    let alone = meant(&cubics[..1], &placed(&cubics[..1], &rough)?, rules)?;
+    let ellipse = truth(&alone.arc);
+    longest(cubics, rules, |count| {
+        let run = &cubics[..count];
+        placed(run, &ellipse).filter(|arc| strays(run, arc) <= rules.room(larger(arc)))
+    })
+}
+
+/// The run of most cubics for which `arc_of` gives an arc that survives a closer look.
+fn longest(
+    cubics: &[CubicBez],
+    rules: &Rules,
+    arc_of: impl Fn(usize) -> Option<Arc>,
+) -> Option<Found> {
+    let smooth = cubics.windows(2).take_while(|pair| {
+        turn(&PathSeg::Cubic(pair[0]), &PathSeg::Cubic(pair[1])).abs() <= LARGEST_TURN
+    });
+    // Doubling, then halving: the longest run takes as many looks as its length has bits.
+    let mut smooth = smooth.fuse();
+    let (mut best, mut most, mut step, mut growing) = (1, 1, 1, true);
+    while step > 0 {
+        while most < best + step && smooth.next().is_some() {
+            most += 1;
+        }
+        if best + step <= most && arc_of(best + step).is_some() {
+            best += step;
+            step = if growing { 2 * step } else { step / 2 };
+        } else {
+            growing = false;
+            step /= 2;
+        }
+    }
+    let fewer = [best, best.div_ceil(2), 1];
+    fewer
+        .into_iter()
+        .find_map(|count| meant(&cubics[..count], &arc_of(count)?, rules))
+}
+
+/// An upright ellipse.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Turn {
+    pub(crate) center: Point,
+    pub(crate) radii: Vec2,
+}
+
+impl Turn {
+    /// The arc of it on which cubics lie that begin and end near it: its ends are those of the cubics, brought there.
+    fn arc(&self, cubics: &[CubicBez]) -> Option<Arc> {
+        let truth = Truth::new(self.center, self.radii, Vec2::new(1.0, 0.0));
+        let mut arc = swept(cubics, &truth)?;
+        let brought = |p: Point| {
+            let out = (truth.placement().inverse() * p).to_vec2();
+            truth.placement() * (out / out.hypot2().sqrt()).to_point()
+        };
+        arc.ends = arc.ends.map(|ends| ends.map(brought));
+        Some(arc)
+    }
+}
+
+/// How far cubics turn about the centre of an ellipse, in degrees, and a bound, both ways, of their distance from what they turn
+/// over there; `None` where they are not drawn like an arc of it.
+pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<(f64, f64)> {
+    let smooth = |pair: &[CubicBez]| {
+        let [a, b] = [pair[0], pair[1]].map(PathSeg::Cubic);
+        crate::curve::turn(&a, &b).abs() <= LARGEST_TURN
+    };
+    let arc = turn.arc(cubics)?;
+    let fits = cubics.windows(2).all(smooth)
+        && is_drawn_like(cubics, &arc, rules)
+        && strays(cubics, &arc) <= rules.room(larger(&arc));
+    fits.then(|| (arc.sweep.degrees(), bound(cubics, &arc)))
+}
+
+/// The arc that is meant: of all radii with which the cubics are drawn like an arc those with the fewest decimals; else those with as
+/// many as the tolerance needs.
+pub(crate) fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<Found> {
+    let explained = MARGIN * strays(cubics, found) + rules.moved();
+    let attempt = |found: &Arc, decimals: u8, drawn_only: bool| {
+        let given = rounded(cubics, found, decimals)?;
+        let Ok(Shape::Arc(arc)) = given.shape() else {
+            return None;
+        };
+        let room = rules.room(larger(&arc));
+        let off = strays(cubics, &arc);
+        let likely = off <= room
+            && is_tangent(cubics, &arc)
+            && (!drawn_only || off <= explained && is_drawn_like(cubics, &arc, rules));
+        let strayed = if likely {
+            bound(cubics, &arc)
+        } else {
+            f64::INFINITY
+        };
+        let count = cubics.len();
+        (strayed <= room).then_some(Found {
+            count,
+            given,
+            arc,
+            strayed,
+        })
+    };
+    let most = rules.decimals.saturating_add(MORE_DECIMALS);
+    // What the tangents say does not depend on the constant of the cubics; what the middle says, not on the rounding of handles.
+    let guesses = [by_tangents(cubics, found), Some(*found)];
+    let drawn = (0..=most).find_map(|decimals| {
+        let mut guesses = guesses.iter().flatten();
+        guesses.find_map(|guess| attempt(guess, decimals, true))
+    });
+    let near = || (0..=most).find_map(|decimals| attempt(found, decimals, false));
+    drawn.or_else(|| if rules.drawn_only { None } else { near() })
+}
+
+/// The arc of a circle with the radius that the directions at its ends give: half the chord over the sine of half the turn.
+fn by_tangents(cubics: &[CubicBez], arc: &Arc) -> Option<Arc> {
+    let (first, last) = (cubics.first()?, cubics.last()?);
+    let u = first_direction(&PathSeg::Cubic(*first));
+    let v = -first_direction(&PathSeg::Cubic(*last).reverse());
+    let half = libm::sin(libm::atan2(u.cross(v), u.dot(v)) / 2.0).abs();
+    let radius = last.p3.distance_squared(first.p0).sqrt() / (2.0 * half);
+    let is_circle = arc.radii.x == arc.radii.y && radius.is_finite();
+    is_circle.then_some(Arc {
+        radii: Vec2::splat(radius),
+        ..*arc
+    })
+}
+
+/// The arc between the run's ends with rounded radii, upright where it is nearly so.
+fn rounded(cubics: &[CubicBez], arc: &Arc, decimals: u8) -> Option<SvgArc> {
+    let radii = Vec2::new(round(arc.radii.x, decimals), round(arc.radii.y, decimals));
+    let rotation = if radii.x == radii.y {
+        0.0
+    } else {
+        round(arc.rotation.degrees(), decimals.saturating_sub(1))
+    };
+    (radii.x > 0.0 && radii.y > 0.0).then_some(SvgArc {
+        from: cubics.first()?.p0,
+        radii,
+        rotation: Angle::from_degrees(rotation),
+        large_arc: arc.sweep.degrees().abs() > 180.0,
+        sweep: arc.sweep.degrees() > 0.0,
+        to: cubics.last()?.p3,
+    })
+}
+
+/// The arc of a circle through the ends and the middle of a run, where its cubics stay near it.
+fn circle_of(cubics: &[CubicBez], rules: &Rules) -> Option<Arc> {
+    let (from, to) = (cubics.first()?.p0, cubics.last()?.p3);
+    let middle = cubics.len() / 2;
+    let on = if cubics.len().is_multiple_of(2) {
+        cubics[middle].p0
+    } else {
+        cubics[middle].eval(0.5)
+    };
+    if from == to || is_askew(cubics, from, on, to, rules) {
+        return None;
+    }
+    let Ok(Shape::Arc(arc)) = through(from, on, to) else {
+        return None;
+    };
+    let fits = within(arc.sweep) && strays(cubics, &arc) <= rules.room(larger(&arc));
+    fits.then_some(arc)
+}
+
+/// Whether a single cubic cannot be the arc of a circle through these points, as one look at two more of its points says: nearly
+/// every free curve ends here.
+fn is_askew(cubics: &[CubicBez], from: Point, on: Point, to: Point, rules: &Rules) -> bool {
+    let [cubic] = cubics else {
+        return false;
+    };
+    let (u, v) = (on - from, to - from);
+    let cross = 2.0 * u.cross(v);
+    let center = from
+        + Vec2::new(
+            v.y * u.hypot2() - u.y * v.hypot2(),
+            u.x * v.hypot2() - v.x * u.hypot2(),
+        ) / cross;
+    let radius = center.distance_squared(from).sqrt();
+    let off = |t: f64| (center.distance_squared(cubic.eval(t)).sqrt() - radius).abs();
+    let room = rules.room(radius);
+    // Written so that what is not a number goes on to the closer look.
+    off(0.25) > room || off(0.75) > room
+}
+
+fn within(sweep: Angle) -> bool {
+    let [least, most] = SWEEPS;
+    (least..=most).contains(&sweep.degrees().abs())
+}
+
+/// The ellipse of which a cubic is an arc.
+fn ellipse_of(cubic: &CubicBez, rules: &Rules) -> Option<Truth> {
+    let (u, v, chord) = (
+        cubic.p1 - cubic.p0,
+        cubic.p2 - cubic.p3,
+        cubic.p3 - cubic.p0,
+    );
+    let cross = u.cross(v);
+    // Where the tangents meet, in lengths of the handles: alike for the arc of an ellipse, and longer than they.
+    let [along, back] = [chord.cross(v) / cross, chord.cross(u) / cross];
+    if !(along > 1.0 && (along - back).abs() <= 0.1 * along) {
+        return None;
+    }
+    let (tip, base) = (cubic.p0 + along * u, cubic.p0.midpoint(cubic.p3));
+    let (way, rise) = (tip - base, cubic.eval(0.5) - base);
+    let part = rise.dot(way) / way.hypot2();
+    let weight = part / (1.0 - part);
+    let square = (1.0 - weight) * (1.0 + weight);
+    if !(weight > 0.05 && square > 4e-3) {
+        return None;
+    }
+    let center = base - way * (weight * weight / square);
+    let (e, f) = (base + part * way - center, chord / (2.0 * square.sqrt()));
+    let frame = Affine::new([e.x, e.y, f.x, f.y, center.x, center.y]);
+    let to_unit = frame.inverse();
+    let [a, b, c] = [
+        e.x * e.x + f.x * f.x,
+        e.x * e.y + f.x * f.y,
+        e.y * e.y + f.y * f.y,
+    ];
+    let (mean, half) = (0.5 * (a + c), (0.25 * (a - c) * (a - c) + b * b).sqrt());
+    let radii = Vec2::new((mean + half).sqrt(), (mean - half).max(0.0).sqrt());
+    let room = rules.room(radii.x) / radii.x;
+    let off = |t: f64| ((to_unit * cubic.eval(t)).to_vec2().hypot2().sqrt() - 1.0).abs();
+    if !(radii.y > 1e-3 * radii.x && off(0.25) <= room && off(0.75) <= room) {
+        return None;
+    }
+    Some(upright(center, radii, 0.5 * libm::atan2(2.0 * b, a - c)))
+}
+
+/// The ellipse with its axis within an eighth of a turn of the x axis.
+fn upright(center: Point, radii: Vec2, rotation: f64) -> Truth {
+    let quarters = (rotation / core::f64::consts::FRAC_PI_2).round();
+    let rest = rotation - quarters * core::f64::consts::FRAC_PI_2;
+    let radii = if quarters % 2.0 == 0.0 {
+        radii
+    } else {
+        Vec2::new(radii.y, radii.x)
+    };
+    Truth::new(center, radii, Angle::from_radians(rest).direction())
+}
+
+/// The arc of an ellipse from the beginning of a run to its end, where it is long enough.
+fn placed(cubics: &[CubicBez], ellipse: &Truth) -> Option<Arc> {
+    swept(cubics, ellipse).filter(|arc| within(arc.sweep))
+}

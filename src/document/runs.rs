@@ -1,0 +1,275 @@
+//! Path data the way back: runs of Béziers that are arcs become arc commands, all other bytes stay.
+//!
+//! What has to be minded: a smooth command after a run reflected a control point that is gone, so that it is spelled out; one that
+//! repeated the letter of a run gets its own; the end point keeps its digits, as the file spells them or as their exact sum; and no
+//! run becomes longer than it was, with all that. Path data with an error stay as they are: renderers may stop at another place.
+
+use core::ops::Range;
+
+use kurbo::{CubicBez, Point, Vec2};
+
+use super::arcs::Sink;
+use super::path_data::{Segment, Segments};
+use super::position::Position;
+use super::reason::Reason;
+use super::run_text::{self, Edit, Link, Run, family};
+use crate::arcs::recognize::{self, Found, Rules};
+use crate::joints::Tolerance;
+use crate::number::Precision;
+
+/// The tolerance where none is asked for, as a part of the radius.
+const DEFAULT_PART: f64 = 1e-3;
+
+/// The most decimals of a file that are believed: beyond, digits are noise.
+const MOST_DECIMALS: u8 = 12;
+
+/// What became of one path.
+#[derive(Debug, Default)]
+pub(super) struct Outcome {
+    /// The edits, in their order.
+    pub(super) edits: Vec<Edit>,
+    /// The arc commands in them.
+    pub(super) arcs: usize,
+    /// A bound of the distance of all arcs from their runs.
+    pub(super) strayed: f64,
+    /// Why a run was left, and where it is.
+    pub(super) left: Option<(usize, Reason)>,
+}
+
+impl Outcome {
+    /// Whether there is nothing to do or to note.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.edits.is_empty() && self.left.is_none()
+    }
+
+    /// Writes it.
+    pub(super) fn write(self, sink: &mut impl Sink) {
+        if let Some((at, reason)) = self.left {
+            sink.note(at, reason);
+        }
+        for edit in self.edits {
+            sink.edit(edit.range).extend_from_slice(&edit.text);
+        }
+    }
+}
+
+/// The rules for curves whose numbers have so many decimals.
+pub(super) fn rules(tolerance: Option<Tolerance>, decimals: u8) -> Rules {
+    let (part, absolute) = match tolerance {
+        Some(Tolerance::Absolute(distance)) => (0.0, distance),
+        Some(Tolerance::Relative(part)) => (part, 0.0),
+        None => (DEFAULT_PART, Precision::Fixed(decimals).farthest_moved()),
+    };
+    Rules {
+        part,
+        absolute,
+        decimals,
+        elliptic: true,
+        drawn_only: tolerance.is_none(),
+    }
+}
+
+/// The most decimals of the numbers in a text; `None` where one has an exponent.
+pub(super) fn decimals(text: &[u8]) -> Option<u8> {
+    let (mut most, mut behind, mut point) = (0_u8, 0_u8, false);
+    for byte in text {
+        match byte {
+            b'0'..=b'9' => {
+                behind = behind.saturating_add(u8::from(point));
+                most = most.max(behind);
+            }
+            b'e' | b'E' => return None,
+            byte => (behind, point) = (0, *byte == b'.'),
+        }
+    }
+    Some(most.min(MOST_DECIMALS))
+}
+
+/// Finds the runs of the path data in `text[span]`, after which the text ends or goes on with a quote.
+pub(super) fn find(
+    text: &str,
+    span: Range<usize>,
+    tolerance: Option<Tolerance>,
+    keeps_vertices: bool,
+) -> Outcome {
+    let mut finder = Finder {
+        text,
+        tolerance,
+        keeps_vertices,
+        at: Position::default(),
+        control: Vec2::ZERO,
+        family: 0,
+        end: span.start,
+        links: Vec::new(),
+        cubics: Vec::new(),
+        outcome: Outcome::default(),
+    };
+    let mut segments = Segments::new(text, span).with_ends(true);
+    for segment in segments.by_ref() {
+        finder.segment(&segment);
+    }
+    finder.flush();
+    if let Some(at) = segments.error()
+        && finder.outcome.arcs > 0
+    {
+        return Outcome {
+            left: Some((at, Reason::PathError)),
+            ..Outcome::default()
+        };
+    }
+    finder.outcome
+}
+
+struct Finder<'a> {
+    text: &'a str,
+    tolerance: Option<Tolerance>,
+    /// Whether no vertex may go, because markers stand on them.
+    keeps_vertices: bool,
+    at: Position,
+    /// The last control point, which a smooth command of the same family reflects.
+    control: Vec2,
+    /// `c` or `q` after a cubic or a quadratic.
+    family: u8,
+    /// The index of the byte after the last segment.
+    end: usize,
+    /// The Béziers since anything else.
+    links: Vec<Link>,
+    cubics: Vec<CubicBez>,
+    outcome: Outcome,
+}
+
+impl Finder<'_> {
+    fn segment(&mut self, segment: &Segment) {
+        let family = family(segment.kind());
+        let cubic = (family != 0).then(|| self.cubic(segment, family)).flatten();
+        let from = self.at.point;
+        self.at.advance(segment);
+        match cubic {
+            Some(mut cubic) if self.at.point.is_finite() => {
+                cubic.p3 = self.at.point.to_point();
+                self.control = cubic.p2.to_vec2();
+                if family == b'q' {
+                    self.control = cubic.p1.to_vec2();
+                    cubic = raised(from, self.control, self.at.point);
+                }
+                self.links.push(Link {
+                    segment: *segment,
+                    previous: self.end,
+                    to: self.at.point,
+                });
+                self.cubics.push(cubic);
+            }
+            _ => self.flush(),
+        }
+        (self.family, self.end) = (family, segment.end);
+    }
+
+    /// The control points of a Bézier, the end point aside.
+    fn cubic(&self, segment: &Segment, family: u8) -> Option<CubicBez> {
+        let from = self.at.point;
+        let base = if segment.is_relative() {
+            from
+        } else {
+            Vec2::ZERO
+        };
+        let [a, b] = segment.controls(self.text)?.map(|p| base + p);
+        let mirrored = if self.family == family {
+            2.0 * from - self.control
+        } else {
+            from
+        };
+        let (p1, p2) = match segment.kind() {
+            b'c' => (a, b),
+            b's' => (mirrored, a),
+            b'q' => (a, a),
+            _ => (mirrored, mirrored),
+        };
+        let [p0, p1, p2] = [from, p1, p2].map(Vec2::to_point);
+        Some(CubicBez::new(p0, p1, p2, p0))
+    }
+
+    /// Ends a chain of Béziers.
+    fn flush(&mut self) {
+        if let (Some(first), Some(last)) = (self.links.first(), self.links.last()) {
+            let (start, end) = (first.segment.start, last.segment.end);
+            if let Some(decimals) = decimals(&self.text.as_bytes()[start..end]) {
+                self.chain(&rules(self.tolerance, decimals));
+            }
+            self.links.clear();
+            self.cubics.clear();
+        }
+    }
+
+    /// Makes arcs of the runs of a chain.
+    fn chain(&mut self, rules: &Rules) {
+        let runs = self.runs(rules);
+        if runs.is_empty() {
+            return;
+        }
+        let (edits, taken) = run_text::edits(self.text, &self.links, &runs);
+        for run in &taken {
+            self.outcome.strayed = self.outcome.strayed.max(run.found.strayed);
+        }
+        self.outcome.arcs += taken.len();
+        self.outcome.edits.extend(edits);
+    }
+
+    fn runs(&mut self, rules: &Rules) -> Vec<Run> {
+        let (mut runs, mut start) = (Vec::new(), 0);
+        while start < self.cubics.len() {
+            let found = halves(&self.cubics[start..], rules);
+            start += found
+                .iter()
+                .flatten()
+                .map(|found| found.count)
+                .sum::<usize>()
+                .max(1);
+            let mut from = start
+                - found
+                    .iter()
+                    .flatten()
+                    .map(|found| found.count)
+                    .sum::<usize>();
+            for found in found.into_iter().flatten() {
+                if self.keeps_vertices && found.count > 1 {
+                    let at = self.links[from].segment.start;
+                    self.outcome.left.get_or_insert((at, Reason::MarkerOnRun));
+                } else {
+                    runs.push(Run { start: from, found });
+                }
+                from += found.count;
+            }
+        }
+        runs
+    }
+}
+
+/// The run at the beginning of a chain; a whole turn as its halves.
+fn halves(cubics: &[CubicBez], rules: &Rules) -> [Option<Found>; 2] {
+    let Some(found) = recognize::run(cubics, rules) else {
+        return [None; 2];
+    };
+    let from = found.given.from;
+    let near = 1e-9 * found.given.radii.x.max(found.given.radii.y);
+    let returns = |cubic: &CubicBez| cubic.p3.distance_squared(from) <= near * near;
+    // What is left of a turn after 350 degrees takes no more than it took so far.
+    let rest = cubics[found.count..].iter().take(2 * found.count);
+    let Some(more) = rest.clone().position(returns) else {
+        return [Some(found), None];
+    };
+    let whole = &cubics[..=found.count + more];
+    let (first, second) = whole.split_at(whole.len() / 2);
+    let half = |cubics: &[CubicBez]| {
+        recognize::run(cubics, rules).filter(|found| found.count == cubics.len())
+    };
+    match (half(first), half(second)) {
+        (Some(a), Some(b)) if a.given.radii == b.given.radii => [Some(a), Some(b)],
+        _ => [Some(found), None],
+    }
+}
+
+fn raised(p0: Vec2, p1: Vec2, p2: Vec2) -> CubicBez {
+    let third = |a: Vec2| (a + 2.0 * p1) / 3.0;
+    let [p0, a, b, p3]: [Point; 4] = [p0, third(p0), third(p2), p2].map(Vec2::to_point);
+    CubicBez::new(p0, a, b, p3)
+}

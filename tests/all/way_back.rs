@@ -1,0 +1,404 @@
+//! `convert --to arcs`: what was an arc is one again, nothing else changes, and nothing is lost.
+
+use std::path::PathBuf;
+
+use curveto::Tolerance;
+use curveto::document::{self, Converted, Options, Target};
+use rayon::prelude::*;
+
+use crate::corpora::files;
+use crate::judges::independent::{self, Center, P, Segment};
+use crate::judges::program::{printed, run};
+use crate::judges::way_back::{apart, outlines, skeleton};
+
+fn options(tolerance: Option<Tolerance>, shapes: bool) -> Options {
+    Options {
+        to: Target::Arcs { tolerance, shapes },
+        ..Options::default()
+    }
+}
+
+fn back(text: &str) -> Converted<'_> {
+    document::convert(text, &options(None, true)).unwrap()
+}
+
+fn svg(inner: &str) -> String {
+    format!(r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{inner}</svg>"#)
+}
+
+/// The new path data of a path, no shapes made.
+fn path(d: &str) -> String {
+    let text = svg(&format!("<path d=\"{d}\"/>"));
+    let new = document::convert(&text, &options(None, false))
+        .unwrap()
+        .text;
+    let (_, rest) = new.split_once(" d=\"").unwrap();
+    rest.split_once('"').unwrap().0.to_owned()
+}
+
+/// What becomes of an element.
+fn element(inner: &str) -> String {
+    let text = svg(inner);
+    let new = back(&text).text.into_owned();
+    new[svg("").len() - 6..]
+        .strip_suffix("</svg>")
+        .unwrap()
+        .to_owned()
+}
+
+#[test]
+fn runs_become_arcs_of_the_radius_that_was_meant() {
+    for (before, after) in [
+        // One quarter, relative and absolute; the end keeps its text.
+        ("M0 0c2.7614 0 5 2.2386 5.0,5", "M0 0a5 5 0 0 1 5.0,5"),
+        ("M0 0C2.7614 0 5 2.2386 +5 5.00z", "M0 0A5 5 0 0 1+5 5.00z"),
+        // Two quarters are one half.
+        ("M0 0c2.76 0 5 2.24 5 5s-2.24 5-5 5", "M0 0a5 5 0 0 1 0 10"),
+        // The exact sum of what was spelled.
+        (
+            "M0 0c.0276 0 .05.0224.05.05s-.0224.05-.05.05L.3 0",
+            "M0 0a.05.05 0 0 1 0 .1L.3 0",
+        ),
+        // A whole circle is two halves.
+        (
+            "M22 12c0 5.523-4.477 10-10 10S2 17.523 2 12 6.477 2 12 2s10 4.477 10 10z",
+            "M22 12A10 10 0 0 1 2 12 A10 10 0 0 1 22 12z",
+        ),
+        // Ellipses, upright ones with two decimals.
+        ("M0 0c4.97 0 9 1.34 9 3", "M0 0a9 3 0 0 1 9 3"),
+        // Quadratics of 22.5 degrees.
+        (
+            "M100 0Q100 19.89 92.39 38.27Q84.78 56.65 70.71 70.71",
+            "M100 0A100 100 0 0 1 70.71 70.71",
+        ),
+    ] {
+        assert_eq!(
+            path(before).replace(" A", "A"),
+            after.replace(" A", "A"),
+            "{before}"
+        );
+    }
+}
+
+#[test]
+fn what_follows_a_run_keeps_its_meaning() {
+    for (before, after) in [
+        // It would be longer.
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4",
+            "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4",
+        ),
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5s-2.2386 5-5 5s1 2 3 4",
+            "M0 0a5 5 0 0 1 0 10c-2.7614 0 1 2 3 4",
+        ),
+        (
+            "M0 0C2.7614 0 5 2.2386 5 5S2.7614 10 0 10S6 7 8 9",
+            "M0 0A5 5 0 0 1 0 10C-2.7614 10 6 7 8 9",
+        ),
+        (
+            "M0 0c24.8528 0 45 15.1472 45 45 1 2 3 4 5 6",
+            "M0 0c24.8528 0 45 15.1472 45 45 1 2 3 4 5 6",
+        ),
+        (
+            "M0 0c24.8528 0 45 20.1472 45 45 1 2 3 4 5 6",
+            "M0 0a45 45 0 0 1 45 45c1 2 3 4 5 6",
+        ),
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5s-2.2386 5-5 5 1 2 3 4 5 6 7 8",
+            "M0 0a5 5 0 0 1 0 10c-2.7614 0 1 2 3 4s5 6 7 8",
+        ),
+    ] {
+        assert_eq!(path(before), after, "{before}");
+    }
+}
+
+#[test]
+fn what_is_no_arc_keeps_every_byte() {
+    for d in [
+        "M0 0c1 2 3 4 5 6s7 8 9 9",
+        "M0 0C0 10 10 10 10 0",
+        "M0 0L5 5H9V2z",
+        "M0 0c0 0 0 0 0 0z",
+        "M0 0c2.7614 0 5 2.2386 5 5x",
+        "M0 0Q5 0 5 5",
+        "M1 1c1e-3 0 0 0 0 0",
+        "",
+    ] {
+        assert_eq!(path(d), d);
+    }
+}
+
+#[test]
+fn a_wide_tolerance_rounds_no_radius() {
+    let circle = "M19.5 12C19.5 16.14 16.14 19.5 12 19.5S4.5 16.14 4.5 12 7.86 4.5 12 4.5 19.5 7.86 19.5 12Z";
+    let text = svg(&format!("<path d=\"{circle}\"/>"));
+    for tolerance in [Tolerance::Absolute(0.6), Tolerance::Relative(0.08)] {
+        let new = document::convert(&text, &options(Some(tolerance), true))
+            .unwrap()
+            .text;
+        assert!(
+            new.contains(r#"<circle cx="12" cy="12" r="7.5"/>"#),
+            "{new}"
+        );
+    }
+    // 23.9987, as a rough constant has it, is 24.
+    assert_eq!(
+        path("M24 0C24 13.252 13.252 23.9987 0 24"),
+        "M24 0A24 24 0 0 1 0 24"
+    );
+}
+
+#[test]
+fn whole_paths_become_shapes() {
+    for shape in [
+        r#"<circle cx="12" cy="12" r="7.5" id="a"/>"#,
+        r#"<circle cx="0.25" cy="-3" r="1"><title>t</title></circle>"#,
+        r#"<ellipse cx="12" cy="5" rx="9" ry="3"/>"#,
+        r#"<rect x="3" y="3" width="18" height="18" rx="2"/>"#,
+        r#"<rect x="3" y="3" width="18" height="12" rx="2" ry="3"/>"#,
+        r#"<rect x="1" y="1" width="10" height="4" rx="2"/>"#,
+    ] {
+        let text = svg(shape);
+        let drawn = document::convert(&text, &Options::default()).unwrap().text;
+        assert!(drawn.contains("<path"), "{drawn}");
+        assert_eq!(back(&drawn).text, text);
+    }
+}
+
+#[test]
+fn a_path_stays_one_where_a_shape_would_be_drawn_otherwise() {
+    let start = "M12 2C17.523 2 22 6.477 22 12S17.523 22 12 22 2 17.523 2 12 6.477 2 12 2Z";
+    let plain = format!("<path d=\"{start}\"/>");
+    assert_eq!(element(&plain), r#"<circle cx="12" cy="12" r="10"/>"#);
+    for (other, code) in [
+        (
+            format!("<path stroke-dasharray=\"2\" d=\"{start}\"/>"),
+            "stays-path",
+        ),
+        (
+            format!("<style>.a{{STROKE-dashoffset:1}}</style><path d=\"{start}\"/>"),
+            "stays-path",
+        ),
+        (
+            format!("<path pathLength=\"9\" d=\"{start}\"/>"),
+            "stays-path",
+        ),
+        (format!("<path r=\"9\" d=\"{start}\"/>"), "stays-path"),
+        (
+            format!("<path id=\"a\" d=\"{start}\"/><text><textPath href=\"#a\"/></text>"),
+            "stays-path",
+        ),
+        (format!("<g marker-end=\"url(#m)\">{plain}</g>"), "marker"),
+        (
+            format!("<style>circle{{fill:red}}</style>{plain}"),
+            "style-selector",
+        ),
+        (
+            format!("<style>path{{fill:red}}</style>{plain}"),
+            "style-selector",
+        ),
+        (
+            format!("<style>*{{r:5px}}</style>{plain}"),
+            "style-geometry",
+        ),
+        (format!("<script/>{plain}"), "script"),
+    ] {
+        let text = svg(&other);
+        let done = back(&text);
+        assert!(!done.text.contains("<circle"), "{}", done.text);
+        assert!(
+            done.notes.iter().any(|note| note.reason.code() == code),
+            "{:?}",
+            done.notes
+        );
+    }
+    // An animation of the path data needs the same commands.
+    let animated = svg(&format!(
+        "<path d=\"{start}\"><animate attributeName=\"d\" values=\"{start};M0 0z\"/></path>"
+    ));
+    assert_eq!(back(&animated).text, animated);
+    // Markers on vertices keep them; a run of one cubic has none.
+    let marked = svg(&format!(
+        "<path marker-mid=\"url(#m)\" d=\"{start}M0 0c2.7614 0 5 2.2386 5 5h1\"/>"
+    ));
+    let done = back(&marked);
+    assert!(
+        done.text.contains(start) && done.text.contains("a5 5 0 0 1 5 5h1"),
+        "{}",
+        done.text
+    );
+    assert_eq!(done.notes[0].reason.code(), "marker-mid");
+}
+
+#[test]
+fn the_program_goes_back_and_says_how_closely() {
+    let folder = std::env::temp_dir().join(format!("curveto-way-back-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("a.svg");
+    std::fs::write(&file, svg("<path d=\"M0 0c2.7614 0 5 2.2386 5 5\"/>")).unwrap();
+    let name = file.to_str().unwrap();
+    let out = run(&["convert", name, "--to", "arcs", "-v"]);
+    assert!(String::from_utf8_lossy(&out.stdout).contains("a5 5 0 0 1 5 5"));
+    let words = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert!(
+        words.contains("1 arc made, within 0.00136 of the curves"),
+        "{words}"
+    );
+    let left = printed(&["convert", name, "--to", "arcs", "-t", "0.001"]);
+    assert!(left.contains("c2.7614"), "{left}");
+    for words in [
+        &["--to", "arcs", "-n", "3"][..],
+        &["--to", "arcs", "-m", "minimax"],
+        &["--to", "arcs", "-t", "0"],
+        &["--shapes"],
+    ] {
+        let out = run(&[&["convert", name][..], words].concat());
+        assert_eq!(out.status.code(), Some(2), "{words:?}");
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+// ---- the icon sets
+
+/// What became of the arcs of a set that was drawn as Béziers and then brought back.
+#[derive(Debug, Default, Clone)]
+struct Tally {
+    /// Arcs and shapes with the numbers that they had.
+    same: usize,
+    /// Arcs that are one with the one before them.
+    joined: usize,
+    /// Of another radius, all of whose digits the file does not have.
+    other_radius: usize,
+    /// That stay Béziers.
+    left: usize,
+    /// Shapes that stay paths.
+    no_shape: usize,
+    complaints: Vec<String>,
+}
+
+impl Tally {
+    fn with(mut self, other: Self) -> Self {
+        self.same += other.same;
+        self.joined += other.joined;
+        self.other_radius += other.other_radius;
+        self.left += other.left;
+        self.no_shape += other.no_shape;
+        self.complaints.extend(other.complaints);
+        self
+    }
+
+    /// Holds arcs against those that they were: both outlines have the same lines and Béziers, and the arcs end at the same points.
+    fn hold(&mut self, old: &[Segment], new: &[Segment]) {
+        let end = |segment: &Segment| match *segment {
+            Segment::Move(p)
+            | Segment::Line(p)
+            | Segment::Quad(_, p)
+            | Segment::Cubic(.., p)
+            | Segment::Arc(.., p) => Some(p),
+            Segment::Close => None,
+        };
+        let near = |a: P, b: P| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-6;
+        let (mut at, mut new_at, mut start, mut rest): (P, P, P, &[Segment]) =
+            ([0.0; 2], [0.0; 2], [0.0; 2], new);
+        for segment in old {
+            let to = end(segment).unwrap_or(start);
+            if let Segment::Move(p) = *segment {
+                start = p;
+            }
+            if let Segment::Arc(r, rotation, large, sweep, _) = *segment
+                && !near(at, to)
+            {
+                match rest.first() {
+                    Some(Segment::Arc(r2, rotation2, large2, sweep2, to2)) if near(*to2, to) => {
+                        let wide = Center::new(at, r, rotation, large, sweep, to).radii;
+                        let found =
+                            Center::new(new_at, *r2, *rotation2, *large2, *sweep2, *to2).radii;
+                        let same = [0, 1].map(|i| (wide[i] - found[i]).abs() < 1e-6 * wide[i]);
+                        if same == [true; 2] {
+                            self.same += 1;
+                        } else {
+                            self.other_radius += 1;
+                        }
+                        rest = &rest[1..];
+                        new_at = to;
+                    }
+                    Some(Segment::Arc(..)) => self.joined += 1,
+                    _ => {
+                        self.left += 1;
+                        while let Some(next @ (Segment::Cubic(..) | Segment::Line(..))) =
+                            rest.first()
+                        {
+                            rest = &rest[1..];
+                            new_at = end(next).unwrap_or(new_at);
+                            if near(new_at, to) {
+                                break;
+                            }
+                        }
+                    }
+                }
+            } else if !matches!(segment, Segment::Arc(..)) {
+                rest = rest.get(1..).unwrap_or_default();
+                new_at = to;
+            }
+            at = to;
+        }
+    }
+}
+
+fn round_trip(file: &PathBuf) -> Tally {
+    let mut tally = Tally::default();
+    let text = std::fs::read_to_string(file).unwrap();
+    let drawn = document::convert(&text, &Options::default())
+        .unwrap()
+        .text
+        .into_owned();
+    let done = back(&drawn);
+    let mut complain = |why: String| tally.complaints.push(format!("{}: {why}", file.display()));
+    let outlines_of = |a: &str, b: &str| outlines(a, b).unwrap();
+    for (i, (a, b)) in outlines_of(&drawn, &done.text).iter().enumerate() {
+        match apart(a, b) {
+            // The points stand on chords of the curves.
+            Ok(off) if off <= done.strayed + 1e-3 => {}
+            other => complain(format!("outline {i}: {other:?}, stated {}", done.strayed)),
+        }
+    }
+    if skeleton(&drawn) != skeleton(&done.text) {
+        complain("bytes elsewhere changed".to_owned());
+    }
+    if done.text.len() > drawn.len() {
+        complain("it grew".to_owned());
+    }
+    for (old, new) in outlines_of(&text, &done.text) {
+        tally.hold(&old, &new);
+    }
+    let shapes = |text: &str| ["<circle", "<ellipse"].map(|name| text.matches(name).count());
+    let (old, new) = (shapes(&text), shapes(&done.text));
+    tally.no_shape += (0..2).map(|i| old[i].saturating_sub(new[i])).sum::<usize>();
+    let pixels = |text: &str| independent::render(text, 256).unwrap();
+    let off = independent::difference(&pixels(&drawn), &pixels(&done.text), 256, 1);
+    // Below a quarter of a pixel.
+    if done.strayed < 0.02 && off > 128 {
+        tally
+            .complaints
+            .push(format!("{}: a pixel is off by {off}", file.display()));
+    }
+    tally
+}
+
+#[test]
+#[ignore = "needs `make corpora`"]
+fn icons_come_back() {
+    let set = "lucide-static-1.62.0";
+    let tallies = files(set).par_iter().map(round_trip).collect::<Vec<_>>();
+    let tally = tallies.into_iter().fold(Tally::default(), Tally::with);
+    println!(
+        "{set}: {} arcs as they were, {} joined to the one before, {} of another radius, {} still Béziers; {} shapes are paths",
+        tally.same, tally.joined, tally.other_radius, tally.left, tally.no_shape
+    );
+    assert!(
+        tally.complaints.is_empty(),
+        "{}",
+        tally.complaints.join("\n")
+    );
+}
