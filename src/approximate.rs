@@ -7,7 +7,7 @@ pub use extremes::approximate_at_extremes;
 
 use kurbo::{Affine, PathSeg, Point};
 
-use crate::curve::{Curve, turn};
+use crate::curve::{Curve, largest_coordinate, turn};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, quarters};
@@ -392,18 +392,5 @@ pub(crate) fn automatic_precision<'a>(
     error: f64,
     segments: impl IntoIterator<Item = &'a PathSeg>,
 ) -> Precision {
-    let mut largest = 0.0_f64;
-    let mut heed = |points: &[Point]| {
-        for p in points {
-            largest = largest.max(p.x.abs()).max(p.y.abs());
-        }
-    };
-    for segment in segments {
-        match *segment {
-            PathSeg::Line(l) => heed(&[l.p0, l.p1]),
-            PathSeg::Quad(q) => heed(&[q.p0, q.p1, q.p2]),
-            PathSeg::Cubic(c) => heed(&[c.p0, c.p1, c.p2, c.p3]),
-        }
-    }
-    Precision::moving_at_most(ROUNDING_SHARE * error, largest)
+    Precision::moving_at_most(ROUNDING_SHARE * error, largest_coordinate(segments))
 }

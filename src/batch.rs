@@ -131,45 +131,14 @@ pub fn run(
     };
     let mut chunks = Chunks::new(input);
     if options.jobs <= 1 {
-        let mut worker = Worker::new(options.clone());
-        let mut answers = Answers::default();
-        while let Some(chunk) = chunks.next_chunk()? {
-            let mut lines = without_last_end(chunk);
-            loop {
-                answers.before = writer.summary.lines;
-                let left = worker.answer_some(lines, LONGEST_ANSWERS, &mut answers);
-                if !writer.write(&answers)? {
-                    return Ok(writer.summary);
-                }
-                let Some(left) = left else { break };
-                lines = &lines[left..];
-            }
-        }
-        return Ok(writer.summary);
+        return run_alone(&mut chunks, writer, options);
     }
     // What was written goes back to the reader, so that memory is asked for once and not a chunk.
     let (done, free) = channel::<Job>();
     // It starts first: the others may be as many as the system gives.
     let (begin, begun) = channel::<Vec<SyncSender<Job>>>();
-    let reader = thread::Builder::new().spawn(move || {
-        let jobs = begun.recv().unwrap_or_default();
-        let mut before = 0;
-        for queue in jobs.iter().cycle() {
-            let Some(chunk) = chunks.next_chunk()? else {
-                return Ok(());
-            };
-            let mut job = free.try_recv().unwrap_or_default();
-            job.is_last = false;
-            job.chunk.clear();
-            job.chunk.extend_from_slice(chunk);
-            job.answers.before = before;
-            before += memchr::memchr_iter(b'\n', chunk).count() as u64;
-            if queue.send(job).is_err() {
-                return Ok(());
-            }
-        }
-        Ok(())
-    })?;
+    let reader = thread::Builder::new()
+        .spawn(move || hand_out(&mut chunks, &begun.recv().unwrap_or_default(), &free))?;
     let (jobs, threads) = start_threads(options)?;
     // The reader waits for them.
     let _ = begin.send(jobs);
@@ -198,6 +167,53 @@ pub fn run(
         Ok(done) => done.map(|()| writer.summary),
         Err(_) => Err(io::Error::other("the reading thread failed")),
     }
+}
+
+/// Answers every line in this thread.
+fn run_alone<W: Write, C: FnMut(u64, &Error)>(
+    chunks: &mut Chunks<impl Read>,
+    mut writer: Writer<W, C>,
+    options: &Options,
+) -> io::Result<Summary> {
+    let mut worker = Worker::new(options.clone());
+    let mut answers = Answers::default();
+    while let Some(chunk) = chunks.next_chunk()? {
+        let mut lines = without_last_end(chunk);
+        loop {
+            answers.before = writer.summary.lines;
+            let left = worker.answer_some(lines, LONGEST_ANSWERS, &mut answers);
+            if !writer.write(&answers)? {
+                return Ok(writer.summary);
+            }
+            let Some(left) = left else { break };
+            lines = &lines[left..];
+        }
+    }
+    Ok(writer.summary)
+}
+
+/// Reads chunks and gives them to the threads in turn, until nobody takes them.
+fn hand_out(
+    chunks: &mut Chunks<impl Read>,
+    threads: &[SyncSender<Job>],
+    free: &Receiver<Job>,
+) -> io::Result<()> {
+    let mut before = 0;
+    for queue in threads.iter().cycle() {
+        let Some(chunk) = chunks.next_chunk()? else {
+            return Ok(());
+        };
+        let mut job = free.try_recv().unwrap_or_default();
+        job.is_last = false;
+        job.chunk.clear();
+        job.chunk.extend_from_slice(chunk);
+        job.answers.before = before;
+        before += memchr::memchr_iter(b'\n', chunk).count() as u64;
+        if queue.send(job).is_err() {
+            return Ok(());
+        }
+    }
+    Ok(())
 }
 
 /// A chunk and the answers to its lines, or to some of them.

@@ -191,7 +191,8 @@ impl Conic {
     }
 
     /// Draws it: a parabola as quadratics, exactly; a hyperbola, and an ellipse next to a parabola, as cubics that touch it at both
-    /// ends of each. Without a count there is one for every quarter turn; the pieces of a count are of equal hyperbolic angle; those of a tolerance are each as long as it lets them be.
+    /// ends of each. Without a count there is one for every quarter turn; the pieces of a count are of equal hyperbolic angle; those
+    /// of a tolerance are each as long as they can be.
     ///
     /// # Errors
     ///
@@ -312,10 +313,11 @@ impl Conic {
 
     /// Joints each as far from the one before as the tolerance lets it be.
     fn marched(&self, tolerance: f64, method: Method) -> Result<Vec<f64>> {
-        let end = Frame::new(self).half;
+        let frame = Frame::new(self);
+        let end = frame.half;
         let reaches = |from: f64, to: f64| -> Result<bool> {
-            let piece = self.piece(&Frame::new(self), [from, to], Some(method))?;
-            Ok(error::error(self, &[piece]).peak() <= tolerance)
+            let piece = self.piece(&frame, [from, to], Some(method))?;
+            Ok(error::error(self, &frame, &[piece]).peak() <= tolerance)
         };
         let mut joints = vec![-end];
         let mut from = -end;
@@ -361,12 +363,13 @@ impl Conic {
             finite("coordinate of a control point", p.x)?;
             finite("coordinate of a control point", p.y)?;
         }
+        let measured = |curve: &Curve| error::error(self, &Frame::new(self), &curve.segments);
         let given = [self.from, self.control, self.to];
         let (precision, kept) = match (options.precision, method, &options.cut) {
             (Some(precision), ..) => (precision, &[][..]),
             (None, None, _) => (Precision::Full, &given[..]),
             (None, Some(_), cut) => {
-                let mut error = error::error(self, &curve.segments).peak();
+                let mut error = measured(&curve).peak();
                 if let Cut::Tolerance(tolerance) = cut {
                     error = error.min(tolerance.for_radius(self.size()));
                 }
@@ -378,7 +381,7 @@ impl Conic {
         let error = if exact {
             RadialError::default()
         } else {
-            error::error(self, &curve.segments)
+            measured(&curve)
         };
         Ok(Drawing {
             conic: *self,

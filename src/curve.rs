@@ -113,6 +113,20 @@ pub fn control_points(segment: &PathSeg) -> Vec<Point> {
     }
 }
 
+/// The largest coordinate of all control points, without its sign; 0 where there are none.
+pub(crate) fn largest_coordinate<'a>(segments: impl IntoIterator<Item = &'a PathSeg>) -> f64 {
+    let largest = |points: &[Point]| {
+        let sizes = points.iter().map(|p| p.x.abs().max(p.y.abs()));
+        sizes.fold(0.0, f64::max)
+    };
+    let of = |segment: &PathSeg| match *segment {
+        PathSeg::Line(l) => largest(&[l.p0, l.p1]),
+        PathSeg::Quad(q) => largest(&[q.p0, q.p1, q.p2]),
+        PathSeg::Cubic(c) => largest(&[c.p0, c.p1, c.p2, c.p3]),
+    };
+    segments.into_iter().map(of).fold(0.0, f64::max)
+}
+
 /// The segment with these control points, of which there are at most four.
 pub(crate) fn segment_of(points: &[Point]) -> PathSeg {
     match *points {

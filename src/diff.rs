@@ -2,6 +2,7 @@
 //!
 //! The distance is that of sets of points: where a subpath begins and which way it runs make none.
 
+mod along;
 mod distance;
 mod pairs;
 
@@ -9,7 +10,7 @@ use kurbo::{Affine, PathSeg, Point, Rect};
 
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step};
-use crate::curve::control_points;
+use crate::curve::{control_points, largest_coordinate};
 use crate::error::{Result, finite};
 use crate::joints::Cut;
 use crate::number::Precision;
@@ -75,8 +76,7 @@ impl Track {
 
     /// The largest coordinate, without its sign.
     fn largest(&self) -> f64 {
-        let numbers = self.points().flat_map(|p| [p.x.abs(), p.y.abs()]);
-        numbers.fold(0.0, f64::max)
+        largest_coordinate(&self.segments)
     }
 }
 

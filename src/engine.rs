@@ -116,7 +116,7 @@ struct Course {
 impl Course {
     #[inline(always)]
     fn of_arc(arc: &Arc) -> Self {
-        let truth = Truth::new(arc.center, arc.radii, arc.rotation.direction());
+        let truth = arc.truth();
         let sweep = arc.sweep.degrees();
         let first = arc.start.direction();
         let last = arc.start.degrees() + sweep;

@@ -150,6 +150,12 @@ impl Arc {
         })
     }
 
+    /// Its ellipse, by its centre.
+    #[inline]
+    pub(crate) fn truth(&self) -> Truth {
+        Truth::new(self.center, self.radii, self.rotation.direction())
+    }
+
     /// Whether it ends where it starts.
     #[must_use]
     pub fn is_closed(&self) -> bool {

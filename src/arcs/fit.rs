@@ -13,7 +13,7 @@ use crate::shape::endpoint::{from_bulge, through};
 use crate::shape::{Arc, Shape, Truth};
 
 /// The largest turn at a joint that rounding explains, in degrees: anything beyond is a corner, which stays.
-const LARGEST_TURN: f64 = 8.0;
+pub(super) const LARGEST_TURN: f64 = 8.0;
 
 /// What the error of a cubic may have done to a radius: that of the standard handle, of quarters.
 const HANDLE_PART: f64 = 3e-4;
@@ -138,15 +138,26 @@ pub(super) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<(usize, Fit)> {
     Some(best)
 }
 
+/// The first point of a run, the one in its middle and its last.
+pub(super) fn ends_and_middle(cubics: &[CubicBez]) -> Option<[Point; 3]> {
+    let middle = cubics.get(cubics.len() / 2)?;
+    let on = if cubics.len().is_multiple_of(2) {
+        middle.p0
+    } else {
+        middle.eval(0.5)
+    };
+    Some([cubics.first()?.p0, on, cubics.last()?.p3])
+}
+
+/// Whether two cubics join without a corner.
+pub(super) fn joins_smoothly(pair: &[CubicBez]) -> bool {
+    let [a, b] = [pair[0], pair[1]].map(PathSeg::Cubic);
+    turn(&a, &b).abs() <= LARGEST_TURN
+}
+
 /// The one arc that some cubics are, with a round radius where their rounding explains one.
 fn recognised(cubics: &[CubicBez], rules: &Rules) -> Option<Fit> {
-    let (from, to) = (cubics.first()?.p0, cubics.last()?.p3);
-    let middle = cubics.len() / 2;
-    let on = if cubics.len().is_multiple_of(2) {
-        cubics[middle].p0
-    } else {
-        cubics[middle].eval(0.5)
-    };
+    let [from, on, to] = ends_and_middle(cubics)?;
     if from == to {
         return None;
     }

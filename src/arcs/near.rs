@@ -2,14 +2,11 @@
 
 use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
-use super::fit::distance;
+use super::fit::{LARGEST_TURN, distance};
 use crate::Angle;
 use crate::curve::first_direction;
 use crate::number::Precision;
 use crate::shape::{Arc, Truth};
-
-/// The largest turn at a joint that rounding explains, in degrees: anything beyond is a corner, which stays.
-pub(super) const LARGEST_TURN: f64 = 8.0;
 
 /// What a rough constant, such as 0.55, may have done to a point, as a part of the radius.
 const HANDLE_PART: f64 = 1.3e-3;
@@ -121,12 +118,8 @@ pub(super) fn swept(cubics: &[CubicBez], ellipse: &Truth) -> Option<Arc> {
     })
 }
 
-pub(super) fn truth(arc: &Arc) -> Truth {
-    Truth::new(arc.center, arc.radii, arc.rotation.direction())
-}
-
 pub(super) fn to_unit(arc: &Arc) -> Affine {
-    truth(arc).placement().inverse()
+    arc.truth().placement().inverse()
 }
 
 /// How far a few points of the cubics lie from the arc's ellipse, on a circle; seen from its centre, on another one.

@@ -10,12 +10,11 @@
 
 use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
+use super::fit::{ends_and_middle, joins_smoothly};
 pub(crate) use super::near::Rules;
-use super::near::{
-    LARGEST_TURN, MARGIN, bound, is_drawn_like, is_tangent, larger, strays, swept, truth,
-};
+use super::near::{MARGIN, bound, is_drawn_like, is_tangent, larger, strays, swept};
 use crate::Angle;
-use crate::curve::{first_direction, turn};
+use crate::curve::first_direction;
 use crate::number::round;
 use crate::shape::endpoint::{SvgArc, through};
 use crate::shape::{Arc, Shape, Truth};
@@ -52,7 +51,7 @@ pub(crate) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
     let rough = ellipse_of(first, rules)?;
     // What one cubic says of its ellipse is too little for those after it, unless it is known by its round numbers.
     let alone = meant(&cubics[..1], &placed(&cubics[..1], &rough)?, rules)?;
-    let ellipse = truth(&alone.arc);
+    let ellipse = alone.arc.truth();
     longest(cubics, rules, |count| {
         let run = &cubics[..count];
         placed(run, &ellipse).filter(|arc| strays(run, arc) <= rules.room(larger(arc)))
@@ -65,9 +64,7 @@ fn longest(
     rules: &Rules,
     arc_of: impl Fn(usize) -> Option<Arc>,
 ) -> Option<Found> {
-    let smooth = cubics.windows(2).take_while(|pair| {
-        turn(&PathSeg::Cubic(pair[0]), &PathSeg::Cubic(pair[1])).abs() <= LARGEST_TURN
-    });
+    let smooth = cubics.windows(2).take_while(|pair| joins_smoothly(pair));
     // Doubling, then halving: the longest run takes as many looks as its length has bits.
     let mut smooth = smooth.fuse();
     let (mut best, mut most, mut step, mut growing) = (1, 1, 1, true);
@@ -113,12 +110,8 @@ impl Turn {
 /// How far cubics turn about the centre of an ellipse, in degrees, and a bound, both ways, of their distance from what they turn
 /// over there; `None` where they are not drawn like an arc of it.
 pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<(f64, f64)> {
-    let smooth = |pair: &[CubicBez]| {
-        let [a, b] = [pair[0], pair[1]].map(PathSeg::Cubic);
-        crate::curve::turn(&a, &b).abs() <= LARGEST_TURN
-    };
     let arc = turn.arc(cubics)?;
-    let fits = cubics.windows(2).all(smooth)
+    let fits = cubics.windows(2).all(joins_smoothly)
         && is_drawn_like(cubics, &arc, rules)
         && strays(cubics, &arc) <= rules.room(larger(&arc));
     fits.then(|| (arc.sweep.degrees(), bound(cubics, &arc)))
@@ -196,13 +189,7 @@ fn rounded(cubics: &[CubicBez], arc: &Arc, decimals: u8) -> Option<SvgArc> {
 
 /// The arc of a circle through the ends and the middle of a run, where its cubics stay near it.
 fn circle_of(cubics: &[CubicBez], rules: &Rules) -> Option<Arc> {
-    let (from, to) = (cubics.first()?.p0, cubics.last()?.p3);
-    let middle = cubics.len() / 2;
-    let on = if cubics.len().is_multiple_of(2) {
-        cubics[middle].p0
-    } else {
-        cubics[middle].eval(0.5)
-    };
+    let [from, on, to] = ends_and_middle(cubics)?;
     if from == to || is_askew(cubics, from, on, to, rules) {
         return None;
     }

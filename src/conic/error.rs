@@ -4,7 +4,7 @@ use kurbo::{ParamCurve, PathSeg};
 
 use super::Conic;
 use super::frame::Frame;
-use crate::curve::control_points;
+use crate::curve::{control_points, largest_coordinate};
 use crate::measure::radial::visit_between;
 use crate::numeric::bernstein::Polynomial;
 use crate::radial_error::RadialError;
@@ -17,10 +17,8 @@ const PAIRS: u32 = 512;
 /// From the curve to the conic they are those along the normal, at the roots of their derivative. While they are smaller than the
 /// conic's smallest radius of curvature, the nearest points cover the whole arc, and the other way is no farther. Else both sides
 /// hold the largest distance of points on the same line through the control point, which bounds both ways.
-pub(super) fn error(conic: &Conic, segments: &[PathSeg]) -> RadialError {
-    let frame = Frame::new(conic);
+pub(super) fn error(conic: &Conic, frame: &Frame, segments: &[PathSeg]) -> RadialError {
     let mut range = RadialError::default();
-    let mut largest = 0.0_f64;
     for segment in segments {
         let crossings = crossings(conic, segment);
         visit_between(
@@ -31,16 +29,13 @@ pub(super) fn error(conic: &Conic, segments: &[PathSeg]) -> RadialError {
                 range.take_in_all([distance]);
             },
         );
-        for p in control_points(segment) {
-            largest = largest.max(p.x.abs()).max(p.y.abs());
-        }
     }
     if range.peak() * frame.largest_curvature() >= 0.5 {
-        let apart = segments.iter().map(|segment| apart(&frame, segment));
+        let apart = segments.iter().map(|segment| apart(frame, segment));
         range = range.with(RadialError::balanced(apart.fold(0.0, f64::max)));
     }
     // What rounding may hide.
-    let hidden = 4.0 * f64::EPSILON * largest;
+    let hidden = 4.0 * f64::EPSILON * largest_coordinate(segments);
     let seen = |distance: f64| {
         if distance > 0.0 {
             distance + hidden

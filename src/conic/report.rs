@@ -2,6 +2,7 @@
 
 use super::{Drawing, Frame};
 use crate::continuity::Continuity;
+use crate::curve::largest_coordinate;
 use crate::measure::continuity::{Joint, joint};
 use crate::measure::extent;
 use crate::measure::report::Extent;
@@ -31,8 +32,7 @@ impl Drawing {
         let frame = Frame::new(&self.conic);
         let segments = &self.curve.segments;
         let speed = |x: f64| frame.derivative(x).hypot();
-        let points = segments.iter().flat_map(crate::curve::control_points);
-        let largest = points.fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
+        let largest = largest_coordinate(segments);
         let joints: Vec<(Joint, Continuity)> = segments
             .windows(2)
             .map(|pair| joint(&pair[0], &pair[1], 4.0 * f64::EPSILON * largest))

@@ -11,6 +11,7 @@ use std::collections::{BinaryHeap, HashSet};
 
 use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2};
 
+use super::along::along;
 use super::{Distance, Place, Side, Track};
 use crate::curve::control_points;
 use crate::measure::unit_for;
@@ -216,7 +217,7 @@ impl Chain {
         if start.segment != end.segment {
             return reached;
         }
-        reached.min(along(part, &self.cubics[start.segment], [start, end]))
+        reached.min(along(part, &self.cubics[start.segment], [start.u, end.u]))
     }
 }
 
@@ -281,83 +282,6 @@ const fn line(segment: &PathSeg) -> Option<Line> {
         PathSeg::Line(line) => Some(*line),
         _ => None,
     }
-}
-
-/// The bound of |a(s) - b(f(s))|.
-fn along(a: &CubicBez, b: &CubicBez, [start, end]: [Foot; 2]) -> f64 {
-    let (u0, u1) = (start.u, end.u);
-    let (low, high) = (u0.min(u1), u0.max(u1));
-    let slope = |u: f64, at: Point, velocity: Vec2| {
-        let first = derivative([b.p0, b.p1, b.p2, b.p3], u);
-        let second = 6.0 * ((b.p2 - b.p1) - (b.p1 - b.p0)).lerp((b.p3 - b.p2) - (b.p2 - b.p1), u);
-        let below = first.hypot2() - (at - b.eval(u)).dot(second);
-        if below > 1e-6 * first.hypot2() {
-            velocity.dot(first) / below
-        } else {
-            u1 - u0
-        }
-    };
-    let inner = [
-        u0 + slope(u0, a.p0, 3.0 * (a.p1 - a.p0)) / 3.0,
-        u1 - slope(u1, a.p3, 3.0 * (a.p3 - a.p2)) / 3.0,
-    ]
-    .map(|u| u.clamp(low, high));
-    // Bernstein coefficients times their binomials: products are convolutions.
-    let f = [u0, 3.0 * inner[0], 3.0 * inner[1], u1];
-    let g = [
-        1.0 - u0,
-        3.0 * (1.0 - inner[0]),
-        3.0 * (1.0 - inner[1]),
-        1.0 - u1,
-    ];
-    let (ff, gg): ([f64; 7], [f64; 7]) = (product(&f, &f), product(&g, &g));
-    let weights: [[f64; 10]; 4] = [
-        product(&gg, &g),
-        product(&gg, &f).map(|w| 3.0 * w),
-        product(&ff, &g).map(|w| 3.0 * w),
-        product(&ff, &f),
-    ];
-    let mut apart = [[0.0; 10]; 2];
-    for (axis, apart) in apart.iter_mut().enumerate() {
-        let of = |p: Point| {
-            let v = p - a.p0;
-            if axis == 0 { v.x } else { v.y }
-        };
-        let raised: [f64; 10] = product(
-            &[of(a.p0), 3.0 * of(a.p1), 3.0 * of(a.p2), of(a.p3)],
-            &[1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0],
-        );
-        for (k, apart) in apart.iter_mut().enumerate() {
-            let points = [b.p0, b.p1, b.p2, b.p3].map(of);
-            let there: f64 = weights.iter().zip(points).map(|(w, p)| w[k] * p).sum();
-            *apart = there - raised[k];
-        }
-    }
-    let squares: [[f64; 19]; 2] = apart.map(|x| product(&x, &x));
-    let mut binomial = 1.0;
-    let mut largest = 0.0_f64;
-    for (k, (x, y)) in squares[0].iter().zip(&squares[1]).enumerate() {
-        largest = largest.max((x + y) / binomial);
-        binomial = binomial * (18 - k) as f64 / (k + 1) as f64;
-    }
-    largest.sqrt()
-}
-
-/// The derivative of a cubic.
-fn derivative([p0, p1, p2, p3]: [Point; 4], u: f64) -> Vec2 {
-    let (a, b, c) = (p1 - p0, p2 - p1, p3 - p2);
-    3.0 * a.lerp(b, u).lerp(b.lerp(c, u), u)
-}
-
-/// The convolution, whose length is that of both together less one.
-fn product<const N: usize>(a: &[f64], b: &[f64]) -> [f64; N] {
-    let mut out = [0.0; N];
-    for (i, a) in a.iter().enumerate() {
-        for (j, b) in b.iter().enumerate() {
-            out[i + j] += a * b;
-        }
-    }
-    out
 }
 
 impl Ord for Part {

@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use kurbo::{CubicBez, Point, Vec2};
+use kurbo::{CubicBez, QuadBez, Vec2};
 
 use super::arcs::Sink;
 use super::path_data::{Segment, Segments};
@@ -150,7 +150,8 @@ impl Finder<'_> {
                 self.control = cubic.p2.to_vec2();
                 if family == b'q' {
                     self.control = cubic.p1.to_vec2();
-                    cubic = raised(from, self.control, self.at.point);
+                    let points = [from, self.control, self.at.point].map(Vec2::to_point);
+                    cubic = QuadBez::new(points[0], points[1], points[2]).raise();
                 }
                 self.links.push(Link {
                     segment: *segment,
@@ -218,18 +219,9 @@ impl Finder<'_> {
         let (mut runs, mut start) = (Vec::new(), 0);
         while start < self.cubics.len() {
             let found = halves(&self.cubics[start..], rules);
-            start += found
-                .iter()
-                .flatten()
-                .map(|found| found.count)
-                .sum::<usize>()
-                .max(1);
-            let mut from = start
-                - found
-                    .iter()
-                    .flatten()
-                    .map(|found| found.count)
-                    .sum::<usize>();
+            let mut from = start;
+            let taken: usize = found.iter().flatten().map(|found| found.count).sum();
+            start += taken.max(1);
             for found in found.into_iter().flatten() {
                 if self.keeps_vertices && found.count > 1 {
                     let at = self.links[from].segment.start;
@@ -266,10 +258,4 @@ fn halves(cubics: &[CubicBez], rules: &Rules) -> [Option<Found>; 2] {
         (Some(a), Some(b)) if a.given.radii == b.given.radii => [Some(a), Some(b)],
         _ => [Some(found), None],
     }
-}
-
-fn raised(p0: Vec2, p1: Vec2, p2: Vec2) -> CubicBez {
-    let third = |a: Vec2| (a + 2.0 * p1) / 3.0;
-    let [p0, a, b, p3]: [Point; 4] = [p0, third(p0), third(p2), p2].map(Vec2::to_point);
-    CubicBez::new(p0, a, b, p3)
 }

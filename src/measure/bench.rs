@@ -116,8 +116,7 @@ impl<'a> Bench<'a> {
         let (mut mean, mut square, mut over_angle, mut angle) = (0.0, 0.0, 0.0, 0.0);
         for (i, segment) in self.segments() {
             let profile = Profile::new(segment, truth);
-            profile.visit_extremes(|t, distance| {
-                let [least, most] = profile.bounds(t, distance);
+            profile.visit_bounds(|t, [least, most]| {
                 out.take(most, i, t);
                 inside.take(-least, i, t);
             });

@@ -27,7 +27,7 @@ pub fn error<'a>(segments: impl IntoIterator<Item = &'a PathSeg>, truth: &Truth)
     let mut range = RadialError::default();
     for segment in segments {
         let profile = Profile::new(segment, truth);
-        profile.visit_extremes(|t, distance| range.take_in_all(profile.bounds(t, distance)));
+        profile.visit_bounds(|_, bounds| range.take_in_all(bounds));
     }
     range
 }
@@ -38,7 +38,7 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, visit: impl FnMut(f64, f
 }
 
 /// A segment's points in the frame of a true shape: about its centre, or about an end of its chord.
-struct Framed {
+struct FramedPoints {
     points: [[Double; 2]; 4],
     /// What is added to the dot products: minus the square of the radius, or the pencil's linear part at each point.
     levels: [Double; 4],
@@ -48,7 +48,7 @@ struct Framed {
     center: Vec2,
 }
 
-impl Framed {
+impl FramedPoints {
     /// The frame's unit is the user's for a circle; for an ellipse it makes both radii 1.
     fn new(segment: &PathSeg, truth: &Truth) -> Self {
         let (points, count) = match *segment {
@@ -188,7 +188,7 @@ pub(crate) struct Profile {
 
 impl Profile {
     pub(crate) fn new(segment: &PathSeg, truth: &Truth) -> Self {
-        let framed = Framed::new(segment, truth);
+        let framed = FramedPoints::new(segment, truth);
         let unit = if truth.is_circle() {
             Vec2::new(1.0, 1.0)
         } else {
@@ -206,6 +206,10 @@ impl Profile {
 
     fn is_circle(&self) -> bool {
         self.radii.x == self.radii.y
+    }
+
+    fn larger_radius(&self) -> f64 {
+        self.radii.x.max(self.radii.y)
     }
 
     /// From the centre to the point at t, along the axes.
@@ -238,7 +242,8 @@ impl Profile {
     /// At the ends the excess is one coefficient, with one rounding. Between them de Casteljau's algorithm makes at most two
     /// roundings in each of its steps, six for a cubic, of what the sizes of the coefficients would sum up to; and the place of an
     /// extreme on an ellipse, or of one that is tiny beside the others, is known to some six digits, where the distance is flat.
-    pub(crate) fn bounds(&self, t: f64, distance: f64) -> [f64; 2] {
+    /// `knows_excess` says that the distance came from the excess, and not from the coordinates.
+    fn bounds(&self, t: f64, distance: f64, knows_excess: bool) -> [f64; 2] {
         let size = distance.abs();
         let is_circle = self.is_circle();
         let mut margin = 4.0 * f64::EPSILON * size + self.slack;
@@ -248,7 +253,7 @@ impl Profile {
         if self.is_turned {
             margin += f64::EPSILON / 2.0 * self.own.eval(t).to_vec2().hypot();
         }
-        if !is_circle && self.foot_near(t).is_none() {
+        if !knows_excess {
             // The nearest point then comes from the coordinates, each with the rounding of a few steps.
             let smaller = self.radii.x.min(self.radii.y);
             margin += 2.0 * f64::EPSILON * (self.arm(t).hypot() + 4.0 * smaller);
@@ -267,10 +272,30 @@ impl Profile {
 
     /// Visits the ends and every extreme of the signed distance as (t, distance), positive outside.
     pub(crate) fn visit_extremes(&self, mut visit: impl FnMut(f64, f64)) {
-        if !self.is_circle() {
-            self.visit_extremes_on_ellipse(&mut visit);
-            return;
+        if self.is_circle() {
+            self.visit_on_circle(visit);
+        } else if let Some(turning) = self.sampson() {
+            self.visit_near(&turning, &mut visit);
+        } else {
+            self.visit_far(&mut visit);
         }
+    }
+
+    /// The same with what the distance lies between for certain.
+    pub(crate) fn visit_bounds(&self, mut visit: impl FnMut(f64, [f64; 2])) {
+        let mut known = |t, distance| visit(t, self.bounds(t, distance, true));
+        if self.is_circle() {
+            self.visit_on_circle(known);
+        } else if let Some(turning) = self.sampson() {
+            self.visit_near(&turning, &mut known);
+        } else {
+            self.visit_far(&mut |t, distance| {
+                visit(t, self.bounds(t, distance, self.foot_near(t).is_some()));
+            });
+        }
+    }
+
+    fn visit_on_circle(&self, mut visit: impl FnMut(f64, f64)) {
         let turning = self.excess.differences().sign_changes();
         for t in iter::once(0.0).chain(turning.iter()).chain(iter::once(1.0)) {
             visit(t, self.distance_from_circle(t));
@@ -286,7 +311,7 @@ impl Profile {
     pub(crate) fn integral(&self, f: impl Fn(f64, f64) -> f64) -> f64 {
         let crossings = self.crossings();
         let value = |t: f64| f(t, self.at(t).abs());
-        let noise = f64::EPSILON / 16.0 * self.radii.x.max(self.radii.y);
+        let noise = f64::EPSILON / 16.0 * self.larger_radius();
         crossings
             .pieces()
             .map(|(from, to)| adaptive_integral(&value, from, to, noise))

@@ -73,107 +73,115 @@ fn figure(rule: Rule, count: usize, by: Criterion) -> Result<f64> {
     Ok(values.copied().flatten().unwrap_or(f64::NAN))
 }
 
-/// A row about a circle.
+/// A row about circles.
 struct Row<'a> {
     label: String,
     rule: Rule,
     segments: usize,
     printed: &'a str,
-    truth: f64,
     unit: &'a str,
     command: String,
 }
 
 impl Row<'_> {
-    fn entry(self) -> SourceRow {
+    /// The row with the true figure.
+    fn beside(self, truth: f64) -> SourceRow {
         SourceRow {
             label: self.label,
             method: self.rule.id().to_owned(),
             segments: self.segments,
             printed: self.printed.to_owned(),
             printed_value: self.printed.parse().unwrap_or(f64::NAN),
-            truth: self.truth,
+            truth,
             unit: self.unit.to_owned(),
             command: self.command,
         }
     }
+
+    /// The row with the figure by this criterion, which the command shows.
+    fn measured(self, by: Criterion) -> Result<SourceRow> {
+        let truth = figure(self.rule, self.segments, by)?;
+        Ok(self.beside(truth))
+    }
 }
 
-fn lancaster() -> Result<SourceTable> {
-    let best = Rule::Method(Method::LancasterBest);
-    let normal = Rule::Method(Method::Midpoint);
+/// What Lancaster says of four splines: his numbers, and by what part the best one is better.
+fn lancasters_words() -> Result<Vec<SourceRow>> {
+    let (best, normal) = (Method::LancasterBest, Method::Midpoint);
     let quarter = Span::from_degrees(90.0);
-    let row = |label: &str, rule: Rule, printed, truth, unit, command: &str| {
-        Row {
-            label: label.to_owned(),
-            rule,
-            segments: 4,
-            printed,
-            truth,
-            unit,
-            command: command.to_owned(),
-        }
-        .entry()
+    let handle = |method: Method| Ok(method.piece(&quarter)?.handle_length());
+    let saved = |by| -> Result<f64> {
+        let [best, normal] = [best, normal].map(|method| figure(method.into(), 4, by));
+        Ok(100.0 * (1.0 - best? / normal?))
     };
-    let least = Method::Minimax.piece(&quarter)?.handle_length();
-    let handle = normal.piece(&quarter)?.handle_length();
-    let saved =
-        |by| -> Result<f64> { Ok(100.0 * (1.0 - figure(best, 4, by)? / figure(normal, 4, by)?)) };
-    let (peak, mean) = (saved(Criterion::Peak)?, saved(Criterion::Mean)?);
     let compared = "curveto compare -m midpoint,lancaster-best -n 4";
     let by_mean = format!("{compared} --by mean");
-    let mut rows = vec![
-        row(
+    let rows: [(_, Method, _, Result<f64>, _, &str); 4] = [
+        (
             "Normal number, 4 splines",
             normal,
             "0.55228475",
-            handle,
+            handle(normal),
             "",
             "curveto methods lancaster-normal",
         ),
-        row(
+        (
             "Best number, 4 splines",
             best,
             "0.551784",
-            least,
+            handle(Method::Minimax),
             "",
             "curveto methods minimax",
         ),
-        row(
+        (
             "Peak lower than the normal one by",
             best,
             "24",
-            peak,
+            saved(Criterion::Peak),
             "%",
             compared,
         ),
-        row(
+        (
             "Average lower than the normal one by",
             best,
             "24",
-            mean,
+            saved(Criterion::Mean),
             "%",
             &by_mean,
         ),
     ];
+    rows.into_iter()
+        .map(|(label, method, printed, truth, unit, command)| {
+            let row = Row {
+                label: label.to_owned(),
+                rule: method.into(),
+                segments: 4,
+                printed,
+                unit,
+                command: command.to_owned(),
+            };
+            Ok(row.beside(truth?))
+        })
+        .collect()
+}
+
+fn lancaster() -> Result<SourceTable> {
+    let mut rows = lancasters_words()?;
     for (segments, number, peak, average) in LANCASTER {
         let figures = [
             ("Peak", peak, Criterion::Peak),
             ("Average", average, Criterion::Mean),
         ];
         for (name, printed, by) in figures {
-            rows.push(
-                Row {
-                    label: format!("{name}, {segments} splines by {number}"),
-                    rule: best,
-                    segments,
-                    printed,
-                    truth: figure(best, segments, by)?,
-                    unit: "",
-                    command: format!("curveto compare -m lancaster-best -n {segments} --by {by}"),
-                }
-                .entry(),
-            );
+            let row = Row {
+                label: format!("{name}, {segments} splines by {number}"),
+                rule: Method::LancasterBest.into(),
+                segments,
+                printed,
+                unit: "",
+                command: format!("curveto compare -m lancaster-best -n {segments} --by {by}"),
+            };
+            rows.push(row.measured(by)?);
         }
     }
     Ok(SourceTable {
@@ -193,33 +201,26 @@ fn chen() -> Result<SourceTable> {
         } else {
             ""
         };
-        rows.push(
-            Row {
-                label: format!("Table 1, π/2: {label}"),
-                rule,
-                segments: 4,
-                printed,
-                truth: figure(rule, 4, Criterion::Peak)?,
-                unit: "",
-                command: format!("curveto compare -m {id} -n 4{quadrature}"),
-            }
-            .entry(),
-        );
+        let row = Row {
+            label: format!("Table 1, π/2: {label}"),
+            rule,
+            segments: 4,
+            printed,
+            unit: "",
+            command: format!("curveto compare -m {id} -n 4{quadrature}"),
+        };
+        rows.push(row.measured(Criterion::Peak)?);
     }
-    let third = Rule::Method(Method::Chen3);
     for (segments, angle, printed) in CHEN_2 {
-        rows.push(
-            Row {
-                label: format!("Table 2, {angle}: Formulation III"),
-                rule: third,
-                segments,
-                printed,
-                truth: figure(third, segments, Criterion::Peak)?,
-                unit: "",
-                command: format!("curveto compare -m chen-3 -n {segments}"),
-            }
-            .entry(),
-        );
+        let row = Row {
+            label: format!("Table 2, {angle}: Formulation III"),
+            rule: Method::Chen3.into(),
+            segments,
+            printed,
+            unit: "",
+            command: format!("curveto compare -m chen-3 -n {segments}"),
+        };
+        rows.push(row.measured(Criterion::Peak)?);
     }
     Ok(SourceTable {
         id: "chen".to_owned(),
@@ -239,20 +240,16 @@ fn apprich() -> Result<SourceTable> {
             ("E", 4096.0, Method::Apprich, Criterion::Square),
             ("E*", 16384.0, Method::ApprichScaled, Criterion::Peak),
         ] {
-            let truth = figure(Rule::Method(method), segments, by)?;
             let leading = compact(3.0 / denominator * power(angle, 6), 6);
-            rows.push(
-                Row {
-                    label: format!("{name}, φ = 360°/{segments}: 3φ⁶/{}", text(denominator)),
-                    rule: Rule::Method(method),
-                    segments,
-                    printed: &leading,
-                    truth,
-                    unit: "",
-                    command: format!("curveto compare -m {} -n {segments} --by {by}", method.id()),
-                }
-                .entry(),
-            );
+            let row = Row {
+                label: format!("{name}, φ = 360°/{segments}: 3φ⁶/{}", text(denominator)),
+                rule: method.into(),
+                segments,
+                printed: &leading,
+                unit: "",
+                command: format!("curveto compare -m {} -n {segments} --by {by}", method.id()),
+            };
+            rows.push(row.measured(by)?);
         }
     }
     Ok(SourceTable {

@@ -14,6 +14,7 @@ use crate::method::Rule;
 use crate::number::{decimals_of, push_shortest, round};
 use crate::path;
 use crate::power;
+use crate::radial_error::RadialError;
 use crate::shape::Shape;
 
 /// The JSON of a drawing.
@@ -123,6 +124,17 @@ pub struct ErrorDocument {
     pub relative_peak: f64,
 }
 
+impl ErrorDocument {
+    pub(super) fn new(error: RadialError, relative_peak: f64) -> Self {
+        Self {
+            outward: error.outward,
+            inward: error.inward,
+            peak: error.peak(),
+            relative_peak,
+        }
+    }
+}
+
 impl From<&Drawing> for DrawingDocument {
     fn from(drawing: &Drawing) -> Self {
         let segments = drawing
@@ -154,12 +166,7 @@ impl From<&Drawing> for DrawingDocument {
             quadrature: (drawing.rule == Rule::Chen2Gauss2).then(|| "gauss2".to_owned()),
             closed: drawing.curve.closed,
             segments: segments.collect(),
-            error: ErrorDocument {
-                outward: drawing.error.outward,
-                inward: drawing.error.inward,
-                peak: drawing.error.peak(),
-                relative_peak: drawing.relative_peak(),
-            },
+            error: ErrorDocument::new(drawing.error, drawing.relative_peak()),
             corner: corners.then(|| drawing.largest_corner()),
             path: path::data([&drawing.curve], false),
         }

@@ -62,6 +62,15 @@ fn farthest(points: &[Point], line: &[Point]) -> f64 {
         .fold(0.0, f64::max)
 }
 
+fn drawn(conic: &Conic, cut: Cut) -> Drawing {
+    conic
+        .draw(&Options {
+            cut,
+            ..Options::default()
+        })
+        .unwrap()
+}
+
 #[test]
 fn the_stated_error_is_the_distance_both_ways() {
     for shape in SHAPES {
@@ -72,12 +81,7 @@ fn the_stated_error_is_the_distance_both_ways() {
         for (weight, count) in [(1.2, 1), (2.5, 1), (6.0, 2), (0.99995, 1), (40.0, 4)] {
             let conic = conic(shape, weight);
             let cut = Cut::Count(count);
-            let drawing = conic
-                .draw(&Options {
-                    cut,
-                    ..Options::default()
-                })
-                .unwrap();
+            let drawing = drawn(&conic, cut);
             let (truth, curve) = (rational(&conic, 4000), points(&drawing, 500));
             let there = farthest(&curve, &truth);
             let back = farthest(
@@ -105,12 +109,7 @@ fn the_stated_error_is_the_distance_both_ways() {
 #[test]
 fn a_bound_holds_where_the_conic_is_sharper_than_the_error() {
     let conic = conic(SHAPES[1], 100.0);
-    let drawing = conic
-        .draw(&Options {
-            cut: Cut::Count(1),
-            ..Options::default()
-        })
-        .unwrap();
+    let drawing = drawn(&conic, Cut::Count(1));
     let (truth, curve) = (rational(&conic, 2000), points(&drawing, 2000));
     let both = farthest(&curve, &truth).max(farthest(&truth, &curve));
     assert!(
@@ -190,12 +189,7 @@ fn an_ellipse_runs_along_the_rational_quadratic() {
 #[test]
 fn a_parabola_stays_exact_when_it_is_cut() {
     let conic = conic(SHAPES[2], 1.0);
-    let drawing = conic
-        .draw(&Options {
-            cut: Cut::Count(5),
-            ..Options::default()
-        })
-        .unwrap();
+    let drawing = drawn(&conic, Cut::Count(5));
     assert_eq!(drawing.curve.segments.len(), 5);
     assert!(drawing.error.peak() < 1e-12, "{:?}", drawing.error);
     for (i, segment) in drawing.curve.segments.iter().enumerate() {
@@ -228,14 +222,7 @@ fn a_tolerance_is_kept_by_the_fewest_segments() {
     for weight in [1.0001, 2.0, 30.0] {
         for tolerance in [1e-2, 1e-4, 1e-6] {
             let conic = conic(SHAPES[1], weight);
-            let draw = |cut| {
-                conic
-                    .draw(&Options {
-                        cut,
-                        ..Options::default()
-                    })
-                    .unwrap()
-            };
+            let draw = |cut| drawn(&conic, cut);
             let drawing = draw(Cut::Tolerance(Tolerance::Absolute(tolerance)));
             let count = drawing.curve.segments.len();
             assert!(drawing.error.peak() <= tolerance, "{weight} {tolerance}");

@@ -1,5 +1,6 @@
 //! What happens when things fail: a process is killed, a disk is full, a pipe is closed, a reader stops, someone else writes.
 
+use crate::judges::program::shell;
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::os::unix::fs::PermissionsExt;
@@ -312,20 +313,14 @@ fn a_closed_standard_error_changes_nothing() {
             "'{}' {words} 2>&- >/dev/null",
             env!("CARGO_BIN_EXE_curveto")
         );
-        let status = Command::new("sh")
-            .current_dir(folder.path())
-            .args(["-c", &script])
-            .status();
-        assert_eq!(status.unwrap().code(), Some(code), "{words}");
+        let status = shell(folder.path(), &script);
+        assert_eq!(status.code(), Some(code), "{words}");
         let script = format!(
             "'{}' {words} 2>/dev/full >/dev/null",
             env!("CARGO_BIN_EXE_curveto")
         );
-        let status = Command::new("sh")
-            .current_dir(folder.path())
-            .args(["-c", &script])
-            .status();
-        assert_eq!(status.unwrap().code(), Some(code), "{words}");
+        let status = shell(folder.path(), &script);
+        assert_eq!(status.code(), Some(code), "{words}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! What happens to files, as docs/files.md states it.
 
+use crate::judges::program::shell;
 use std::fs;
 use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, chown, symlink};
 use std::path::Path;
@@ -120,11 +121,8 @@ fn standard_output_is_written_through() {
         "{{ echo a; '{}' circle 3 -p 0 -o /dev/stdout; echo b; }} > f",
         env!("CARGO_BIN_EXE_curveto")
     );
-    let status = Command::new("sh")
-        .current_dir(folder.path())
-        .args(["-c", &script])
-        .status();
-    assert!(status.unwrap().success());
+    let status = shell(folder.path(), &script);
+    assert!(status.success());
     let text = fs::read_to_string(folder.path().join("f")).unwrap();
     assert!(
         text.starts_with("a\nM3 0") && text.ends_with("\nb\n"),
@@ -252,11 +250,8 @@ fn a_mode_that_the_mask_would_not_give_is_kept() {
         "umask 077; '{}' convert --in-place a.svg",
         env!("CARGO_BIN_EXE_curveto")
     );
-    let status = Command::new("sh")
-        .current_dir(folder.path())
-        .args(["-c", &script])
-        .status();
-    assert!(status.unwrap().success());
+    let status = shell(folder.path(), &script);
+    assert!(status.success());
     assert_eq!(fs::metadata(&file).unwrap().mode() & 0o777, 0o666);
 }
 
@@ -334,11 +329,8 @@ fn a_new_file_has_the_mode_of_the_mask_and_is_never_open_to_more_than_the_old_on
         "umask 027; '{0}' circle 3 -o new; '{0}' convert a.svg -o b.svg",
         env!("CARGO_BIN_EXE_curveto")
     );
-    let status = Command::new("sh")
-        .current_dir(folder.path())
-        .args(["-c", &script])
-        .status();
-    assert!(status.unwrap().success());
+    let status = shell(folder.path(), &script);
+    assert!(status.success());
     for name in ["new", "b.svg"] {
         let mode = fs::metadata(folder.path().join(name)).unwrap().mode() & 0o777;
         assert_eq!(mode, 0o640, "{name}: {mode:o}");

@@ -39,19 +39,12 @@ impl Profile {
 
     /// The larger radius over the smaller one.
     fn flatness(&self) -> f64 {
-        self.radii.x.max(self.radii.y) / self.radii.x.min(self.radii.y)
-    }
-
-    pub(super) fn visit_extremes_on_ellipse(&self, visit: &mut impl FnMut(f64, f64)) {
-        match self.sampson() {
-            Some(turning) => self.visit_near(&turning, visit),
-            None => self.visit_far(visit),
-        }
+        self.larger_radius() / self.radii.x.min(self.radii.y)
     }
 
     /// Where Sampson's distance has its extremes, if it can stand for the true one all along.
-    fn sampson(&self) -> Option<Turning> {
-        let larger = self.radii.x.max(self.radii.y);
+    pub(super) fn sampson(&self) -> Option<Turning> {
+        let larger = self.larger_radius();
         let radii = self.radii / larger;
         let [x, y] = self.coordinates(larger);
         let (x, y) = (
@@ -73,7 +66,7 @@ impl Profile {
         })
     }
 
-    fn visit_near(&self, turning: &Turning, visit: &mut impl FnMut(f64, f64)) {
+    pub(super) fn visit_near(&self, turning: &Turning, visit: &mut impl FnMut(f64, f64)) {
         let end = |i: usize, visit: &mut dyn FnMut(f64, f64)| {
             let t = i as f64;
             let foot = self.foot(t);
@@ -130,7 +123,7 @@ impl Profile {
         (t, self.foot(t).distance)
     }
 
-    fn visit_far(&self, visit: &mut impl FnMut(f64, f64)) {
+    pub(super) fn visit_far(&self, visit: &mut impl FnMut(f64, f64)) {
         // Where the curve crosses the long axis, the nearest point jumps to the other side, and the distance has a peak without a slope.
         let [x, y] = self.coordinates(1.0);
         let axis = if self.radii.x >= self.radii.y { y } else { x }.sign_changes();
@@ -168,7 +161,7 @@ impl Profile {
 }
 
 /// Where Sampson's distance turns.
-struct Turning {
+pub(super) struct Turning {
     places: Parameters,
     /// Whether it grows from the first end on, and towards the last.
     enters: [bool; 2],

@@ -70,18 +70,9 @@ impl From<&Drawing> for ConicDocument {
             method: drawing.method_name().to_owned(),
             closed: false,
             segments: segments.map(|s| segment_document(s, None)).collect(),
-            error: error_document(drawing),
+            error: ErrorDocument::new(drawing.error, drawing.relative_peak()),
             path: path::data([&drawing.curve], false),
         }
-    }
-}
-
-fn error_document(drawing: &Drawing) -> ErrorDocument {
-    ErrorDocument {
-        outward: drawing.error.outward,
-        inward: drawing.error.inward,
-        peak: drawing.error.peak(),
-        relative_peak: drawing.relative_peak(),
     }
 }
 
@@ -114,7 +105,7 @@ impl From<&Drawing> for ConicMeasurement {
             shape: (&drawing.conic).into(),
             method: method.to_owned(),
             title: format!("{title}, {count} {segments} by {method}"),
-            error: error_document(drawing),
+            error: ErrorDocument::new(drawing.error, drawing.relative_peak()),
             report: drawing.report(),
         }
     }

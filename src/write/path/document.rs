@@ -6,7 +6,6 @@ use serde::Serialize;
 use crate::contour::{PathDrawing, Subpath};
 use crate::course::{Course, Step};
 use crate::path;
-use crate::radial_error::RadialError;
 use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
 
 /// The JSON of a path.
@@ -95,7 +94,7 @@ impl From<&PathDrawing> for PathDocument {
             version: 1,
             method: drawing.maker.id().to_owned(),
             subpaths: drawing.subpaths.iter().map(Into::into).collect(),
-            error: error_document(drawing.error(), drawing.relative_peak()),
+            error: ErrorDocument::new(drawing.error(), drawing.relative_peak()),
             path: path::data(drawing.curves(), false)
                 + &path::data_of_courses(drawing.courses(), false),
         }
@@ -117,16 +116,7 @@ impl From<&Subpath> for SubpathDocument {
                 },
                 course_segments,
             ),
-            error: error_document(subpath.error, subpath.relative_peak()),
+            error: ErrorDocument::new(subpath.error, subpath.relative_peak()),
         }
-    }
-}
-
-fn error_document(error: RadialError, relative_peak: f64) -> ErrorDocument {
-    ErrorDocument {
-        outward: error.outward,
-        inward: error.inward,
-        peak: error.peak(),
-        relative_peak,
     }
 }

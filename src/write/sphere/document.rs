@@ -107,12 +107,7 @@ impl SphereDocument {
                 parts(&picture.back)
             },
             outline: part_document(&picture.outline),
-            error: ErrorDocument {
-                outward: picture.error.outward,
-                inward: picture.error.inward,
-                peak: picture.error.peak(),
-                relative_peak: picture.error.peak() / sphere.radius,
-            },
+            error: ErrorDocument::new(picture.error, picture.error.peak() / sphere.radius),
             path: path::data(Figure::of_sphere(picture, hidden).curves(), false),
         }
     }

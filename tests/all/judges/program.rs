@@ -1,6 +1,7 @@
 //! The program as a child process.
 
-use std::process::{Command, Output};
+use std::path::Path;
+use std::process::{Command, ExitStatus, Output};
 
 use serde_json::Value;
 
@@ -41,4 +42,11 @@ pub(crate) fn refused(arguments: &[&str]) -> String {
     assert!(output.stdout.is_empty(), "{arguments:?}");
     assert!(message.starts_with("error: "), "{arguments:?}: {message}");
     message
+}
+
+/// How a line of the shell ends in a folder.
+pub(crate) fn shell(folder: &Path, script: &str) -> ExitStatus {
+    let mut shell = Command::new("sh");
+    shell.current_dir(folder).args(["-c", script]);
+    shell.status().unwrap()
 }
