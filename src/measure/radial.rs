@@ -21,7 +21,7 @@ use crate::numeric::foot::{Foot, foot};
 use crate::radial_error::RadialError;
 use crate::shape::Truth;
 
-/// The largest distances of these segments from the true shape, rounded outward: never less than those of exact arithmetic.
+/// The largest distances of these segments from the true shape, rounded outward: docs/methods.md says how far they can be trusted.
 #[must_use]
 pub fn error<'a>(segments: impl IntoIterator<Item = &'a PathSeg>, truth: &Truth) -> RadialError {
     let mut range = RadialError::default();
