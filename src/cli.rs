@@ -7,6 +7,7 @@ mod conic;
 mod convert;
 mod diff;
 mod draw;
+mod examples;
 mod explore;
 mod failure;
 mod formats;

@@ -30,7 +30,7 @@ pub const LARGEST: usize = 400_000;
 /// What a page is to show.
 #[derive(Debug, Clone)]
 pub struct Request<'a> {
-    /// The shape to begin with; its radii and its place are those of the others.
+    /// The shape to begin with; its radii are those of the others.
     pub shape: Shape,
     /// Whether the closing operator is left out.
     pub open: bool,
@@ -57,22 +57,17 @@ const SCRIPTS: [&str; 6] = [
     include_str!("page/assets/page.js"),
 ];
 
-/// The page. Sliders for which there is no room in [`LARGEST`] bytes are left out.
+/// The page. Its sliders hold as much as there is room for in [`LARGEST`] bytes.
 ///
 /// # Errors
 ///
 /// Where what was asked for has no room alone ([`Error::Format`]).
-pub fn html(mut document: PageDocument) -> Result<String> {
-    loop {
-        let page = filled(&document)?;
-        if page.len() <= LARGEST {
-            return Ok(page);
-        }
-        if document.shapes.len() == 1 {
-            return Err(too_large());
-        }
-        document.shapes.pop();
+pub fn html(document: &PageDocument) -> Result<String> {
+    let page = filled(document)?;
+    if page.len() > LARGEST {
+        return Err(too_large());
     }
+    Ok(page)
 }
 
 /// The refusal of what has no room.

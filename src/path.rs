@@ -4,6 +4,7 @@ mod postscript;
 #[cfg(feature = "serde")]
 mod power;
 mod read;
+mod refusal;
 mod transform;
 mod write;
 

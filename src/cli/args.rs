@@ -52,6 +52,7 @@ use clap::{Args, Parser, Subcommand};
     arg_required_else_help = true,
     // The last of a flag given twice counts, so that a Makefile can override; where a list is meant, clap goes on appending.
     args_override_self = true,
+    after_long_help = super::examples::of("curveto"),
     max_term_width = 100
 )]
 pub(crate) struct Cli {

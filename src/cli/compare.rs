@@ -90,7 +90,7 @@ fn page(args: &CompareArgs) -> Result<String, Failure> {
         by: args.by.first().copied().unwrap_or_default(),
         words: Some(words.join(" ")),
     })?;
-    Ok(html(document)?)
+    Ok(html(&document)?)
 }
 
 /// A comparison in a format that shows one criterion only.

@@ -44,7 +44,7 @@ fn explore<S: ShapeWords + clap::Args>(args: &Explored<S>) -> Outcome {
         words: None,
     })?;
     let text = match choose(args.format, args.output.as_deref())? {
-        PageFormat::Html => html(document)?,
+        PageFormat::Html => html(&document)?,
         PageFormat::Json => json::to_string(&document)? + "\n",
     };
     Target::new(args.output.as_deref()).write(text.as_bytes())?;

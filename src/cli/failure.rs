@@ -4,6 +4,8 @@ use core::fmt;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
+
 use super::hints;
 
 /// Why a command ended, and how the process is to end.
@@ -109,7 +111,7 @@ const LINE_END: usize = 300;
 /// A message with control characters spelt out and its longest lines cut.
 pub(crate) fn fit_for_terminals(text: &str) -> String {
     let mut out = String::with_capacity(text.len().min(4 * LONGEST_LINE));
-    for line in text.split_inclusive('\n') {
+    for line in without_numbers_of_the_system(text).split_inclusive('\n') {
         let length = line.chars().count();
         let cut = length > LONGEST_LINE;
         for (i, letter) in line.chars().enumerate() {
@@ -129,6 +131,19 @@ pub(crate) fn fit_for_terminals(text: &str) -> String {
     out
 }
 
+/// A message without the numbers that Rust puts behind the system's words: `(os error 2)`.
+fn without_numbers_of_the_system(text: &str) -> String {
+    let mut parts = text.split(" (os error ");
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        match part.split_once(')') {
+            Some((number, rest)) if number.bytes().all(|b| b.is_ascii_digit()) => out += rest,
+            _ => out.extend([" (os error ", part]),
+        }
+    }
+    out
+}
+
 /// Tells what the parser of the command line has to say: help and version on standard output, errors on standard error.
 pub(crate) fn usage(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() {
@@ -139,6 +154,14 @@ pub(crate) fn usage(error: &clap::Error) -> ExitCode {
         .skip(1)
         .map(|word| word.to_string_lossy().into_owned())
         .collect();
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand && !words.is_empty() {
+        let failure = Failure::request_with_hint(
+            format!("{}: the shape is missing", words[0]),
+            format!("for example: curveto {} circle 50 -o page.html", words[0]),
+        );
+        tell(&failure.to_string());
+        return failure.exit_code();
+    }
     let styled = error.render();
     let hint = hints::hint(error, &words);
     if anstream_is_terminal() {

@@ -116,11 +116,20 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
         ErrorKind::TooManyValues | ErrorKind::WrongNumberOfValues => {
             of_values(words, command).map(str::to_owned)
         }
+        ErrorKind::ArgumentConflict if command == "measure" => of_measure(words),
         ErrorKind::MissingRequiredArgument => match command {
             "circle" | "sphere" => Some(format!("for example: curveto {command} 50")),
             "ellipse" => Some("for example: curveto ellipse 30 20".to_owned()),
             "path" => Some("for example: curveto path 'M0 0A5 5 0 0 1 10 0'".to_owned()),
             "measure" => Some("for example: curveto measure circle 50".to_owned()),
+            "explore" => Some("for example: curveto explore circle 50 -o page.html".to_owned()),
+            "conic" => Some(
+                "for example: curveto conic --from 0,0 --control 5,8 --to 10,0 --weight 0.7"
+                    .to_owned(),
+            ),
+            "spline" => Some("for example: curveto spline --points '0,0 5,8 10,0'".to_owned()),
+            "diff" => Some("for example: curveto diff golden.svg new.svg -t 0.001".to_owned()),
+            "completions" => Some("for example: curveto completions bash".to_owned()),
             _ => None,
         },
         _ => None,
@@ -160,6 +169,18 @@ fn of_argument(argument: &str, command: &str) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// What `measure` is told where words that belong to a shape stand outside it.
+fn of_measure(words: &[String]) -> Option<String> {
+    const SHAPES: [&str; 4] = ["circle", "ellipse", "arc", "conic"];
+    let is_shape = |word: &&String| SHAPES.contains(&word.as_str());
+    if let Some(shape) = words.iter().find(is_shape) {
+        let hint = format!("the shape comes first: curveto measure {shape} ... --plot error.svg");
+        return Some(hint);
+    }
+    let has_path = words.iter().any(|word| word == "--path");
+    has_path.then(|| "put the path data in quotes: --path 'M0 0C0 5 5 10 10 10'".to_owned())
 }
 
 fn of_values(words: &[String], command: &str) -> Option<&'static str> {

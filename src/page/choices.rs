@@ -1,11 +1,12 @@
 //! What a page lets choose from: the shape that was asked for, ellipses and arcs, each with its methods and counts.
 
-use kurbo::Vec2;
+use kurbo::{Point, Vec2};
+use serde::Serialize;
 
 use super::document::{CriterionEntry, MethodEntry, PageDocument, ShapeChoice};
-use super::drawings::{Choice, options};
+use super::drawings::{Row, options};
 use super::words::words;
-use super::{LARGEST, Request, sources, too_large};
+use super::{LARGEST, Request, filled, sources, too_large};
 use crate::angle::Angle;
 use crate::approximate::approximate;
 use crate::compare::Criterion;
@@ -14,6 +15,7 @@ use crate::method::{Degree, Method, Rule};
 use crate::number::{Precision, text};
 use crate::picture::figure::describe;
 use crate::shape::{Arc, Ellipse, Outline, Shape};
+use crate::write::json;
 
 /// The ratios of the radii that the slider of ellipses runs over.
 const RATIOS: [f64; 9] = [1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.3, 0.2, 0.1];
@@ -26,8 +28,8 @@ const ANGLES: [f64; 12] = [
 /// What the slider of arcs sets.
 const ARC_ANGLE: &str = "Angle of the arc in degrees";
 
-/// The methods that sliders prefer, best known first: a page has no room for all at every stop.
-const PREFERRED: [Method; 9] = [
+/// The methods that sliders prefer, best known first: a page has no room for all with every count at every stop.
+const PREFERRED: [Method; 14] = [
     Method::Minimax,
     Method::MinimaxEllipse,
     Method::MinimaxEllipseFree,
@@ -37,10 +39,15 @@ const PREFERRED: [Method; 9] = [
     Method::Chen3,
     Method::LancasterDrawellipse,
     Method::QuadraticMinimax,
+    Method::MinimaxG0,
+    Method::LancasterBest,
+    Method::Chen1,
+    Method::Chen2,
+    Method::Area,
 ];
 
-/// How many methods a slider takes along.
-const MOST_ON_SLIDERS: usize = 9;
+/// The counts that the sliders over ellipses and over arcs prefer.
+const PREFERRED_COUNTS: [[usize; 2]; 2] = [[4, 8], [1, 2]];
 
 impl PageDocument {
     /// Draws and measures everything that the page shows.
@@ -70,21 +77,20 @@ impl PageDocument {
         if asked.steps.iter().all(|step| step.drawings.is_empty()) {
             return Err(why_not(&shape, request));
         }
-        let fewer = on_sliders(&rules);
-        Ok(Self {
+        let mut page = Self {
             version: 1,
             title: describe(&shape),
             command: command(&shape, &rules, request),
             by: request.by,
             methods: rules.iter().map(|rule| entry(*rule)).collect(),
             criteria: Criterion::ALL.map(criterion).into(),
-            shapes: vec![
-                asked,
-                ellipses(&outline, rotation_of(&shape), &fewer)?,
-                arcs(&outline, rotation_of(&shape), &fewer)?,
-            ],
+            shapes: vec![asked],
             sources: sources::tables()?,
-        })
+        };
+        let room = LARGEST.saturating_sub(filled(&page)?.len());
+        let drawn = sliders(&outline, &rules, request.counts, room)?;
+        page.shapes.extend(drawn);
+        Ok(page)
     }
 }
 
@@ -95,67 +101,124 @@ fn asked(
     rules: &[Rule],
     request: &Request<'_>,
 ) -> Result<ShapeChoice> {
-    if !request.spans.is_empty() {
+    let mut row = if request.spans.is_empty() {
+        let name = ("asked", describe(shape));
+        Row::new(name, None, &[(0.0, *shape)], request.counts, request.open)
+    } else {
         let degrees: Vec<f64> = request.spans.iter().map(|span| span.degrees()).collect();
-        let choice = Choice {
-            id: "asked",
-            title: "Arcs of one segment".to_owned(),
-            quantity: Some(ARC_ANGLE),
-            rules,
-            counts: vec![1],
-            open: request.open,
-        };
-        return choice.draw(&arcs_of(outline, rotation_of(shape), &degrees)?);
+        let arcs = arcs_of(outline, &degrees)?;
+        let name = ("asked", "Arcs of one segment".to_owned());
+        Row::new(name, Some(ARC_ANGLE), &arcs, &[1], request.open)
+    };
+    for count in row.choice().counts.clone() {
+        for &rule in rules {
+            let column = row.column(rule, count)?;
+            row.take(count, column);
+        }
     }
-    Choice {
-        id: "asked",
-        title: describe(shape),
-        quantity: None,
-        rules,
-        counts: request.counts.to_vec(),
-        open: request.open,
-    }
-    .draw(&[(0.0, *shape)])
+    Ok(row.finish())
 }
 
-/// Ellipses about the same centre, with the same larger radius.
-fn ellipses(outline: &Outline, rotation: Angle, rules: &[Rule]) -> Result<ShapeChoice> {
-    let (center, larger) = (outline.truth.center, outline.truth.larger_radius());
+/// Ellipses with the same larger radius, and arcs of the same radii from the same angle on, by as many methods and counts as there is
+/// room for, in bytes. They lie about the origin and are not rotated, since no distance depends on that.
+fn sliders(
+    outline: &Outline,
+    rules: &[Rule],
+    counts: &[usize],
+    room: usize,
+) -> Result<Vec<ShapeChoice>> {
+    let counts = PREFERRED_COUNTS.map(|preferred| {
+        let mut all: Vec<usize> = preferred.iter().chain(counts).copied().collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    });
+    let [on_ellipses, on_arcs] = &counts;
+    let ellipses = Row::new(
+        ("ellipse", "Ellipses".to_owned()),
+        Some("Ratio of the radii"),
+        &ellipses(outline.truth.larger_radius())?,
+        on_ellipses,
+        false,
+    );
+    let arcs = Row::new(
+        ("arc", "Arcs".to_owned()),
+        Some(ARC_ANGLE),
+        &arcs_of(outline, &ANGLES)?,
+        on_arcs,
+        false,
+    );
+    let mut rows = [ellipses, arcs];
+    let taken: usize = rows
+        .iter()
+        .map(|row| size(row.choice()))
+        .sum::<Result<_>>()?;
+    fill(&mut rows, rules, &counts, room.saturating_sub(taken))?;
+    let drawn = |choice: &ShapeChoice| choice.steps.iter().any(|step| !step.drawings.is_empty());
+    Ok(rows.map(Row::finish).into_iter().filter(drawn).collect())
+}
+
+/// Puts drawings on the rows until the room is filled: the preferred methods with the preferred counts, all others with these, then
+/// the other counts in the same order.
+fn fill(
+    rows: &mut [Row; 2],
+    rules: &[Rule],
+    counts: &[Vec<usize>; 2],
+    mut room: usize,
+) -> Result<()> {
+    let is_preferred = |rule: &Rule| PREFERRED.iter().position(|&m| rule.method() == Some(m));
+    let mut preferred: Vec<Rule> = rules
+        .iter()
+        .copied()
+        .filter(|rule| is_preferred(rule).is_some())
+        .collect();
+    preferred.sort_by_key(is_preferred);
+    let others: Vec<Rule> = rules
+        .iter()
+        .copied()
+        .filter(|rule| is_preferred(rule).is_none())
+        .collect();
+    for counted_first in [true, false] {
+        for rule in preferred.iter().chain(&others) {
+            for (row, (all, first)) in rows.iter_mut().zip(counts.iter().zip(PREFERRED_COUNTS)) {
+                for &count in all
+                    .iter()
+                    .filter(|count| first.contains(count) == counted_first)
+                {
+                    let column = row.column(*rule, count)?;
+                    let size = column.iter().flatten().map(size).sum::<Result<usize>>()?;
+                    if size > room {
+                        return Ok(());
+                    }
+                    room -= size;
+                    row.take(count, column);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The bytes that a part of the page takes.
+fn size(part: &impl Serialize) -> Result<usize> {
+    Ok(json::to_line(part)?.len() + 1)
+}
+
+/// The ellipses of the slider.
+fn ellipses(larger: f64) -> Result<Vec<(f64, Shape)>> {
     let ellipse = |&ratio: &f64| {
         let radii = Vec2::new(larger, larger * ratio);
-        let ellipse = Ellipse::new(center, radii, rotation)?;
+        let ellipse = Ellipse::new(Point::ORIGIN, radii, Angle::ZERO)?;
         Ok((ratio, Shape::Ellipse(ellipse)))
     };
-    let ellipses: Vec<(f64, Shape)> = RATIOS.iter().map(ellipse).collect::<Result<_>>()?;
-    Choice {
-        id: "ellipse",
-        title: "Ellipses".to_owned(),
-        quantity: Some("Ratio of the radii"),
-        rules,
-        counts: vec![4, 8],
-        open: false,
-    }
-    .draw(&ellipses)
+    RATIOS.iter().map(ellipse).collect()
 }
 
-/// Arcs of the same ellipse from the same point on.
-fn arcs(outline: &Outline, rotation: Angle, rules: &[Rule]) -> Result<ShapeChoice> {
-    Choice {
-        id: "arc",
-        title: "Arcs".to_owned(),
-        quantity: Some(ARC_ANGLE),
-        rules,
-        counts: vec![1, 2],
-        open: false,
-    }
-    .draw(&arcs_of(outline, rotation, &ANGLES)?)
-}
-
-fn arcs_of(outline: &Outline, rotation: Angle, degrees: &[f64]) -> Result<Vec<(f64, Shape)>> {
-    let (truth, start) = (&outline.truth, outline.unit.start);
+fn arcs_of(outline: &Outline, degrees: &[f64]) -> Result<Vec<(f64, Shape)>> {
+    let (radii, start) = (outline.truth.radii, outline.unit.start);
     let arc = |&angle: &f64| {
         let sweep = Angle::from_degrees(angle);
-        let arc = Arc::new(truth.center, truth.radii, rotation, start, sweep)?;
+        let arc = Arc::new(Point::ORIGIN, radii, Angle::ZERO, start, sweep)?;
         Ok((angle, arc.shape()))
     };
     degrees.iter().map(arc).collect()
@@ -178,28 +241,6 @@ fn distinct(rules: &[Rule]) -> Vec<Rule> {
         }
     }
     found
-}
-
-/// The rules that sliders take along.
-fn on_sliders(rules: &[Rule]) -> Vec<Rule> {
-    let rank = |rule: &Rule| {
-        let place = PREFERRED
-            .iter()
-            .position(|&method| rule.method() == Some(method));
-        place.unwrap_or(PREFERRED.len())
-    };
-    let mut sorted = rules.to_vec();
-    sorted.sort_by_key(rank);
-    sorted.truncate(MOST_ON_SLIDERS);
-    sorted
-}
-
-const fn rotation_of(shape: &Shape) -> Angle {
-    match shape {
-        Shape::Ellipse(e) => e.rotation,
-        Shape::Arc(a) => a.rotation,
-        _ => Angle::ZERO,
-    }
 }
 
 /// The refusal of the first drawing.

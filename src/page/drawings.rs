@@ -27,52 +27,98 @@ const PARTS: f64 = 1000.0;
 /// error needs keep its picture smooth.
 const MAGNIFIED_SHARE: f64 = 0.01;
 
-/// Shapes to be drawn alike.
-pub(super) struct Choice<'a> {
-    pub(super) id: &'static str,
-    pub(super) title: String,
-    pub(super) quantity: Option<&'static str>,
-    pub(super) rules: &'a [Rule],
-    pub(super) counts: Vec<usize>,
-    pub(super) open: bool,
+/// The drawings of a row of shapes by one method with one count; nothing where a shape cannot be drawn so.
+pub(super) type Column = Vec<Option<(DrawingEntry, Vec<f64>)>>;
+
+/// A shape or a row of shapes, on which drawings are put one method and count after the other.
+pub(super) struct Row {
+    choice: ShapeChoice,
+    shapes: Vec<Shape>,
+    open: bool,
 }
 
-impl Choice<'_> {
-    pub(super) fn draw(self, shapes: &[(f64, Shape)]) -> Result<ShapeChoice> {
-        let step = |(value, shape): &(f64, Shape)| self.step(*value, shape);
-        Ok(ShapeChoice {
-            steps: shapes.iter().map(step).collect::<Result<_>>()?,
-            id: self.id.to_owned(),
-            title: self.title,
-            quantity: self.quantity.map(str::to_owned),
-            counts: self.counts,
-        })
+impl Row {
+    /// Shapes without drawings, each with the value of its stop.
+    pub(super) fn new(
+        (id, title): (&str, String),
+        quantity: Option<&str>,
+        shapes: &[(f64, Shape)],
+        counts: &[usize],
+        open: bool,
+    ) -> Self {
+        let step = |(value, shape): &(f64, Shape)| Step {
+            value: *value,
+            title: describe(shape),
+            words: words(shape, open).unwrap_or_default(),
+            words_ps: words_ps(shape, open).unwrap_or_default(),
+            shape: shape_document(shape, kurbo::Affine::IDENTITY),
+            closed: !open && shape.outline().is_some_and(|outline| outline.unit.closed),
+            joints: vec![Vec::new(); counts.len()],
+            drawings: Vec::new(),
+        };
+        Self {
+            choice: ShapeChoice {
+                id: id.to_owned(),
+                title,
+                quantity: quantity.map(str::to_owned),
+                counts: counts.to_vec(),
+                steps: shapes.iter().map(step).collect(),
+            },
+            shapes: shapes.iter().map(|(_, shape)| *shape).collect(),
+            open,
+        }
     }
 
-    fn step(&self, value: f64, shape: &Shape) -> Result<Step> {
-        let mut drawings = Vec::new();
-        let mut joints = Vec::new();
-        for &count in &self.counts {
-            let mut angles = Vec::new();
-            for &rule in self.rules {
-                if let Some((entry, found)) = drawing(shape, rule, count, self.open)? {
-                    drawings.push(entry);
-                    angles = found;
-                }
-            }
-            joints.push(angles);
-        }
-        Ok(Step {
-            value,
-            title: describe(shape),
-            words: words(shape, self.open).unwrap_or_default(),
-            words_ps: words_ps(shape, self.open).unwrap_or_default(),
-            shape: shape_document(shape, kurbo::Affine::IDENTITY),
-            closed: !self.open && shape.outline().is_some_and(|outline| outline.unit.closed),
-            joints,
-            drawings,
-        })
+    /// Draws every shape by this rule with so many segments.
+    pub(super) fn column(&self, rule: Rule, count: usize) -> Result<Column> {
+        let shapes = self.shapes.iter();
+        shapes
+            .map(|shape| drawing(shape, rule, count, self.open))
+            .collect()
     }
+
+    /// Puts the drawings with so many segments on the shapes.
+    pub(super) fn take(&mut self, count: usize, column: Column) {
+        let place = self.choice.counts.iter().position(|&known| known == count);
+        for (step, drawn) in self.choice.steps.iter_mut().zip(column) {
+            if let Some((entry, angles)) = drawn {
+                if let Some(joints) = place.and_then(|place| step.joints.get_mut(place)) {
+                    *joints = angles;
+                }
+                step.drawings.push(entry);
+            }
+        }
+    }
+
+    /// What there is to choose from.
+    pub(super) const fn choice(&self) -> &ShapeChoice {
+        &self.choice
+    }
+
+    /// The same, without the counts that nothing was drawn with.
+    pub(super) fn finish(mut self) -> ShapeChoice {
+        let Self { choice, .. } = &mut self;
+        let steps = &choice.steps;
+        let used = |&count: &usize| {
+            let mut drawings = steps.iter().flat_map(|step| &step.drawings);
+            drawings.any(|drawing| drawing.segments == count)
+        };
+        let kept: Vec<bool> = choice.counts.iter().map(used).collect();
+        for step in &mut choice.steps {
+            step.joints = chosen(&step.joints, &kept);
+        }
+        choice.counts = chosen(&choice.counts, &kept);
+        self.choice
+    }
+}
+
+/// The entries that are kept.
+fn chosen<T: Clone>(list: &[T], kept: &[bool]) -> Vec<T> {
+    let pairs = list.iter().zip(kept);
+    pairs
+        .filter(|(_, kept)| **kept)
+        .map(|(entry, _)| entry.clone())
+        .collect()
 }
 
 pub(super) fn options(rule: Rule, count: usize, precision: Option<Precision>) -> Options {

@@ -3,6 +3,7 @@
 use kurbo::{CubicBez, PathSeg, Point, QuadBez, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
+use super::refusal::refusal;
 use crate::angle::Angle;
 use crate::contour::{Contour, Step};
 use crate::curve::{CLOSING_GAP, Curve, size};
@@ -17,7 +18,8 @@ use crate::shape::endpoint::{SvgArc, decimal_sum};
 pub fn contours(data: &str) -> Result<Vec<Contour>> {
     let mut pen = Pen::default();
     for segment in PathParser::from(data) {
-        let segment = segment.map_err(|error| syntax(data, &error.to_string()))?;
+        let segment =
+            segment.map_err(|error| syntax(data, &refusal(&error, "a command or a number")))?;
         pen.take(segment)?;
     }
     pen.end();

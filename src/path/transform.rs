@@ -1,6 +1,7 @@
 use kurbo::{Affine, Vec2};
 use svgtypes::{TransformListParser, TransformListToken as Token};
 
+use super::refusal::refusal;
 use crate::angle::Angle;
 use crate::error::{Error, Result};
 
@@ -15,8 +16,10 @@ use crate::error::{Error, Result};
 pub fn transform(text: &str) -> Result<Affine> {
     let mut map = Affine::IDENTITY;
     for token in TransformListParser::from(text) {
-        let token =
-            token.map_err(|error| Error::Shape(format!("not an SVG transform list: {error}")))?;
+        let token = token.map_err(|error| {
+            let why = refusal(&error, "a function such as rotate(30) or translate(5,0)");
+            Error::Shape(format!("not an SVG transform list: {why}"))
+        })?;
         map *= one(token);
     }
     if map.is_finite() {

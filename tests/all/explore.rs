@@ -1,5 +1,6 @@
 //! The pages of `explore` and `compare -f html`. What they do in a browser is tested there: `make test-browser`.
 
+use std::collections::BTreeSet;
 use std::process::{Command, Output};
 
 use serde_json::Value;
@@ -118,6 +119,34 @@ fn figures_are_those_of_compare_and_profiles_reach_the_peak() {
 }
 
 #[test]
+fn sliders_hold_all_methods_and_counts_where_few_were_asked_for_and_fill_the_page_where_many() {
+    let methods_and_counts = |page: &str| {
+        let held = data(page);
+        let drawn = |choice: &Value| {
+            let steps = choice["steps"].as_array().unwrap().iter();
+            let drawings = steps.flat_map(|step| step["drawings"].as_array().unwrap());
+            let pairs: BTreeSet<String> = drawings
+                .map(|drawing| format!("{} {}", drawing["method"], drawing["segments"]))
+                .collect();
+            pairs.len()
+        };
+        ["ellipse", "arc"].map(|id| {
+            let mut choices = held["shapes"].as_array().unwrap().iter();
+            drawn(choices.find(|choice| choice["id"] == id).unwrap())
+        })
+    };
+    let few = printed("explore circle 50 -m minimax,midpoint,chen-3");
+    // Six counts on ellipses; on arcs 1 as well, with which Chen's Formulation III ends before 8.
+    let [on_ellipses, on_arcs] = methods_and_counts(&few);
+    assert_eq!(on_ellipses, 3 * 6);
+    assert!(on_arcs >= 3 * 6, "{on_arcs}");
+    let many = printed("explore circle 50");
+    assert!((370_000..400_000).contains(&many.len()), "{}", many.len());
+    let [on_ellipses, on_arcs] = methods_and_counts(&many);
+    assert!(on_ellipses > 20 && on_arcs > 18, "{on_ellipses} {on_arcs}");
+}
+
+#[test]
 fn spans_become_a_slider_over_arcs_of_one_segment() {
     let page = data(&printed(
         "compare -m minimax,midpoint --spans 30,60,90 -f html",
@@ -204,7 +233,7 @@ fn what_cannot_be_a_page_is_refused() {
             "explore conic --from 0,0 --control 5,9 --to 10,0 --weight 1",
             "no arc of an ellipse",
         ),
-        ("explore", "Usage"),
+        ("explore", "error: explore: the shape is missing"),
     ] {
         let output = curveto(command);
         let said = String::from_utf8_lossy(&output.stderr).into_owned();

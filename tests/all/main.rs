@@ -39,6 +39,7 @@ mod formats;
 mod fuzz;
 mod gallery;
 mod golden;
+mod help;
 mod house;
 mod judges;
 mod laws;

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 60] = [
+const MISTAKES: [(&str, &str); 76] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -63,11 +63,48 @@ const MISTAKES: [(&str, &str); 60] = [
     ("convert -j 0", "there is at least 1"),
     ("convert -i x.svg", "--in-place"),
     ("convert --dry-run x.svg", "--check"),
+    ("explore", "curveto explore circle 50 -o page.html"),
+    ("explore circle", "curveto explore circle 50 -o page.html"),
+    ("conic", "curveto conic --from 0,0"),
+    ("spline", "curveto spline --points '0,0 5,8 10,0'"),
+    ("diff", "curveto diff golden.svg new.svg -t 0.001"),
+    ("completions", "curveto completions bash"),
+    (
+        "diff -t 1% M0,0L5,5 M0,0L5,5",
+        "a distance is in user units",
+    ),
+    (
+        "diff M0,0L5 M0,0L5,5",
+        "it ends where a command or a number should follow",
+    ),
+    (
+        "diff M0,0L5,5 M0,0X5,5",
+        "a command or a number is expected at character 5",
+    ),
+    ("diff nofile.svg other.svg", "neither path data nor a file"),
+    (
+        "path M0,0L5",
+        "it ends where a command or a number should follow",
+    ),
+    ("measure --path hello", "path data begins with a moveto"),
+    (
+        "circle 50 --transform rotate30",
+        "a function such as rotate(30)",
+    ),
+    (
+        "circle 50 --transform rotate(30",
+        "a function such as rotate(30)",
+    ),
+    ("measure --plot x.svg circle 5", "the shape comes first"),
+    ("measure --path M0 0L5 5", "put the path data in quotes"),
     ("man circle", "'curveto circle --help'"),
 ];
 
 /// The words of the languages below, which tell a user nothing.
-const FOREIGN: [&str; 6] = [
+const FOREIGN: [&str; 9] = [
+    "os error",
+    "unexpected end of stream",
+    "unexpected data",
     "invalid digit found in string",
     "non-zero type",
     "invalid float literal",
@@ -94,6 +131,30 @@ fn a_mistake_of_the_first_hour_is_answered_by_what_to_do() {
             "{words}: {said}"
         );
         assert!(output.stdout.is_empty(), "{words}");
+    }
+}
+
+#[test]
+fn a_failure_of_the_system_is_told_without_its_number() {
+    for words in [
+        "circle 5 -o no/such/folder/x.svg",
+        "explore circle 5 -m minimax -n 4 -o no/such/folder/x.html",
+        "convert nofile.svg",
+        "batch nofile",
+        "diff . M0,0L5,5",
+        "spline --points-file nofile",
+    ] {
+        let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+            .args(words.split(' '))
+            .output()
+            .unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.starts_with("error: "), "{words}: {said}");
+        assert!(
+            FOREIGN.iter().all(|foreign| !said.contains(foreign)),
+            "{words}: {said}"
+        );
+        assert!(said.contains("directory"), "{words}: {said}");
     }
 }
 

@@ -29,7 +29,7 @@ impl From<Quadrature> for curveto::spline::Quadrature {
 #[command(next_help_heading = "How it is approximated")]
 pub(crate) struct ApproximationArgs {
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
-    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader, action = ArgAction::Set)]
+    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader, hide_possible_values = true, action = ArgAction::Set)]
     method: Vec<Method>,
     /// Exactly N segments, of equal parametric angle
     #[arg(short = 'n', long, value_name = "N", value_delimiter = ',', value_parser = values::count, allow_hyphen_values = true, action = ArgAction::Set, conflicts_with_all = ["tolerance", "joints"])]
@@ -38,19 +38,27 @@ pub(crate) struct ApproximationArgs {
     #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true, conflicts_with = "joints")]
     tolerance: Option<Tolerance>,
     /// Joints at these angles instead; for an arc, inside its sweep
-    #[arg(long, value_name = "A,B,...", value_delimiter = ',', value_parser = values::angle, allow_hyphen_values = true, action = ArgAction::Set)]
+    #[arg(long, value_name = "A,B,...", hide_short_help = true, value_delimiter = ',', value_parser = values::angle, allow_hyphen_values = true, action = ArgAction::Set)]
     joints: Vec<Angle>,
     /// A literal handle length on the unit circle in place of a method
-    #[arg(long, value_name = "K", value_parser = values::number, allow_hyphen_values = true, conflicts_with = "method")]
+    #[arg(long, value_name = "K", hide_short_help = true, value_parser = values::number, allow_hyphen_values = true, conflicts_with = "method")]
     handle: Option<f64>,
     /// With -n on an ellipse: joints that equalise the true error instead of equal angles
-    #[arg(long, requires = "segments")]
+    #[arg(long, requires = "segments", hide_short_help = true)]
     adaptive: bool,
-    /// Joints at every horizontal and vertical extreme; -n and -t then cut the pieces between them
+    /// Joints at every horizontal and vertical extreme
+    ///
+    /// -n and -t then cut the pieces between them.
     #[arg(long, conflicts_with_all = ["joints", "adaptive"])]
     pub(crate) extremes: bool,
     /// How chen-2 integrates arc length
-    #[arg(long, value_enum, value_name = "RULE", default_value_t)]
+    #[arg(
+        long,
+        value_enum,
+        value_name = "RULE",
+        hide_short_help = true,
+        default_value_t
+    )]
     quadrature: Quadrature,
 }
 

@@ -1,5 +1,6 @@
 //! Arguments of a command that are declared only when it is called: declaring those of all commands takes longer than drawing a circle.
 
+use crate::cli::examples;
 use clap::builder::Resettable;
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches, Id};
 
@@ -40,7 +41,9 @@ impl<T: Args> Args for Deferred<T> {
 fn declare<T: Args>(command: Command) -> Command {
     let about = command.get_about().cloned();
     let long_about = command.get_long_about().cloned();
-    T::augment_args(command)
-        .about(Resettable::from(about))
-        .long_about(Resettable::from(long_about))
+    examples::ended(
+        T::augment_args(command)
+            .about(Resettable::from(about))
+            .long_about(Resettable::from(long_about)),
+    )
 }

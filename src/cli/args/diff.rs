@@ -6,8 +6,7 @@ use super::values;
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "A drawing is SVG path data, or a file with it, with SVG (paths and basic shapes, transforms applied), with our JSON (lines of batch too) or with PostScript path operators. Where a subpath begins and which way it runs make no difference. Exit codes: 0 within T, 1 beyond, 2 trouble.",
-    after_long_help = "A drawing is SVG path data, or a file with it, with SVG (paths and basic shapes, transforms applied), with our JSON (lines of batch too) or with PostScript path operators. Where a subpath begins and which way it runs make no difference. Without -t, segments have to be equal, number by number, and subpaths closed alike.\n\nExamples:\n  curveto diff golden.svg new.svg -t 0.001\n  curveto circle 50 -f json | curveto diff - 'M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z' -t 0.01\n  curveto diff a.ps b.ps -q || echo changed\n\nExit codes: 0 within T, 1 beyond, 2 trouble."
+    after_help = "A drawing is SVG path data, or a file with it, with SVG (paths and basic shapes, transforms applied), with our JSON (lines of batch too) or with PostScript path operators. Where a subpath begins and which way it runs make no difference. Without -t, segments have to be equal, number by number, and subpaths closed alike."
 )]
 pub(crate) struct DiffArgs {
     /// The one drawing: path data, or a file; - is standard input
@@ -23,7 +22,7 @@ pub(crate) struct DiffArgs {
         value_name = "T",
         default_value_t = 0.0,
         hide_default_value = true,
-        value_parser = values::number,
+        value_parser = values::distance,
         allow_hyphen_values = true
     )]
     pub(crate) tolerance: f64,

@@ -8,6 +8,7 @@ use curveto::Rule;
 use super::ConicShape;
 use super::compare::{MethodList, methods};
 use super::shape::{ArcShape, CircleShape, EllipseShape};
+use crate::cli::examples;
 use crate::cli::formats::FileFormat;
 
 /// What to look at.
@@ -16,20 +17,12 @@ use crate::cli::formats::FileFormat;
     subcommand_help_heading = "Shapes",
     subcommand_value_name = "SHAPE",
     override_usage = "curveto explore circle|ellipse|arc|conic ... -o PAGE.html [OPTIONS]",
-    after_help = EXAMPLES
+    after_long_help = examples::of("explore")
 )]
 pub(crate) struct ExploreArgs {
     #[command(subcommand)]
     pub(crate) shape: ExploredShape,
 }
-
-const EXAMPLES: &str = "\
-Examples:
-  curveto explore circle 50 -o circle.html
-  curveto explore ellipse 120 50 -m minimax,minimax-ellipse,apprich -n 4,8 -o ellipse.html
-  curveto explore arc 10 --start 0 --end 120 -o arc.html
-
-Exit codes: 0 done; 1 a failure while writing; 2 a wrong or impossible request.";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum ExploredShape {
@@ -45,7 +38,7 @@ pub(crate) enum ExploredShape {
 
 /// A shape, and what there is to choose from.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_long_help = examples::of("explore"))]
 pub(crate) struct Explored<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,

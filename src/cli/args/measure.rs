@@ -12,6 +12,7 @@ use kurbo::{Affine, Vec2};
 
 use super::shape::{ArcShape, CircleShape, EllipseShape};
 use super::{ApproximationArgs, ConicShape, values};
+use crate::cli::examples;
 use crate::cli::formats::FileFormat;
 
 /// What to measure: a shape that is drawn here, or a curve that someone else made.
@@ -20,6 +21,7 @@ use crate::cli::formats::FileFormat;
     args_conflicts_with_subcommands = true,
     subcommand_help_heading = "Shapes",
     subcommand_value_name = "SHAPE",
+    after_long_help = examples::of("measure"),
     override_usage = "curveto measure circle|ellipse|arc|conic ... [OPTIONS]\n       curveto measure --path 'M...' | --file F.svg [--against SHAPE] [OPTIONS]"
 )]
 pub(crate) struct MeasureArgs {
@@ -45,7 +47,10 @@ pub(crate) enum MeasuredShape {
 
 /// A shape, how it is approximated, and what is told of it. Several methods may be named.
 #[derive(Debug, Args)]
-#[command(mut_arg("method", |method| method.action(ArgAction::Append)))]
+#[command(
+    mut_arg("method", |method| method.action(ArgAction::Append)),
+    after_long_help = examples::of("measure")
+)]
 pub(crate) struct Measured<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,

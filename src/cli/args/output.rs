@@ -23,17 +23,19 @@ pub(crate) struct OutputArgs {
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Decimals after the point, or auto: the fewest that add no more than a tenth of the error [default: auto; in json all, in glif 0]
+    /// Decimals after the point, or auto [default: auto; in json all, in glif 0]
+    ///
+    /// auto takes the fewest that add no more than a tenth of the error.
     #[arg(short, long, value_name = "P", value_parser = values::precision, allow_hyphen_values = true)]
     precision: Option<PrecisionWord>,
     /// An SVG transform list, applied to the control points
     #[arg(long, value_name = "LIST", value_parser = values::transform, allow_hyphen_values = true)]
     transform: Option<Affine>,
     /// Relative path commands (path, svg)
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     relative: bool,
     /// How fast gcode moves, in units a minute
-    #[arg(long, value_name = "F", value_parser = values::positive, allow_hyphen_values = true)]
+    #[arg(long, value_name = "F", hide_short_help = true, value_parser = values::positive, allow_hyphen_values = true)]
     feed: Option<f64>,
     #[command(flatten)]
     pub(crate) talk: TalkArgs,

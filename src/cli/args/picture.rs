@@ -14,26 +14,29 @@ use crate::cli::formats;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Pictures (svg, eps, png, pdf)")]
 pub(crate) struct PictureArgs {
-    /// Size: pixels in png and svg, points in eps and pdf, or mm, cm, in, pt (1600x900, 80x60mm); the drawing fits into its middle
-    /// [default: in png 512 on the larger side]
+    /// Size: pixels in png and svg, points in eps and pdf, or mm, cm, in, pt: 80x60mm
+    ///
+    /// The drawing fits into its middle. [default: in png 512 on the larger side]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Size>,
     /// Colour of the curve: a CSS colour, currentColor or none [default: black]
     #[arg(long, value_name = "COLOR")]
     stroke: Option<Paint>,
     /// Width of the stroke in user units [default: about 1 % of the larger side]
-    #[arg(long, value_name = "W", value_parser = values::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "W", hide_short_help = true, value_parser = values::length, allow_hyphen_values = true)]
     stroke_width: Option<f64>,
     /// Colour of the inside: a CSS colour or none [default: none]
     #[arg(long, value_name = "COLOR")]
     fill: Option<Paint>,
     /// Colour beneath everything: a CSS colour or none [default: white in png, else none]
-    #[arg(long, value_name = "COLOR")]
+    #[arg(long, value_name = "COLOR", hide_short_help = true)]
     background: Option<Paint>,
     /// Free space around all that is drawn, strokes included, in user units [default: 0, with --show about 2 % of the larger side]
-    #[arg(long, value_name = "M", value_parser = values::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "M", hide_short_help = true, value_parser = values::length, allow_hyphen_values = true)]
     margin: Option<f64>,
-    /// Show with the curve any of joints, handles, truth (the true shape beneath), error=K (the deviation drawn K times as large, orange outside and blue inside)
+    /// Show with the curve any of joints, handles, truth, error=K
+    ///
+    /// truth is the true shape beneath; error=K the deviation drawn K times as large, orange outside and blue inside.
     #[arg(long, value_name = "WHAT,...", value_delimiter = ',')]
     show: Vec<Shown>,
 }

@@ -55,10 +55,14 @@ pub(crate) struct ArcShape {
     #[arg(value_name = "RADIUS|RX RY", num_args = 1..=2, value_parser = values::number, allow_negative_numbers = true, group = "form")]
     radii: Vec<f64>,
     /// Where the arc starts
+    ///
+    /// An ellipse's angles are parametric, as in SVG and the HTML canvas: the point at angle A is (rx cos A, ry sin A), then rotated.
+    /// Units are deg (default), rad, grad and turn. Positive angles turn from +x towards +y.
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii")]
     start: Option<Angle>,
-    /// Where the arc ends, as PostScript's arc and arcn take it: raised by whole turns until it is not below the start; with --reverse
-    /// lowered until it is not above
+    /// Where the arc ends, as PostScript's arc takes it, with --reverse as arcn does
+    ///
+    /// It is raised by whole turns until it is not below the start; with --reverse lowered until it is not above.
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with = "sweep")]
     end: Option<Angle>,
     /// How far the arc runs, with its sign, at most one turn
@@ -67,16 +71,18 @@ pub(crate) struct ArcShape {
     /// The angle from the x axis to the axis of the first radius
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii")]
     rotation: Option<Angle>,
-    /// The centre [default: 0,0]; with --from and --to that of the circle, as G2 and G3 with I and J
+    /// The centre [default: 0,0]; with --from and --to as G2 and G3 take it
+    ///
+    /// With --from and --to it is the circle's, as G2 and G3 with I and J.
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, conflicts_with_all = ["svg", "through"])]
     center: Option<Point>,
-    /// SVG path data 'M x y A rx ry rotation large sweep x y', compact forms too
+    /// SVG path data 'M x y A rx ry rotation large sweep x y'
     #[arg(long, value_name = "PATH", allow_hyphen_values = true, group = "form")]
     svg: Option<String>,
     /// Start, a point on the arc, end
     #[arg(long, value_names = ["X,Y", "X,Y", "X,Y"], num_args = 3, value_parser = values::point, allow_hyphen_values = true, group = "form", action = ArgAction::Set)]
     through: Vec<Point>,
-    /// The first point, with --to and one of --bulge, --radius and --center
+    /// The first point; with --to, and --bulge, --radius or --center
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, requires = "to", group = "form")]
     from: Option<Point>,
     /// The last point

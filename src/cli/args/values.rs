@@ -66,6 +66,16 @@ pub(super) fn number(text: &str) -> Read<f64> {
     })
 }
 
+/// Reads a distance between drawings, which have no radius that a part could be of.
+pub(super) fn distance(text: &str) -> Read<f64> {
+    if text.trim_end().ends_with('%') {
+        return Err(format!(
+            "'{text}' is not a distance\nhint: a distance is in user units: two drawings have no radius that a part could be of"
+        ));
+    }
+    number(text)
+}
+
 /// What is meant by what is almost a number.
 fn hint_of_number(text: &str) -> Option<String> {
     const UNITS: [&str; 10] = ["mm", "cm", "in", "pt", "px", "pc", "em", "m", "\"", "%"];

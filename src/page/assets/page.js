@@ -144,7 +144,7 @@ function drawCharts() {
     along.map(a => ({ kind: a.kind, parts: a.curvature[order] })), joints, unit, false));
   const { title: what, label } = page.criteria[view.criterion];
   const names = other ? `${view.method} (solid) and ${view.beside} (dashed)` : view.method;
-  byId("error-title").textContent = `Distance from the true shape: ${names}`;
+  byId("error-title").textContent = `Distance from the true shape, orange outside and blue inside: ${names}`;
   byId("counts-title").textContent = `${what[0].toUpperCase()}${what.slice(1)} by the number of segments: ${step.title}`;
   drawCounts(byId("chart-counts"), view, label, choose);
 }

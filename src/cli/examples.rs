@@ -1,0 +1,192 @@
+//! What the long help of a command ends in: three worked examples, which the tests run, and the exit codes.
+
+use clap::Command;
+
+/// Commands, their examples, and what each exit code means.
+const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
+    (
+        "curveto",
+        [
+            "curveto circle 50",
+            "curveto ellipse 30 20 -t 0.01 -o ellipse.svg --show joints,handles",
+            "curveto measure circle 50 -m minimax,midpoint",
+        ],
+        DRAWS,
+    ),
+    (
+        "circle",
+        [
+            "curveto circle 50",
+            "curveto circle 50 -t 0.001 -f json",
+            "curveto circle 50 -m midpoint -o circle.svg --show joints,handles,truth,error=500",
+        ],
+        DRAWS,
+    ),
+    (
+        "ellipse",
+        [
+            "curveto ellipse 30 20 --rotation 15 --center 100,80",
+            "curveto ellipse 120 50 -n 6 --adaptive -v",
+            "curveto ellipse 120 50 -t 0.01% -o ellipse.pdf --size 80x60mm",
+        ],
+        DRAWS,
+    ),
+    (
+        "arc",
+        [
+            "curveto arc 10 --start 0 --end 90",
+            "curveto arc --svg 'M0 0A25 25 0 0 1 50 50' -f tikz",
+            "curveto arc --from 0,0 --to 10,0 --bulge 1 -o arc.dxf",
+        ],
+        DRAWS,
+    ),
+    (
+        "conic",
+        [
+            "curveto conic --from 0,0 --control 5,8 --to 10,0 --weight 0.7",
+            "curveto conic --from 0,0 --control 5,8 --to 10,0 --weight 1 -f ps",
+            "curveto conic --from 0,0 --control 5,8 --to 10,0 --weight 2 -t 0.001 -v",
+        ],
+        DRAWS,
+    ),
+    (
+        "path",
+        [
+            "curveto path 'M0 0H20A10 10 0 0 1 20 20H0Z'",
+            "curveto path 'M0 0A5 5 0 0 1 10 0Z' --to quadratics -f canvas",
+            "curveto circle 50 | curveto path - --to arcs -t 0.01",
+        ],
+        DRAWS,
+    ),
+    (
+        "batch",
+        [
+            "echo 'circle 0 0 5' | curveto batch -f json",
+            "printf 'circle 0 0 5\\ncircle 9 0 5\\n' | curveto batch -o both.svg",
+            "echo 'polyline 0 0 1 10 0 0 close' | curveto batch -t 0.001",
+        ],
+        "0 done; 1 a failure while running, such as a line that cannot be drawn; 2 a wrong or impossible request.",
+    ),
+    (
+        "spline",
+        [
+            "curveto spline --points '0,0 5,8 10,0' --ends natural",
+            "curveto spline --points '0,0 10,0 10,10 0,10' --ends cyclic -o ring.svg",
+            "printf '0,0\\n5,8\\n10,0\\n' | curveto spline --points-file - --parametrization centripetal --ends free",
+        ],
+        DRAWS,
+    ),
+    (
+        "sphere",
+        [
+            "curveto sphere 100 -o sphere.svg",
+            "curveto sphere 100 --meridians 12 --parallels 7 --view 30,20 --hidden dash -o sphere.eps",
+            "curveto sphere 50 -m midpoint -n 8 -f json",
+        ],
+        DRAWS,
+    ),
+    (
+        "procset",
+        [
+            "curveto procset > ellipses.ps",
+            "curveto procset -m midpoint --with reporter,trig",
+            "curveto procset -m lancaster-drawellipse -o lancaster.ps",
+        ],
+        DRAWS,
+    ),
+    (
+        "methods",
+        [
+            "curveto methods",
+            "curveto methods minimax",
+            "curveto methods -f csv",
+        ],
+        DRAWS,
+    ),
+    (
+        "measure",
+        [
+            "curveto measure circle 50 -m minimax,midpoint -n 4",
+            "curveto measure --path 'M0 0C0 5.52 4.48 10 10 10' --against circle:10,0,10",
+            "curveto measure circle 1 -m apprich -n 4 --plot curvature.svg --quantity curvature-d2",
+        ],
+        DRAWS,
+    ),
+    (
+        "compare",
+        [
+            "curveto compare -m minimax,midpoint,apprich -n 3,4,8",
+            "curveto compare --ellipse 0.5 --by rms -f csv",
+            "curveto compare -m all -n 2,3,4,5,6,8 -o errors.svg",
+        ],
+        DRAWS,
+    ),
+    (
+        "diff",
+        [
+            "curveto diff golden.svg new.svg -t 0.001",
+            "curveto circle 50 -f json | curveto diff - 'M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z' -t 0.01",
+            "curveto diff a.ps b.ps -q || echo changed",
+        ],
+        "0 within T; 1 beyond; 2 trouble.",
+    ),
+    (
+        "explore",
+        [
+            "curveto explore circle 50 -o circle.html",
+            "curveto explore ellipse 120 50 -m minimax,minimax-ellipse,apprich -n 4,8 -o ellipse.html",
+            "curveto explore arc 10 --start 0 --end 120 -o arc.html",
+        ],
+        DRAWS,
+    ),
+    (
+        "convert",
+        [
+            "curveto convert logo.svg -t 0.01 -o logo-as-curves.svg",
+            "curveto convert icons --in-place",
+            "curveto convert icons --check",
+        ],
+        "0 done; 1 a failure while running, some files failed, or --check found work; 2 a wrong or impossible request; 130, 143 ended by SIGINT, SIGTERM.",
+    ),
+    (
+        "completions",
+        [
+            "curveto completions bash > curveto.bash",
+            "curveto completions zsh > _curveto",
+            "curveto completions fish > curveto.fish",
+        ],
+        DRAWS,
+    ),
+    (
+        "man",
+        [
+            "curveto man > curveto.1",
+            "curveto man --out-dir pages",
+            "curveto man --out-dir pages && ls pages",
+        ],
+        DRAWS,
+    ),
+];
+
+const DRAWS: &str = "0 done; 1 a failure while running; 2 a wrong or impossible request.";
+
+/// The examples of a command and its exit codes.
+pub(crate) fn of(command: &str) -> String {
+    let found = EXAMPLES.iter().find(|(name, ..)| *name == command);
+    found.map_or_else(String::new, |(_, examples, codes)| {
+        format!(
+            "Examples:\n  {}\n\nExit codes: {codes}",
+            examples.join("\n  ")
+        )
+    })
+}
+
+/// A command whose long help ends in them, after what it ended in before.
+pub(crate) fn ended(command: Command) -> Command {
+    let before = command
+        .get_after_long_help()
+        .or_else(|| command.get_after_help());
+    let before = before.map_or_else(String::new, |words| format!("{words}\n\n"));
+    let own = of(command.get_name());
+    command.after_long_help(before + &own)
+}
