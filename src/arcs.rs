@@ -1,12 +1,12 @@
 //! Lines and circular arcs in place of Béziers: the way back, for machines and for what draws nothing else.
 
+mod bound;
 mod bows;
+mod chain;
 mod chords;
 mod fit;
-#[cfg(feature = "document")]
 mod near;
 mod piece;
-#[cfg(feature = "document")]
 pub(crate) mod recognize;
 
 use kurbo::{Affine, Line, PathSeg, Point, Rect};
@@ -35,6 +35,10 @@ pub struct Options {
     pub precision: Option<Precision>,
     /// A map that is applied before all else.
     pub transform: Affine,
+    /// Whether arcs may be those of ellipses.
+    pub elliptic: bool,
+    /// Whether room is left for numbers to be rounded once more, as G-code rounds centres.
+    pub rounds_again: bool,
 }
 
 /// Draws contours as lines within a tolerance: each Bézier and each arc as chords that run as far as their distance lets them, never
@@ -65,9 +69,9 @@ pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     })
 }
 
-/// Draws contours as lines and circular arcs within a tolerance: a run of Béziers that is one arc becomes it, of a round radius where
-/// rounding explains one; a whole circle becomes two halves. Any other Bézier becomes arcs and lines, each as long as the tolerance
-/// lets it be, arcs two by two as biarcs with shared tangents. Lines, circular arcs and the ends of Béziers stay as they are.
+/// Draws contours as lines and circular arcs within a tolerance: a run of Béziers that was drawn as one arc becomes it, with the round
+/// radius that was meant; a whole circle becomes two halves. Other Béziers that join smoothly become the fewest arcs and lines whose ends
+/// lie on them, each as long as the tolerance lets it be. Corners, lines and circular arcs stay as they are.
 ///
 /// The result has courses and no curves. The error is a bound of the distance both ways (Hausdorff), of the numbers as they are
 /// printed.
@@ -97,10 +101,17 @@ pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let pieces = pieces(contour, options.transform)?;
     let plan = Plan::new(contour, &pieces, options)?;
+    let rounding = plan.tolerance - plan.room;
+    let room = plan.room
+        - if options.rounds_again {
+            2.0 * rounding
+        } else {
+            0.0
+        };
     let mut segments = Vec::new();
     let mut error = 0.0_f64;
     for piece in &pieces {
-        let cuts = chords::cuts(piece, plan.room);
+        let cuts = chords::cuts(piece, room);
         if segments.len() + cuts.len() > MOST_SEGMENTS {
             return Err(Error::Count {
                 count: segments.len() + cuts.len(),
@@ -122,6 +133,9 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
             (from, at, moved) = (to, cut, shift);
         }
     }
+    if error > plan.tolerance && options.tolerance.is_some() {
+        return Err(plan.too_coarse());
+    }
     Ok(Subpath {
         curve: Curve {
             segments,
@@ -129,6 +143,7 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
         },
         course: None,
         error: RadialError::balanced(error),
+        room: plan.left(error),
         radius: plan.size,
     })
 }
@@ -188,6 +203,18 @@ impl Plan {
             rounds_given: options.precision.is_some(),
             size,
         })
+    }
+
+    fn too_coarse(&self) -> Error {
+        Error::Shape(format!(
+            "with so few decimals the result strays farther than the tolerance {}: give more decimals or a larger tolerance",
+            self.tolerance
+        ))
+    }
+
+    /// How far rounding may move yet what strays so far.
+    fn left(&self, error: f64) -> Option<f64> {
+        (error <= self.tolerance).then_some(self.tolerance - error)
     }
 
     fn inner(&self, p: Point) -> Point {

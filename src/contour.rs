@@ -91,6 +91,15 @@ impl Maker {
     }
 }
 
+/// How closely lines and arcs follow what they replace.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Closeness {
+    /// A bound, both ways, of their distance from it.
+    pub error: f64,
+    /// How far rounding may move them yet within the tolerance.
+    pub room: f64,
+}
+
 /// A finished subpath.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Subpath {
@@ -100,6 +109,8 @@ pub struct Subpath {
     pub course: Option<Course>,
     /// How far it strays from what was given. Where cubics became quadratics, both sides hold the bound of their distance.
     pub error: RadialError,
+    /// How far rounding may move it yet within its tolerance, where it has one.
+    pub room: Option<f64>,
     /// What its error is compared with: the largest radius of its arcs, or half the larger side of its box where it has none.
     pub radius: f64,
 }
@@ -117,6 +128,15 @@ impl PathDrawing {
     pub fn relative_peak(&self) -> f64 {
         let peaks = self.subpaths.iter().map(Subpath::relative_peak);
         peaks.fold(0.0, f64::max)
+    }
+
+    /// How closely it follows what it replaces, where it was made within a tolerance.
+    #[must_use]
+    pub fn closeness(&self) -> Option<Closeness> {
+        let rooms = self.subpaths.iter().filter_map(|subpath| subpath.room);
+        let room = rooms.reduce(f64::min)?;
+        let error = self.error().peak();
+        Some(Closeness { error, room })
     }
 
     /// The courses of the subpaths, of those that have one.
@@ -266,6 +286,7 @@ impl Finisher<'_> {
             curve,
             course: None,
             error,
+            room: None,
             radius,
         })
     }

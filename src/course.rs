@@ -6,6 +6,7 @@ use crate::angle::Angle;
 use crate::curve::Curve;
 use crate::number::Precision;
 use crate::shape::Outline;
+use crate::shape::endpoint::SvgArc;
 
 /// By what part the radii of a circle may differ after a map that turns and scales it: its rounding, and a margin.
 const ROUND: f64 = 1e-12;
@@ -28,6 +29,8 @@ pub enum Step {
     Line(Point),
     /// An arc.
     Arc(CircularArc),
+    /// An arc of an ellipse, which SVG knows and machines do not.
+    Elliptical(SvgArc),
 }
 
 /// A circular arc from wherever the step before it ends.
@@ -54,6 +57,7 @@ impl Step {
         match self {
             Self::Line(to) => *to,
             Self::Arc(arc) => arc.to,
+            Self::Elliptical(arc) => arc.to,
         }
     }
 }
@@ -81,6 +85,13 @@ impl CircularArc {
 }
 
 impl Course {
+    /// Whether all of it are lines and circular arcs.
+    #[must_use]
+    pub fn is_circular(&self) -> bool {
+        let elliptical = |step: &Step| matches!(step, Step::Elliptical(_));
+        !self.steps.iter().any(elliptical)
+    }
+
     /// The curve itself, where it has lines only.
     #[must_use]
     pub fn of_lines(curve: &Curve) -> Option<Self> {
@@ -131,6 +142,11 @@ impl Course {
             Step::Arc(arc) => Step::Arc(CircularArc {
                 to: round(arc.to),
                 center: round(arc.center),
+                ..arc
+            }),
+            Step::Elliptical(arc) => Step::Elliptical(SvgArc {
+                from: round(arc.from),
+                to: round(arc.to),
                 ..arc
             }),
         };

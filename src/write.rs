@@ -102,6 +102,17 @@ pub struct Options {
     pub feed: Option<f64>,
 }
 
+impl Options {
+    /// Those of G-code.
+    const fn gcode(&self, figure: &Figure) -> gcode::Options {
+        gcode::Options {
+            precision: self.precision,
+            feed: self.feed,
+            closeness: figure.closeness,
+        }
+    }
+}
+
 /// What was drawn, in a format.
 ///
 /// # Errors
@@ -132,7 +143,7 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
         Format::Dxf => dxf::drawing(&figure.title, &traces(&figure, options)),
         Format::Gcode => {
             let courses = courses(&figure)?;
-            gcode::program(&figure.title, &courses, options.precision, options.feed)
+            gcode::program(&figure.title, &courses, &options.gcode(&figure))?
         }
         Format::Image(image) => {
             check_shown(&figure, &options.style)?;
@@ -173,6 +184,13 @@ fn check_shown(figure: &Figure, style: &Style) -> Result<()> {
 /// Lines and circular arcs, in a format that has them.
 fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<Vec<u8>> {
     let courses = &figure.courses;
+    if matches!(format, Format::Dxf | Format::Gcode) && !courses.iter().all(Course::is_circular) {
+        return Err(Error::Format {
+            format: format.name(),
+            why: "its arcs are those of circles".to_owned(),
+            remedy: "leave out --elliptic, so that circular arcs take the place of elliptical ones",
+        });
+    }
     let text = match format {
         Format::Path => crate::path::data_of_courses(courses, options.relative) + "\n",
         Format::Dxf => {
@@ -180,7 +198,7 @@ fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<V
             let traces: Vec<_> = traces.map(|trace| (None, trace)).collect();
             dxf::drawing(&figure.title, &traces)
         }
-        Format::Gcode => gcode::program(&figure.title, courses, options.precision, options.feed),
+        Format::Gcode => gcode::program(&figure.title, courses, &options.gcode(figure))?,
         _ => {
             return Err(Error::Format {
                 format: format.name(),

@@ -1,10 +1,15 @@
-//! A contour as lines and circular arcs.
+//! A contour as lines and arcs.
 
-use kurbo::{CubicBez, PathSeg, Point};
+use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
-use super::fit::{self, Fit, Rules};
+use super::bound::from_chord;
+use super::chain::runs_on;
+use super::fit::{Fit, Search, arc_of};
+use super::near::{bound, moved};
 use super::piece::{Piece, cubic_from_chord};
+use super::recognize::{self, Found, Rules};
 use super::{Options, Plan, decimals_given, pieces};
+use crate::Angle;
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step, Subpath};
 use crate::course::{self, CircularArc, Course};
@@ -13,6 +18,7 @@ use crate::error::{Error, Result};
 use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
 use crate::number::Precision;
 use crate::radial_error::RadialError;
+use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Shape};
 
 /// The part of the tolerance within which an elliptical arc becomes cubics first.
@@ -21,256 +27,366 @@ const ELLIPSE_PART: f64 = 0.02;
 /// How many decimals more a radius may have than the points, where these are not enough for it.
 const MORE_DECIMALS: u8 = 8;
 
-/// What stands between two points of the result before it is rounded.
-enum Span {
-    /// What was given and stays: a line or a circular arc.
-    Kept(Point, Option<Arc>),
-    /// What replaces cubics.
-    Fitted(Fit),
-}
+/// The most decimals of what was given that are believed: beyond, digits are noise.
+const MOST_DECIMALS: u8 = 12;
+
+/// A cubic is a line where it lies no farther from its chord than this part of that.
+const STRAIGHT: f64 = 1e-9;
 
 pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
     let given = pieces(contour, options.transform)?;
-    let mut plan = Plan::new(contour, &given, options)?;
-    // The ends of an arc may be rounded along it, and its radius.
+    let plan = Plan::new(contour, &given, options)?;
+    let decimals = decimals_given(contour).min(MOST_DECIMALS);
+    // The ends of an arc may be rounded along it, and its radius, or its centre.
     let rounding = plan.tolerance - plan.room;
-    let slack = ELLIPSE_PART * plan.tolerance;
-    let decimals = decimals_given(contour);
-    let rules = Rules {
-        room: plan.room - 2.0 * rounding - slack,
-        decimals,
-        moved: Precision::Fixed(decimals).farthest_moved(),
-    };
-    let (spans, slack) = spans(contour, &given, options, &rules, slack)?;
-    let start = given.first().map(Piece::start).unwrap_or_default();
-    let mut finished = finish(start, &spans, &plan);
-    if finished
-        .as_ref()
-        .is_none_or(|(_, error)| error + slack > plan.tolerance)
-    {
-        if options.precision.is_some() {
-            return Err(Error::Shape(format!(
-                "with so few decimals the arcs stray farther than the tolerance {}: give more decimals or a larger tolerance",
-                plan.tolerance
-            )));
-        }
-        plan.precision = Precision::Full;
-        finished = finish(start, &spans, &plan);
-    }
-    let (mut course, error) =
-        finished.ok_or_else(|| Error::Shape("an arc of the path vanishes".to_owned()))?;
-    course.closed = contour.closed;
-    Ok(Subpath {
-        curve: Curve {
-            segments: Vec::new(),
+    let times = if options.rounds_again { 4.0 } else { 2.0 };
+    let mut builder = Builder {
+        rules: Rules {
+            part: 0.0,
+            absolute: plan.room - times * rounding,
+            decimals,
+            elliptic: options.elliptic,
+            drawn_only: true,
+        },
+        options,
+        course: Course {
+            start: plan.end(given.first().map(Piece::start).unwrap_or_default()),
+            steps: Vec::with_capacity(given.len()),
             closed: contour.closed,
         },
-        course: Some(course),
-        error: RadialError::balanced(error + slack),
-        radius: plan.size,
-    })
-}
-
-/// The spans, and how far their cubics lie from what was given.
-fn spans(
-    contour: &Contour,
-    given: &[Piece],
-    options: &Options,
-    rules: &Rules,
-    slack: f64,
-) -> Result<(Vec<Span>, f64)> {
-    let (mut spans, mut cubics, mut strayed) = (Vec::new(), Vec::new(), 0.0_f64);
+        at: Point::ORIGIN,
+        error: 0.0,
+        plan,
+    };
+    builder.at = builder.course.start;
+    let mut cubics = Vec::new();
     for (piece, step) in given.iter().zip(&contour.steps) {
-        match (piece, step) {
-            (Piece::Cubic(cubic), _) => cubics.push(*cubic),
-            (Piece::Line(line), _) => {
-                flush(&mut cubics, rules, &mut spans)?;
-                spans.push(Span::Kept(line.p1, None));
-            }
-            (Piece::Arc(_), Step::Arc(arc)) => {
-                if let Some(kept) = circular(arc, options) {
-                    flush(&mut cubics, rules, &mut spans)?;
-                    spans.push(Span::Kept(piece.end(), Some(kept)));
-                } else {
-                    let options = approximate::Options {
-                        cut: Cut::Tolerance(Tolerance::Absolute(slack)),
-                        precision: Some(Precision::Full),
-                        transform: options.transform,
-                        ..Default::default()
-                    };
-                    let drawing = approximate(&Shape::Arc(*arc), &options)?;
-                    strayed = strayed.max(drawing.error.peak());
-                    flush(&mut cubics, rules, &mut spans)?;
-                    let chain = drawing.curve.segments.iter().map(PathSeg::to_cubic);
-                    let chain: Vec<_> = chain.collect();
-                    spans.extend(approximated(&chain, rules, spans.len()));
-                }
-            }
-            (Piece::Arc(_), Step::Given(_)) => {}
-        }
-    }
-    flush(&mut cubics, rules, &mut spans)?;
-    Ok((spans, strayed))
-}
-
-/// The arc under the map, where it is one of a circle there and no whole turn.
-fn circular(arc: &Arc, options: &Options) -> Option<Arc> {
-    let outline = Shape::Arc(*arc)
-        .outline()?
-        .transformed(options.transform)
-        .ok()?;
-    let course = Course::of_arc(&outline)?;
-    let [course::Step::Arc(found)] = course.steps[..] else {
-        return None;
-    };
-    let round = Arc {
-        center: found.center,
-        radii: kurbo::Vec2::new(found.radius, found.radius),
-        rotation: crate::Angle::ZERO,
-        start: found.start,
-        sweep: found.sweep,
-        ends: Some([course.start, found.to]),
-    };
-    (!found.is_circle()).then_some(round)
-}
-
-/// Ends a chain of cubics: what they are together becomes spans.
-fn flush(cubics: &mut Vec<CubicBez>, rules: &Rules, spans: &mut Vec<Span>) -> Result<()> {
-    let chain = core::mem::take(cubics);
-    if let Some(halves) = whole(&chain, rules) {
-        spans.extend(halves.map(Span::Fitted));
-        return Ok(());
-    }
-    let mut rest = &chain[..];
-    while let Some((first, others)) = rest.split_first() {
-        let straight = fit::is_straight(first, rules.room);
-        if let Some(fit) = straight {
-            spans.push(Span::Fitted(fit));
-            rest = others;
-        } else if let Some((count, fit)) = fit::run(rest, rules) {
-            spans.push(Span::Fitted(fit));
-            rest = &rest[count..];
+        if let Piece::Cubic(cubic) = piece {
+            cubics.push(*cubic);
         } else {
-            let (chain, others) = rest.split_at(fit::free(rest, rules));
-            spans.extend(approximated(chain, rules, spans.len()));
+            builder.flush(&mut cubics, 0.0)?;
+            builder.kept(piece, step)?;
+        }
+    }
+    builder.flush(&mut cubics, 0.0)?;
+    builder.subpath(contour.closed)
+}
+
+/// What a stretch of a chain becomes.
+enum Span<'a> {
+    /// A line in place of a straight cubic.
+    Straight(&'a CubicBez),
+    /// An arc in place of cubics that were drawn as one.
+    Found(&'a [CubicBez], Found),
+    /// A piece of cubics that were not.
+    Fitted(Fit),
+}
+
+/// Writes the course of a subpath, rounding as it goes.
+struct Builder<'a> {
+    plan: Plan,
+    options: &'a Options,
+    rules: Rules,
+    course: Course,
+    /// Where the course is, as it is printed.
+    at: Point,
+    error: f64,
+}
+
+impl Builder<'_> {
+    fn subpath(self, closed: bool) -> Result<Subpath> {
+        // What holds for arcs by how they are made holds for lines that were given, unless few decimals were asked for.
+        if self.error > self.plan.tolerance && self.options.tolerance.is_some() {
+            return Err(self.plan.too_coarse());
+        }
+        Ok(Subpath {
+            curve: Curve {
+                segments: Vec::new(),
+                closed,
+            },
+            course: Some(self.course),
+            error: RadialError::balanced(self.error),
+            room: self.plan.left(self.error),
+            radius: self.plan.size,
+        })
+    }
+
+    /// A line, or an arc that was given.
+    fn kept(&mut self, piece: &Piece, step: &Step) -> Result<()> {
+        let Step::Arc(arc) = step else {
+            self.line(piece.start(), piece.end(), 0.0, true);
+            return Ok(());
+        };
+        let Some(outline) = Shape::Arc(*arc).outline() else {
+            self.line(piece.start(), piece.end(), 0.0, true);
+            return Ok(());
+        };
+        let outline = outline.transformed(self.options.transform)?;
+        let kept = if outline.unit.closed {
+            None
+        } else if let Some(course) = Course::of_arc(&outline)
+            && let [course::Step::Arc(found)] = course.steps[..]
+        {
+            Some((Vec2::splat(found.radius), 0.0, found.sweep.degrees()))
+        } else if self.options.elliptic {
+            let sign = outline.placement.determinant().signum();
+            let sweep = sign * outline.unit.sweep.degrees();
+            if self.options.transform == Affine::IDENTITY {
+                Some((arc.radii, arc.rotation.degrees(), sweep))
+            } else {
+                let axis = outline.truth.axis;
+                let rotation = libm::atan2(axis.y, axis.x).to_degrees();
+                Some((outline.truth.radii, rotation, sweep))
+            }
+        } else {
+            None
+        };
+        match kept {
+            Some((radii, rotation, sweep)) => self.kept_arc(piece, radii, rotation, sweep),
+            None => self.ellipse(arc),
+        }
+    }
+
+    fn kept_arc(&mut self, piece: &Piece, radii: Vec2, rotation: f64, sweep: f64) -> Result<()> {
+        let before = SvgArc {
+            from: piece.start(),
+            radii,
+            rotation: Angle::from_degrees(rotation),
+            large_arc: sweep.abs() > 180.0,
+            sweep: sweep > 0.0,
+            to: piece.end(),
+        };
+        let after = SvgArc {
+            from: self.at,
+            to: self.plan.end(piece.end()),
+            ..before
+        };
+        // Radii that were given are not rounded.
+        match (before.shape()?, after.shape()?) {
+            (Shape::Arc(old), Shape::Arc(new)) => {
+                self.error = self.error.max(moved(&old, &new));
+                self.push(&after, &new);
+            }
+            _ => self.line(before.from, before.to, 2.0 * radii.x.max(radii.y), true),
+        }
+        Ok(())
+    }
+
+    /// An arc of an ellipse by cubics first.
+    fn ellipse(&mut self, arc: &Arc) -> Result<()> {
+        let slack = ELLIPSE_PART * self.plan.tolerance;
+        let options = approximate::Options {
+            cut: Cut::Tolerance(Tolerance::Absolute(slack)),
+            precision: Some(Precision::Full),
+            transform: self.options.transform,
+            ..Default::default()
+        };
+        let drawing = approximate(&Shape::Arc(*arc), &options)?;
+        let mut cubics: Vec<_> = drawing
+            .curve
+            .segments
+            .iter()
+            .map(PathSeg::to_cubic)
+            .collect();
+        self.flush(&mut cubics, drawing.error.peak())
+    }
+
+    /// Ends a chain of cubics, which stray this far from what was given.
+    fn flush(&mut self, cubics: &mut Vec<CubicBez>, strayed: f64) -> Result<()> {
+        let chain = core::mem::take(cubics);
+        let room = self.rules.absolute - strayed;
+        let mut rest = &chain[..];
+        while !rest.is_empty() {
+            let joint = rest.windows(2).position(|pair| !self.runs_on(pair));
+            let (smooth, others) = rest.split_at(joint.map_or(rest.len(), |i| i + 1));
+            for span in self.spans(smooth, room) {
+                self.span(&span, strayed)?;
+            }
             rest = others;
         }
-        if spans.len() > MOST_SEGMENTS {
+        if self.course.steps.len() > MOST_SEGMENTS {
             return Err(Error::Count {
-                count: spans.len(),
+                count: self.course.steps.len(),
                 most: MOST_SEGMENTS,
             });
         }
+        Ok(())
     }
-    Ok(())
-}
 
-fn approximated(chain: &[CubicBez], rules: &Rules, before: usize) -> impl Iterator<Item = Span> {
-    let most = MOST_SEGMENTS.saturating_sub(before);
-    fit::approximated(chain, rules, most)
-        .into_iter()
-        .map(Span::Fitted)
-}
-
-/// A whole circle as its halves.
-fn whole(chain: &[CubicBez], rules: &Rules) -> Option<[Fit; 2]> {
-    let returns = chain.first()?.p0 == chain.last()?.p3;
-    if !returns || chain.len() % 2 == 1 {
-        return None;
+    fn runs_on(&self, pair: &[CubicBez]) -> bool {
+        runs_on(
+            &pair[0],
+            &pair[1],
+            Precision::Fixed(self.rules.decimals).farthest_moved(),
+        )
     }
-    let (first, second) = chain.split_at(chain.len() / 2);
-    let half = |cubics: &[CubicBez]| {
-        let (count, fit) = fit::run(cubics, rules)?;
-        (count == cubics.len()).then_some(fit)
-    };
-    Some([half(first)?, half(second)?])
-}
 
-/// The course as it is printed and a bound of its distance; `None` where rounding leaves nothing of an arc.
-fn finish(start: Point, spans: &[Span], plan: &Plan) -> Option<(Course, f64)> {
-    let mut course = Course {
-        start: plan.end(start),
-        steps: Vec::with_capacity(spans.len()),
-        closed: false,
-    };
-    let (mut from, mut error) = (course.start, 0.0_f64);
-    for span in spans {
-        let (to, arc, strayed) = match span {
-            Span::Kept(to, None) => (plan.end(*to), None, 0.0),
-            Span::Kept(to, Some(arc)) => {
-                let to = plan.end(*to);
-                // Radii that were given are not rounded.
-                let found = fit::with_radius(from, to, arc, arc.radii.x)?;
-                (to, Some(found), moved(arc, &found))
-            }
-            Span::Fitted(fit) => {
-                let to = if fit.ends_given {
-                    plan.end(fit.to)
-                } else {
-                    plan.inner(fit.to)
-                };
-                let (arc, strayed) = rounded(fit, from, to, plan)?;
-                (to, arc, strayed)
-            }
+    /// What smooth cubics become: those that were drawn as arcs such, unless that makes more of them.
+    fn spans<'a>(&self, chain: &'a [CubicBez], room: f64) -> Vec<Span<'a>> {
+        let rules = Rules {
+            absolute: room,
+            ..self.rules
         };
-        error = error.max(strayed);
-        course
-            .steps
-            .push(arc.map_or(course::Step::Line(to), |arc| step(&arc, to)));
-        from = to;
-    }
-    Some((course, error))
-}
-
-/// A bound of how far an arc lies from itself after its ends were rounded.
-fn moved(before: &Arc, after: &Arc) -> f64 {
-    let (Some(old), Some(new)) = (before.ends, after.ends) else {
-        return 0.0;
-    };
-    let ends = old[0].distance(new[0]).max(old[1].distance(new[1]));
-    if ends == 0.0 {
-        return 0.0;
-    }
-    ends + before.center.distance(after.center) + (before.radii.x - after.radii.x).abs()
-}
-
-/// The fit between rounded ends, its radius with as many decimals as it needs, and how far it then lies from its cubics.
-fn rounded(fit: &Fit, from: Point, to: Point, plan: &Plan) -> Option<(Option<Arc>, f64)> {
-    let (Some(arc), true) = (&fit.arc, from != to) else {
-        let [first, last] = [fit.parts.first()?.p0, fit.parts.last()?.p3];
-        let moved = first.distance(from).max(last.distance(to));
-        let strayed = fit.parts.iter().map(cubic_from_chord).fold(0.0, f64::max);
-        return Some((None, strayed + moved));
-    };
-    let precisions = match plan.precision {
-        Precision::Fixed(decimals) if !plan.rounds_given => (decimals..=decimals + MORE_DECIMALS)
-            .map(Precision::Fixed)
-            .collect(),
-        precision => vec![precision],
-    };
-    let mut best: Option<(Arc, f64)> = None;
-    for precision in precisions {
-        let radius = precision.round(arc.radii.x);
-        if let Some(found) = fit::with_radius(from, to, arc, radius) {
-            let strayed = fit::distance(&fit.parts, from, to, &found);
-            if best.is_none_or(|(_, least)| strayed < least) {
-                best = Some((found, strayed));
+        let mut search = Search::new(room);
+        let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
+        while at < chain.len() {
+            let rest = &chain[at..];
+            let straight = is_straight(&rest[0]);
+            let found = if straight {
+                [None; 2]
+            } else {
+                recognize::halves(rest, &rules)
+            };
+            let taken: usize = found.iter().flatten().map(|found| found.count).sum();
+            if taken == 0 && !straight {
+                at += 1;
+                continue;
             }
-            if strayed <= plan.room {
+            let pieces = search.pieces(&chain[free..at], MOST_SEGMENTS);
+            spans.extend(pieces.into_iter().map(Span::Fitted));
+            if straight {
+                spans.push(Span::Straight(&rest[0]));
+            }
+            let mut begin = 0;
+            for found in found.into_iter().flatten() {
+                spans.push(Span::Found(&rest[begin..begin + found.count], found));
+                begin += found.count;
+            }
+            drawn += 1;
+            at += taken.max(1);
+            free = at;
+        }
+        let pieces = search.pieces(&chain[free..], MOST_SEGMENTS);
+        spans.extend(pieces.into_iter().map(Span::Fitted));
+        if drawn > 0 && spans.len() > 1 {
+            let fewer = search.pieces(chain, spans.len());
+            if fewer.len() < spans.len() {
+                spans = fewer.into_iter().map(Span::Fitted).collect();
+            }
+        }
+        spans
+    }
+
+    fn span(&mut self, span: &Span<'_>, strayed: f64) -> Result<()> {
+        match span {
+            Span::Straight(cubic) => {
+                let off = strayed + cubic_from_chord(cubic);
+                self.line(cubic.p0, cubic.p3, off, true);
+                Ok(())
+            }
+            Span::Found(cubics, found) => {
+                let to = self.plan.end(found.given.to);
+                let precision = if self.plan.rounds_given {
+                    self.plan.precision
+                } else {
+                    Precision::Full
+                };
+                self.arc(cubics, &found.given, to, &[precision], strayed)
+            }
+            Span::Fitted(fit) => self.fitted(fit, strayed),
+        }
+    }
+
+    fn fitted(&mut self, fit: &Fit, strayed: f64) -> Result<()> {
+        let (Some(first), Some(last)) = (fit.parts.first(), fit.parts.last()) else {
+            return Ok(());
+        };
+        let to = if fit.ends_given {
+            self.plan.end(last.p3)
+        } else {
+            self.plan.inner(last.p3)
+        };
+        let Some(half) = fit.half.filter(|_| self.at != to) else {
+            let off = strayed + from_chord(&fit.parts);
+            self.line(first.p0, last.p3, off, fit.ends_given);
+            return Ok(());
+        };
+        let precisions: Vec<_> = match self.plan.precision {
+            Precision::Fixed(decimals) if !self.plan.rounds_given => (decimals
+                ..=decimals + MORE_DECIMALS)
+                .map(Precision::Fixed)
+                .chain([Precision::Full])
+                .collect(),
+            precision => vec![precision],
+        };
+        self.arc(
+            &fit.parts,
+            &arc_of(self.at, to, half),
+            to,
+            &precisions,
+            strayed,
+        )
+    }
+
+    /// An arc in place of cubics, with the fewest decimals of its radii that keep it near enough.
+    fn arc(
+        &mut self,
+        parts: &[CubicBez],
+        like: &SvgArc,
+        to: Point,
+        precisions: &[Precision],
+        strayed: f64,
+    ) -> Result<()> {
+        let room = self.plan.tolerance - strayed;
+        let mut best: Option<(SvgArc, Arc, f64)> = None;
+        for precision in precisions {
+            let round = |x| precision.round(x);
+            let given = SvgArc {
+                from: self.at,
+                radii: Vec2::new(round(like.radii.x), round(like.radii.y)),
+                to,
+                ..*like
+            };
+            let Ok(Shape::Arc(arc)) = given.shape() else {
+                continue;
+            };
+            let off = bound(parts, &arc);
+            if best.as_ref().is_none_or(|(_, _, least)| off < *least) {
+                best = Some((given, arc, off));
+            }
+            if off <= self.plan.room - strayed {
                 break;
             }
         }
+        match best {
+            Some((given, arc, off)) if off <= room => {
+                self.error = self.error.max(off + strayed);
+                self.push(&given, &arc);
+                Ok(())
+            }
+            _ => Err(self.plan.too_coarse()),
+        }
     }
-    best.map(|(arc, strayed)| (Some(arc), strayed))
+
+    fn line(&mut self, from: Point, to: Point, off: f64, ends_given: bool) {
+        let end = if ends_given {
+            self.plan.end(to)
+        } else {
+            self.plan.inner(to)
+        };
+        let moved = from.distance(self.at).max(to.distance(end));
+        self.error = self.error.max(off + moved);
+        self.course.steps.push(course::Step::Line(end));
+        self.at = end;
+    }
+
+    fn push(&mut self, given: &SvgArc, arc: &Arc) {
+        self.at = given.to;
+        self.course.steps.push(if arc.radii.x == arc.radii.y {
+            course::Step::Arc(CircularArc {
+                to: given.to,
+                center: arc.center,
+                radius: arc.radii.x,
+                start: arc.start,
+                sweep: arc.sweep,
+                ends_given: true,
+            })
+        } else {
+            course::Step::Elliptical(*given)
+        });
+    }
 }
 
-fn step(arc: &Arc, to: Point) -> course::Step {
-    course::Step::Arc(CircularArc {
-        to,
-        center: arc.center,
-        radius: arc.radii.x,
-        start: arc.start,
-        sweep: arc.sweep,
-        ends_given: true,
-    })
+fn is_straight(cubic: &CubicBez) -> bool {
+    cubic_from_chord(cubic) <= STRAIGHT * cubic.p0.distance_squared(cubic.p3).sqrt()
 }

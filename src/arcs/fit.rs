@@ -1,370 +1,279 @@
-//! Circular arcs and lines in place of runs of cubics, and how far they lie from them.
+//! The fewest circular arcs and lines whose ends lie on a chain of cubics: each reaches as far as the tolerance lets it.
 //!
-//! A biarc is two arcs that meet the ends p0, p1 of a piece and its unit tangents u0, u1 there, and each other with one tangent.
-//! With equal tangent lengths d its polygon is p0, p0 + d u0, p1 - d u1, p1, the joint the middle of the inner two, and
-//! |p1 - p0 - d (u0 + u1)| = 2d.
+//! Let a chord of length L run along x. The circles through its ends are x² + y² - Lx + L y / tan h = 0, h half the sweep of the arc,
+//! positive to the left. To first order a point (x, y) lies
+//!
+//! d = y cos h - w sin h, w = (Lx - x² - y²)/L
+//!
+//! from one: its distance, in the plane of (w, y), from the line through the origin in the direction h. Of all these lines the best is
+//! that to which the farthest points on both sides are equally near; it is found by exchange, as Remez does.
 
-use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
+use kurbo::{CubicBez, Point, Vec2};
 
-use super::piece::cubic_from_chord;
-use crate::curve::{first_direction, turn};
-use crate::measure::radial;
-use crate::shape::endpoint::{from_bulge, through};
-use crate::shape::{Arc, Shape, Truth};
+use super::bound::{distance, from_chord};
+use super::chain::Chain;
+use crate::shape::endpoint::SvgArc;
+use crate::shape::{Arc, Shape};
 
-/// The largest turn at a joint that rounding explains, in degrees: anything beyond is a corner, which stays.
-pub(super) const LARGEST_TURN: f64 = 8.0;
+/// How often points are exchanged.
+const EXCHANGES: usize = 6;
 
-/// What the error of a cubic may have done to a radius: that of the standard handle, of quarters.
-const HANDLE_PART: f64 = 3e-4;
+/// An end is near enough to the farthest one where it uses this part of the tolerance.
+const USED: f64 = 0.995;
 
-/// A run that no chord is to replace lies at least this part of the tolerance from it.
-const STRAIGHT_PART: f64 = 0.05;
+/// How often an end is moved.
+const MOVES: usize = 60;
 
-/// The largest turn at a joint over which a biarc may run, in degrees.
-const SMOOTH_TURN: f64 = 1.0;
+/// A line is taken where an arc is no more than this many times nearer.
+const NEARER: f64 = 2.0;
 
-/// How many cubics a biarc takes at most, so that the time stays linear.
-const FARTHEST: usize = 8;
-
-/// How often the bracket of a biarc's end is halved.
-const HALVINGS: u32 = 18;
-
-/// How often that of the place of a biarc's joint is: to the last bits.
-const JOINT_HALVINGS: u32 = 52;
+/// Half the largest sweep, in radians: with more the ends are close to each other.
+const LARGEST_HALF: f64 = 2.9;
 
 /// A line or an arc, and the cubics that it replaces.
 #[derive(Debug, Clone)]
 pub(super) struct Fit {
     pub(super) parts: Vec<CubicBez>,
-    pub(super) to: Point,
-    /// The arc; without one it is a line.
-    pub(super) arc: Option<Arc>,
+    /// Half the sweep, in radians, positive to the left; without one it is a line.
+    pub(super) half: Option<f64>,
     /// Whether it ends where a cubic does.
     pub(super) ends_given: bool,
 }
 
-/// What the fit is to keep to.
-pub(super) struct Rules {
-    pub(super) room: f64,
-    /// The decimals of the file, and how far rounding to them moves a point.
-    pub(super) decimals: u8,
-    pub(super) moved: f64,
-}
-
-/// A bound, both ways, of the distance between consecutive cubics and an arc; infinite where the cubics do not run about its centre
-/// as it does.
-///
-/// While the angle about the centre grows with the parameter, every direction of the arc meets the cubics, at a distance of no more
-/// than their radial error. Beyond the ends there is no more than what the ends are apart along the circle.
-pub(super) fn distance(parts: &[CubicBez], from: Point, to: Point, arc: &Arc) -> f64 {
-    let (Some(first), Some(last)) = (parts.first(), parts.last()) else {
-        return f64::INFINITY;
-    };
-    let (center, radius) = (arc.center, arc.radii.x);
-    let sign = arc.sweep.degrees().signum();
-    let mut swept = 0.0;
-    for part in parts {
-        if !runs_about(part, center, sign) {
-            return f64::INFINITY;
-        }
-        let (u, v) = (part.p0 - center, part.p3 - center);
-        let angle = sign * libm::atan2(u.cross(v), u.dot(v));
-        swept += if angle < -1e-9 {
-            angle + core::f64::consts::TAU
-        } else {
-            angle
-        };
-    }
-    if (swept - arc.sweep.radians().abs()).abs() > 0.5 {
-        return f64::INFINITY;
-    }
-    let off = |p: Point, end: Point| {
-        let out = p - center;
-        (center + out * (radius / out.hypot2().sqrt())).distance(end)
-    };
-    let ends = off(first.p0, from).max(off(last.p3, to));
-    let segments: Vec<PathSeg> = parts.iter().map(|&part| PathSeg::Cubic(part)).collect();
-    let bound = radial::error(&segments, &Truth::circle(center, radius)).peak() + ends;
-    if bound.is_finite() {
-        bound
-    } else {
-        f64::INFINITY
-    }
-}
-
-/// Whether the angle about the centre never falls (`sign` 1) or never grows (-1): no Bernstein coefficient of (q - c) x q' has the
-/// other sign.
-fn runs_about(cubic: &CubicBez, center: Point, sign: f64) -> bool {
-    const WEIGHTS: [[f64; 3]; 4] = [
-        [1.0, 2.0, 1.0],
-        [3.0, 6.0, 3.0],
-        [3.0, 6.0, 3.0],
-        [1.0, 2.0, 1.0],
-    ];
-    let p = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(|p| p - center);
-    let slopes = [p[1] - p[0], p[2] - p[1], p[3] - p[2]];
-    let mut coefficients = [0.0; 6];
-    for (i, p) in p.iter().enumerate() {
-        for (j, slope) in slopes.iter().enumerate() {
-            coefficients[i + j] += sign * WEIGHTS[i][j] * p.cross(*slope);
-        }
-    }
-    let largest = coefficients.into_iter().fold(0.0, f64::max);
-    coefficients.into_iter().all(|c| c >= -1e-9 * largest)
-}
-
-/// How many of the cubics, from the first, are together one arc, and that arc; of whole turns half of it is left to the next.
-pub(super) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<(usize, Fit)> {
-    let fits = |count: usize| recognised(&cubics[..count], rules);
-    let mut best = (1, fits(1)?);
-    let smooth = cubics.windows(2).take_while(|pair| {
-        turn(&PathSeg::Cubic(pair[0]), &PathSeg::Cubic(pair[1])).abs() <= LARGEST_TURN
-    });
-    let most = 1 + smooth.count();
-    // Doubling, then halving: the longest run takes as many looks as its length has bits.
-    let (mut step, mut growing) = (1, true);
-    while step > 0 {
-        let count = best.0 + step;
-        let found = if count <= most { fits(count) } else { None };
-        if let Some(fit) = found {
-            best = (count, fit);
-            step = if growing { 2 * step } else { step / 2 };
-        } else {
-            growing = false;
-            step /= 2;
-        }
-    }
-    Some(best)
-}
-
-/// The first point of a run, the one in its middle and its last.
-pub(super) fn ends_and_middle(cubics: &[CubicBez]) -> Option<[Point; 3]> {
-    let middle = cubics.get(cubics.len() / 2)?;
-    let on = if cubics.len().is_multiple_of(2) {
-        middle.p0
-    } else {
-        middle.eval(0.5)
-    };
-    Some([cubics.first()?.p0, on, cubics.last()?.p3])
-}
-
-/// Whether two cubics join without a corner.
-pub(super) fn joins_smoothly(pair: &[CubicBez]) -> bool {
-    let [a, b] = [pair[0], pair[1]].map(PathSeg::Cubic);
-    turn(&a, &b).abs() <= LARGEST_TURN
-}
-
-/// The one arc that some cubics are, with a round radius where their rounding explains one.
-fn recognised(cubics: &[CubicBez], rules: &Rules) -> Option<Fit> {
-    let [from, on, to] = ends_and_middle(cubics)?;
-    if from == to {
-        return None;
-    }
-    let Ok(Shape::Arc(found)) = through(from, on, to) else {
-        return None;
-    };
-    let radius = found.radii.x;
-    let explained = HANDLE_PART * radius + 2.0 * rules.moved;
-    let round = (0..=rules.decimals).find_map(|decimals| {
-        let rounded = crate::number::round(radius, decimals);
-        let arc = with_radius(from, to, &found, rounded)?;
-        let fits =
-            (rounded - radius).abs() <= explained && distance(cubics, from, to, &arc) <= rules.room;
-        fits.then_some(arc)
-    });
-    let arc = round.unwrap_or(found);
-    let fits = distance(cubics, from, to, &arc) <= rules.room;
-    fits.then(|| Fit {
-        parts: cubics.to_vec(),
-        to,
-        arc: Some(arc),
-        ends_given: true,
-    })
-}
-
-/// The arc between these points that lies as that one does, with this radius.
-pub(super) fn with_radius(from: Point, to: Point, like: &Arc, radius: f64) -> Option<Arc> {
-    let arc = crate::shape::endpoint::SvgArc {
+/// The arc between two points that turns as much on either side of its middle.
+pub(super) fn arc_of(from: Point, to: Point, half: f64) -> SvgArc {
+    SvgArc {
         from,
-        radii: Vec2::new(radius, radius),
+        radii: Vec2::splat(0.5 * from.distance(to) / libm::sin(half.abs())),
         rotation: crate::Angle::ZERO,
-        large_arc: like.sweep.degrees().abs() > 180.0,
-        sweep: like.sweep.degrees() > 0.0,
+        large_arc: half.abs() > core::f64::consts::FRAC_PI_2,
+        sweep: half < 0.0,
         to,
-    };
-    match arc.shape() {
-        Ok(Shape::Arc(arc)) => Some(arc),
-        _ => None,
     }
 }
 
-/// Smooth cubics as biarcs and lines, each as far as it may reach.
-pub(super) fn approximated(chain: &[CubicBez], rules: &Rules, most: usize) -> Vec<Fit> {
-    let mut fits = Vec::new();
-    let mut from = 0.0;
-    while from < chain.len() as f64 && fits.len() <= most {
-        let (to, found) = farthest(chain, from, rules);
-        fits.extend(found);
-        from = to;
-    }
-    if let Some(last) = fits.last_mut() {
-        last.ends_given = true;
-    }
-    fits
+/// What the points between two ends say of the arc between these.
+#[derive(Debug, Clone, Copy)]
+struct Nearest {
+    half: f64,
+    /// How far the points lie from it.
+    off: f64,
+    /// How far they lie from the chord.
+    off_line: f64,
 }
 
-/// The cubics between two parameters, of which each cubic takes one.
-fn between(chain: &[CubicBez], from: f64, to: f64) -> Vec<CubicBez> {
-    let first = from.floor() as usize;
-    let part = |(i, cubic): (usize, &CubicBez)| {
-        let start = i as f64;
-        let (a, b) = ((from - start).max(0.0), (to - start).min(1.0));
-        (b > a).then(|| match (a, b) {
-            (0.0, 1.0) => *cubic,
-            (_, 1.0) => CubicBez {
-                p3: cubic.p3,
-                ..cubic.subsegment(a..b)
-            },
-            _ => cubic.subsegment(a..b),
-        })
-    };
-    let parts = chain.iter().enumerate().skip(first).take(FARTHEST + 1);
-    parts.filter_map(part).collect()
-}
-
-fn farthest(chain: &[CubicBez], from: f64, rules: &Rules) -> (f64, Vec<Fit>) {
-    let at = |to: f64| {
-        let parts = between(chain, from, to);
-        line(&parts, rules.room).or_else(|| biarc(&parts, rules.room))
-    };
-    let end = (from.floor() + FARTHEST as f64).min(chain.len() as f64);
-    if let Some(found) = at(end) {
-        return (end, found);
-    }
-    let (mut near, mut far, mut best) = (from, end, None);
-    for round in 0..2 * HALVINGS {
-        let middle = 0.5 * (near + far);
-        if let Some(found) = at(middle) {
-            (near, best) = (middle, Some(found));
-        } else {
-            far = middle;
-        }
-        if round >= HALVINGS && best.is_some() {
-            break;
-        }
-    }
-    // Where not even the shortest fits, floats end: what is left is next to nothing.
-    best.map_or_else(
-        || (far, between(chain, from, far).iter().map(chord).collect()),
-        |found| (near, found),
-    )
-}
-
-/// How many of the cubics, from the first, run on smoothly without being arcs by themselves: at least one.
-pub(super) fn free(cubics: &[CubicBez], rules: &Rules) -> usize {
-    let smooth = |pair: &&[CubicBez]| {
-        let [a, b] = [pair[0], pair[1]].map(PathSeg::Cubic);
-        turn(&a, &b).abs() <= SMOOTH_TURN && recognised(&pair[1..], rules).is_none()
-    };
-    1 + cubics.windows(2).take_while(smooth).count()
-}
-
-fn chord(part: &CubicBez) -> Fit {
-    Fit {
-        parts: vec![*part],
-        to: part.p3,
-        arc: None,
-        ends_given: false,
-    }
-}
-
-fn line(parts: &[CubicBez], room: f64) -> Option<Vec<Fit>> {
-    match parts {
-        [part] => (cubic_from_chord(part) <= room).then(|| vec![chord(part)]),
-        _ => None,
-    }
-}
-
-/// Whether a chord is as good as the cubic itself.
-pub(super) fn is_straight(cubic: &CubicBez, room: f64) -> Option<Fit> {
-    (cubic_from_chord(cubic) <= STRAIGHT_PART * room).then(|| Fit {
-        ends_given: true,
-        ..chord(cubic)
-    })
-}
-
-fn biarc(parts: &[CubicBez], room: f64) -> Option<Vec<Fit>> {
-    let unit = |v: Vec2| v / v.hypot2().sqrt();
-    let (first, last) = (parts.first()?, parts.last()?);
-    let start = unit(first_direction(&PathSeg::Cubic(*first)));
-    let end = -unit(first_direction(&PathSeg::Cubic(*last).reverse()));
-    let span = last.p3 - first.p0;
-    let (along, square) = (span.dot(start + end), span.hypot2());
-    let root = (along * along + 2.0 * (1.0 - start.dot(end)) * square).sqrt();
-    let length = square / (along + root);
-    if !(length.is_finite() && length > 0.0) {
-        return None;
-    }
-    let (a, b) = (first.p0 + length * start, last.p3 - length * end);
-    let (joint, tangent) = (a.midpoint(b), b - a);
-    let (left, right) = split(parts, joint, tangent)?;
-    Some(vec![
-        tangent_arc(left, first.p0, joint, start, room)?,
-        tangent_arc(right, joint, last.p3, unit(tangent), room)?,
-    ])
-}
-
-/// The cubics before and after the line of the joint's centres.
-fn split(
-    parts: &[CubicBez],
-    joint: Point,
-    tangent: Vec2,
-) -> Option<(Vec<CubicBez>, Vec<CubicBez>)> {
-    let before = |p: Point| (p - joint).dot(tangent) < 0.0;
-    let crossed = parts.iter().position(|part| !before(part.p3))?;
-    let part = &parts[crossed];
-    let (mut near, mut far) = (0.0, 1.0);
-    for _ in 0..JOINT_HALVINGS {
-        let middle = 0.5 * (near + far);
-        if before(part.eval(middle)) {
-            near = middle;
-        } else {
-            far = middle;
-        }
-    }
-    let at = 0.5 * (near + far);
-    let left = [&parts[..crossed], &[part.subsegment(0.0..at)]].concat();
-    let right = [&[part.subsegment(at..1.0)], &parts[crossed + 1..]].concat();
-    Some((left, right))
-}
-
-/// The arc between two points with this tangent at the first.
-fn tangent_arc(
-    parts: Vec<CubicBez>,
-    from: Point,
-    to: Point,
-    tangent: Vec2,
+/// Looks for the fewest pieces of chains.
+pub(super) struct Search {
     room: f64,
-) -> Option<Fit> {
-    let chord = to - from;
-    let half = libm::atan2(tangent.cross(chord), tangent.dot(chord));
-    let shape = from_bulge(from, to, libm::tan(half / 2.0)).ok()?;
-    let (arc, distance) = match shape {
-        Shape::Arc(arc) => (Some(arc), distance(&parts, from, to, &arc)),
-        Shape::Line(_) => match parts[..] {
-            [part] => {
-                let off = part.p0.distance(from).max(part.p3.distance(to));
-                (None, cubic_from_chord(&part) + off)
+    /// The points (w, y) of the last stretch.
+    points: Vec<Vec2>,
+}
+
+impl Search {
+    pub(super) const fn new(room: f64) -> Self {
+        Self {
+            room,
+            points: Vec::new(),
+        }
+    }
+
+    /// The pieces of a chain, no more than one above `most`.
+    pub(super) fn pieces(&mut self, cubics: &[CubicBez], most: usize) -> Vec<Fit> {
+        let chain = Chain::new(cubics);
+        let (mut fits, mut from, mut guess) = (Vec::new(), 0.0, 1.0);
+        while from < chain.end() && fits.len() <= most {
+            let to = self.farthest(&chain, from, guess);
+            let (to, fit) = self.piece(&chain, from, to);
+            guess = to - from;
+            fits.push(fit);
+            from = to;
+        }
+        fits
+    }
+
+    /// The farthest end of an arc from here, as points of the chain have it.
+    fn farthest(&mut self, chain: &Chain<'_>, from: f64, guess: f64) -> f64 {
+        let end = chain.end().min(from + chain.reach());
+        if end - from <= 2.0 && self.nearest(chain, from, end).off <= self.room {
+            return end;
+        }
+        let (mut near, mut far, mut to) = (from, f64::INFINITY, (from + guess).min(end));
+        for _ in 0..MOVES {
+            let off = self.nearest(chain, from, to).off;
+            if off <= self.room {
+                near = to;
+                if near >= end || off >= USED * self.room {
+                    break;
+                }
+            } else {
+                far = to;
             }
-            _ => return None,
-        },
-        _ => return None,
+            if far.is_finite() && far - near <= 1e-3 * (far - from) && near > from {
+                break;
+            }
+            // The distance grows with the third power of the length.
+            let factor = libm::cbrt(0.999 * self.room / off).clamp(0.1, 2.0);
+            let factor = if factor.is_finite() { factor } else { 0.5 };
+            let want = (from + factor * (to - from)).min(end);
+            let inside = want > near && want < far - 0.02 * (far - near).min(1.0);
+            to = if inside || far.is_infinite() {
+                want
+            } else {
+                0.5 * (near + far)
+            };
+        }
+        if near > from { near } else { far.min(end) }
+    }
+
+    /// The piece from here to at most there that the bound lets be.
+    fn piece(&mut self, chain: &Chain<'_>, from: f64, mut to: f64) -> (f64, Fit) {
+        for _ in 0..MOVES {
+            let nearest = self.nearest(chain, from, to);
+            let fit = Fit {
+                parts: chain.between(from, to),
+                half: (nearest.off_line > NEARER * nearest.off).then_some(nearest.half),
+                ends_given: to.fract() == 0.0,
+            };
+            let bound = fit.bound();
+            if bound <= self.room {
+                return (to, fit);
+            }
+            if nearest.off_line <= self.room {
+                let line = Fit { half: None, ..fit };
+                if line.bound() <= self.room {
+                    return (to, line);
+                }
+            }
+            let factor = libm::cbrt(0.995 * self.room / bound).clamp(0.5, 0.999);
+            let next = from + factor * (to - from);
+            if next <= from {
+                break;
+            }
+            to = next;
+        }
+        // Where not even the shortest fits, floats end: what is left is next to nothing.
+        let line = Fit {
+            parts: chain.between(from, to),
+            half: None,
+            ends_given: to.fract() == 0.0,
+        };
+        (to, line)
+    }
+
+    /// The nearest arc between two parameters of a chain.
+    fn nearest(&mut self, chain: &Chain<'_>, from: f64, to: f64) -> Nearest {
+        let (start, chord) = (chain.point(from), chain.point(to) - chain.point(from));
+        let length = chord.hypot2().sqrt();
+        let along = chord / length;
+        self.points.clear();
+        let (mut beyond, points) = (0.0_f64, &mut self.points);
+        chain.visit(from, to, |p| {
+            let v = p - start;
+            let (x, y) = (along.dot(v), along.cross(v));
+            beyond = beyond.max(-x).max(x - length);
+            points.push(Vec2::new(x - v.hypot2() / length, y));
+        });
+        let off_line = farthest_off(points, Vec2::new(1.0, 0.0)).largest();
+        let mut direction: Vec2 = points.iter().fold(Vec2::ZERO, |sum, w| sum + *w);
+        let mut best = (f64::INFINITY, Vec2::new(1.0, 0.0));
+        for _ in 0..EXCHANGES {
+            let unit = direction / direction.hypot2().sqrt();
+            let sides = farthest_off(points, unit);
+            if sides.largest() < best.0 {
+                best = (sides.largest(), unit);
+            }
+            if (sides.left.0 + sides.right.0).abs() <= 1e-3 * sides.largest() {
+                break;
+            }
+            direction = sides.left.1 + sides.right.1;
+        }
+        let (off, unit) = best;
+        let half = libm::atan2(unit.y, unit.x);
+        // Of less than half a circle no point lies beyond the ends.
+        let beyond = if unit.x > 0.0 { beyond } else { 0.0 };
+        let is_arc = half.abs() <= LARGEST_HALF && off.is_finite();
+        let off_line = if length > 0.0 {
+            off_line.max(beyond)
+        } else {
+            f64::INFINITY
+        };
+        Nearest {
+            half,
+            off: if is_arc {
+                off.max(beyond).min(off_line)
+            } else {
+                off_line
+            },
+            off_line,
+        }
+    }
+}
+
+/// The points farthest to the left and to the right of a line through the origin, and how far they are, to the left positive.
+#[derive(Debug, Clone, Copy)]
+struct Sides {
+    left: (f64, Vec2),
+    right: (f64, Vec2),
+}
+
+impl Sides {
+    fn largest(&self) -> f64 {
+        self.left.0.max(-self.right.0)
+    }
+}
+
+fn farthest_off(points: &[Vec2], unit: Vec2) -> Sides {
+    let off = |i: usize| points.get(i).map_or(0.0, |w| unit.cross(*w));
+    let (mut left, mut right) = (0, 0);
+    for i in 0..points.len() {
+        if off(i) > off(left) {
+            left = i;
+        }
+        if off(i) < off(right) {
+            right = i;
+        }
+    }
+    // The top of the parabola through the farthest and its neighbours.
+    let top = |i: usize| {
+        let before = if i == 0 { 0.0 } else { off(i - 1) };
+        let (here, after) = (off(i), off(i + 1));
+        let bend = 2.0 * here - before - after;
+        let more = (after - before) * (after - before) / (8.0 * bend);
+        if more.abs() <= 0.5 * here.abs() {
+            here + more
+        } else {
+            here
+        }
     };
-    (distance <= room).then_some(Fit {
-        parts,
-        to,
-        arc,
-        ends_given: false,
-    })
+    let point = |i: usize| points.get(i).copied().unwrap_or_default();
+    Sides {
+        left: (top(left).max(0.0), point(left)),
+        right: (top(right).min(0.0), point(right)),
+    }
+}
+
+impl Fit {
+    /// The arc as it is before rounding.
+    fn arc(&self) -> Option<Arc> {
+        let (first, last) = (self.parts.first()?, self.parts.last()?);
+        match arc_of(first.p0, last.p3, self.half?).shape() {
+            Ok(Shape::Arc(arc)) => Some(arc),
+            _ => None,
+        }
+    }
+
+    fn bound(&self) -> f64 {
+        match (
+            &self.half,
+            self.arc(),
+            self.parts.first(),
+            self.parts.last(),
+        ) {
+            (None, ..) => from_chord(&self.parts),
+            (Some(_), Some(arc), Some(first), Some(last)) => {
+                distance(&self.parts, first.p0, last.p3, &arc)
+            }
+            _ => f64::INFINITY,
+        }
+    }
 }

@@ -2,9 +2,9 @@
 
 use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
-use super::fit::{LARGEST_TURN, distance};
+use super::bound::distance;
 use crate::Angle;
-use crate::curve::first_direction;
+use crate::curve::{first_direction, turn};
 use crate::number::Precision;
 use crate::shape::{Arc, Truth};
 
@@ -17,6 +17,9 @@ const LENGTH_PART: f64 = 0.08;
 /// How far a control point may lie from where the arc has it, in units of what the rounding of the file moves a point: it and the end
 /// that it is counted from are rounded.
 pub(super) const MARGIN: f64 = 1.2;
+
+/// The largest turn at a joint that rounding explains, in degrees: anything beyond is a corner, which stays.
+pub(super) const LARGEST_TURN: f64 = 8.0;
 
 /// What a run is to keep to.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +52,23 @@ impl Rules {
     pub(crate) fn slack(&self, radius: f64) -> f64 {
         MARGIN * self.moved() + HANDLE_PART * radius
     }
+}
+
+/// The first point of a run, the one in its middle and its last.
+pub(super) fn ends_and_middle(cubics: &[CubicBez]) -> Option<[Point; 3]> {
+    let middle = cubics.get(cubics.len() / 2)?;
+    let on = if cubics.len().is_multiple_of(2) {
+        middle.p0
+    } else {
+        middle.eval(0.5)
+    };
+    Some([cubics.first()?.p0, on, cubics.last()?.p3])
+}
+
+/// Whether two cubics join without a corner.
+pub(super) fn joins_smoothly(pair: &[CubicBez]) -> bool {
+    let [a, b] = [pair[0], pair[1]].map(PathSeg::Cubic);
+    turn(&a, &b).abs() <= LARGEST_TURN
 }
 
 pub(super) fn larger(arc: &Arc) -> f64 {
@@ -152,4 +172,17 @@ pub(crate) fn bound(cubics: &[CubicBez], arc: &Arc) -> f64 {
         ends: None,
     };
     larger(arc) * distance(&mapped, to_unit * from, to_unit * to, &unit)
+}
+
+/// A bound of how far an arc lies from itself after its ends were rounded.
+pub(super) fn moved(before: &Arc, after: &Arc) -> f64 {
+    let (Some(old), Some(new)) = (before.ends, after.ends) else {
+        return 0.0;
+    };
+    let ends = old[0].distance(new[0]).max(old[1].distance(new[1]));
+    if ends == 0.0 {
+        return 0.0;
+    }
+    let radii = before.radii - after.radii;
+    ends + before.center.distance(after.center) + radii.x.abs().max(radii.y.abs())
 }

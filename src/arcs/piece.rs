@@ -130,6 +130,25 @@ pub(super) fn cubic_from_chord(cubic: &CubicBez) -> f64 {
     (highest * highest + over * over).sqrt()
 }
 
+/// The largest |y| of a cubic, by its control points from a chord's start, and how far its hull goes beyond the chord's ends.
+pub(super) fn height_and_overshoot(points: [Vec2; 4], along: Vec2, length: f64) -> (f64, f64) {
+    let y = points.map(|v| along.cross(v));
+    let at = |t: f64| {
+        let s = 1.0 - t;
+        (s * s * (s * y[0] + 3.0 * t * y[1]) + t * t * (3.0 * s * y[2] + t * y[3])).abs()
+    };
+    // y'/3 = (1-t)² d₀ + 2t(1-t) d₁ + t² d₂ = 0.
+    let d = [y[1] - y[0], y[2] - y[1], y[3] - y[2]];
+    let (p, q, r) = (d[0] - 2.0 * d[1] + d[2], 2.0 * (d[1] - d[0]), d[0]);
+    let root = (q * q - 4.0 * p * r).max(0.0).sqrt();
+    let s = -0.5 * (q + root.copysign(q));
+    let inside = |t: &f64| (0.0..=1.0).contains(t);
+    let inner = [s / p, r / s].into_iter().filter(inside).map(at);
+    let highest = inner.fold(y[0].abs().max(y[3].abs()), f64::max);
+    let beyond = points.map(|v| along.dot(v)).map(|x| (-x).max(x - length));
+    (highest, beyond.into_iter().fold(0.0, f64::max))
+}
+
 impl Turn {
     fn new(outline: &Outline) -> Self {
         Self {

@@ -10,12 +10,14 @@
 
 use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
-use super::fit::{ends_and_middle, joins_smoothly};
 pub(crate) use super::near::Rules;
-use super::near::{MARGIN, bound, is_drawn_like, is_tangent, larger, strays, swept};
+use super::near::{
+    MARGIN, bound, ends_and_middle, is_drawn_like, is_tangent, joins_smoothly, larger, strays,
+    swept,
+};
 use crate::Angle;
 use crate::curve::first_direction;
-use crate::number::round;
+use crate::number::{Precision, round};
 use crate::shape::endpoint::{SvgArc, through};
 use crate::shape::{Arc, Shape, Truth};
 
@@ -25,6 +27,9 @@ const SWEEPS: [f64; 2] = [4.0, 350.0];
 
 /// How many decimals more than the file radii may have.
 const MORE_DECIMALS: u8 = 3;
+
+/// The part of the tolerance by which a radius is rounded that nobody meant.
+const NEAR_PART: f64 = 0.1;
 
 /// A run of cubics that is one arc.
 #[derive(Debug, Clone, Copy)]
@@ -56,6 +61,28 @@ pub(crate) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
         let run = &cubics[..count];
         placed(run, &ellipse).filter(|arc| strays(run, arc) <= rules.room(larger(arc)))
     })
+}
+
+/// The run at the beginning of a chain; a whole turn as its halves.
+pub(crate) fn halves(cubics: &[CubicBez], rules: &Rules) -> [Option<Found>; 2] {
+    let Some(found) = run(cubics, rules) else {
+        return [None; 2];
+    };
+    let from = found.given.from;
+    let near = 1e-9 * found.given.radii.x.max(found.given.radii.y);
+    let returns = |cubic: &CubicBez| cubic.p3.distance_squared(from) <= near * near;
+    // What is left of a turn after 350 degrees takes no more than it took so far.
+    let rest = cubics[found.count..].iter().take(2 * found.count);
+    let Some(more) = rest.clone().position(returns) else {
+        return [Some(found), None];
+    };
+    let whole = &cubics[..=found.count + more];
+    let (first, second) = whole.split_at(whole.len() / 2);
+    let half = |cubics: &[CubicBez]| run(cubics, rules).filter(|found| found.count == cubics.len());
+    match (half(first), half(second)) {
+        (Some(a), Some(b)) if a.given.radii == b.given.radii => [Some(a), Some(b)],
+        _ => [Some(found), None],
+    }
 }
 
 /// The run of most cubics for which `arc_of` gives an arc that survives a closer look.
@@ -151,7 +178,14 @@ pub(crate) fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<F
         let mut guesses = guesses.iter().flatten();
         guesses.find_map(|guess| attempt(guess, decimals, true))
     });
-    let near = || (0..=most).find_map(|decimals| attempt(found, decimals, false));
+    // Nobody meant a radius that is only near: it is rounded by little, however wide the tolerance is.
+    let least = Precision::moving_at_most(NEAR_PART * rules.room(larger(found)), larger(found));
+    let near = || match least {
+        Precision::Fixed(least) => {
+            (least..=most.max(least)).find_map(|decimals| attempt(found, decimals, false))
+        }
+        Precision::Full => None,
+    };
     drawn.or_else(|| if rules.drawn_only { None } else { near() })
 }
 

@@ -6,6 +6,7 @@ use curveto::approximate::Options;
 use curveto::arcs;
 use curveto::contour::draw;
 use curveto::path::{contours, contours_of_power};
+use curveto::write::Format;
 
 use super::args::{PathArgs, PathKind as Kind};
 use super::failure::Failure;
@@ -20,6 +21,7 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
             "draw each shape by itself, or leave it out",
         ));
     }
+    let elliptic = args.elliptic()?;
     let contours = match &args.power {
         Some(words) => contours_of_power(&input::coefficients(words)?)?,
         None => contours(&input::path_data(args.source.as_deref().unwrap_or_default())?.0)?,
@@ -40,6 +42,8 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
                 tolerance: args.only_tolerance()?,
                 precision,
                 transform,
+                elliptic,
+                rounds_again: format == Format::Gcode,
             };
             match kind {
                 Kind::Arcs => arcs::arcs(&contours, &options)?,

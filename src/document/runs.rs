@@ -13,7 +13,7 @@ use super::path_data::{Segment, Segments};
 use super::position::Position;
 use super::reason::Reason;
 use super::run_text::{self, Edit, Link, Run, family};
-use crate::arcs::recognize::{self, Found, Rules};
+use crate::arcs::recognize::{self, Rules};
 use crate::joints::Tolerance;
 use crate::number::Precision;
 
@@ -218,7 +218,7 @@ impl Finder<'_> {
     fn runs(&mut self, rules: &Rules) -> Vec<Run> {
         let (mut runs, mut start) = (Vec::new(), 0);
         while start < self.cubics.len() {
-            let found = halves(&self.cubics[start..], rules);
+            let found = recognize::halves(&self.cubics[start..], rules);
             let mut from = start;
             let taken: usize = found.iter().flatten().map(|found| found.count).sum();
             start += taken.max(1);
@@ -233,29 +233,5 @@ impl Finder<'_> {
             }
         }
         runs
-    }
-}
-
-/// The run at the beginning of a chain; a whole turn as its halves.
-fn halves(cubics: &[CubicBez], rules: &Rules) -> [Option<Found>; 2] {
-    let Some(found) = recognize::run(cubics, rules) else {
-        return [None; 2];
-    };
-    let from = found.given.from;
-    let near = 1e-9 * found.given.radii.x.max(found.given.radii.y);
-    let returns = |cubic: &CubicBez| cubic.p3.distance_squared(from) <= near * near;
-    // What is left of a turn after 350 degrees takes no more than it took so far.
-    let rest = cubics[found.count..].iter().take(2 * found.count);
-    let Some(more) = rest.clone().position(returns) else {
-        return [Some(found), None];
-    };
-    let whole = &cubics[..=found.count + more];
-    let (first, second) = whole.split_at(whole.len() / 2);
-    let half = |cubics: &[CubicBez]| {
-        recognize::run(cubics, rules).filter(|found| found.count == cubics.len())
-    };
-    match (half(first), half(second)) {
-        (Some(a), Some(b)) if a.given.radii == b.given.radii => [Some(a), Some(b)],
-        _ => [Some(found), None],
     }
 }

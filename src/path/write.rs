@@ -93,16 +93,13 @@ fn push_course(out: &mut Vec<u8>, course: &Course, relative: bool) {
                 push_numbers(out, &[end.x, end.y]);
             }
             Step::Arc(arc) => {
-                push_letter(out, b'A', relative);
                 let sweep = arc.sweep.degrees();
-                let flags =
-                    [sweep.abs() > 180.0, sweep > 0.0].map(|flag| f64::from(u8::from(flag)));
-                push_numbers(
-                    out,
-                    &[
-                        arc.radius, arc.radius, 0.0, flags[0], flags[1], end.x, end.y,
-                    ],
-                );
+                let flags = [sweep.abs() > 180.0, sweep > 0.0];
+                push_arc(out, [arc.radius, arc.radius, 0.0], flags, end, relative);
+            }
+            Step::Elliptical(arc) => {
+                let numbers = [arc.radii.x, arc.radii.y, arc.rotation.degrees()];
+                push_arc(out, numbers, [arc.large_arc, arc.sweep], end, relative);
             }
         }
         from = to;
@@ -110,6 +107,18 @@ fn push_course(out: &mut Vec<u8>, course: &Course, relative: bool) {
     if course.closed {
         push_letter(out, b'Z', relative);
     }
+}
+
+fn push_arc(
+    out: &mut Vec<u8>,
+    [rx, ry, turn]: [f64; 3],
+    flags: [bool; 2],
+    to: Vec2,
+    relative: bool,
+) {
+    push_letter(out, b'A', relative);
+    let [large, sweep] = flags.map(|flag| f64::from(u8::from(flag)));
+    push_numbers(out, &[rx, ry, turn, large, sweep, to.x, to.y]);
 }
 
 /// The segments that are written: a closing operator draws the line to the start by itself.

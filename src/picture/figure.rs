@@ -6,7 +6,7 @@ use super::paint::Paint;
 use super::style::{Style, default_stroke_width};
 use crate::approximate::Drawing;
 use crate::conic;
-use crate::contour::{Maker, PathDrawing};
+use crate::contour::{Closeness, Maker, PathDrawing};
 use crate::course::Course;
 use crate::curve::Curve;
 use crate::number::{compact, rounded_up, significant, text};
@@ -29,6 +29,8 @@ pub struct Figure {
     pub truths: Vec<Outline>,
     /// Lines and circular arcs in place of curves.
     pub courses: Vec<Course>,
+    /// How closely lines and arcs follow the Béziers in whose place they stand.
+    pub closeness: Option<Closeness>,
 }
 
 /// Curves that are drawn alike.
@@ -135,6 +137,7 @@ impl From<&Drawing> for Figure {
             }],
             truths: drawing.outline.into_iter().collect(),
             courses: Vec::new(),
+            closeness: None,
         }
     }
 }
@@ -154,6 +157,7 @@ impl Figure {
             }],
             truths: Vec::new(),
             courses: drawing.courses().cloned().collect(),
+            closeness: drawing.closeness(),
         }
     }
 }
@@ -331,6 +335,7 @@ impl Figure {
             layers,
             truths: Vec::new(),
             courses: Vec::new(),
+            closeness: None,
         }
     }
 }
@@ -370,6 +375,7 @@ impl Figure {
             }],
             truths: Vec::new(),
             courses: Vec::new(),
+            closeness: None,
         }
     }
 }

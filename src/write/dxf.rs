@@ -34,7 +34,7 @@ const BULGE_DECIMALS: u8 = 15;
 pub enum Trace<'a> {
     /// Béziers, as SPLINE.
     Curve(&'a Curve),
-    /// Lines and circular arcs, as LINE, LWPOLYLINE, ARC or CIRCLE.
+    /// Lines and circular arcs, as LINE, LWPOLYLINE, ARC or CIRCLE; lines in place of elliptical arcs.
     Course(Course),
 }
 
@@ -264,7 +264,7 @@ impl Tags {
         };
         for step in steps {
             match step {
-                Step::Line(to) => leave(0.0, *to),
+                Step::Line(_) | Step::Elliptical(_) => leave(0.0, step.to()),
                 Step::Arc(arc) if arc.is_circle() => {
                     let half = arc.sweep.degrees().signum();
                     leave(half, arc.point(0.5));
@@ -315,7 +315,7 @@ fn extent(trace: &Trace<'_>) -> Option<Rect> {
         Trace::Course(course) => {
             let start = Rect::from_points(course.start, course.start);
             let steps = course.steps.iter().map(|step| match step {
-                Step::Line(to) => Rect::from_points(*to, *to),
+                Step::Line(_) | Step::Elliptical(_) => Rect::from_points(step.to(), step.to()),
                 Step::Arc(arc) => {
                     Rect::from_center_size(arc.center, (2.0 * arc.radius, 2.0 * arc.radius))
                 }

@@ -4,25 +4,40 @@ use core::fmt::Write as _;
 
 use kurbo::Point;
 
+use crate::contour::Closeness;
 use crate::course::{Course, Step};
-use crate::number::{Precision, text};
+use crate::error::{Error, Result};
+use crate::number::{Precision, rounded_up, significant, text};
 
 /// The part of the size of a course by which rounding may move it where no decimals were asked for.
 const ROUNDING_PART: f64 = 1e-6;
 
-/// A program in absolute coordinates of the plane XY, in the units that the machine is set to. `feed` is in those units a minute;
-/// without it the machine's own holds. Without a precision coordinates have as many decimals as move a point by a millionth of the
-/// largest radius or line.
-#[must_use]
-pub fn program(
-    title: &str,
-    courses: &[Course],
-    precision: Option<Precision>,
-    feed: Option<f64>,
-) -> String {
-    let precision = precision.unwrap_or_else(|| automatic(courses));
-    let mut out = format!("({}, {})\nG17 G90\n", comment(title), exactness(precision));
-    let mut feed = feed.map(|feed| format!(" F{}", text(feed)));
+/// The most decimals before all digits are written.
+const MOST_DECIMALS: u8 = 12;
+
+/// How a program is written.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options {
+    /// How coordinates and centres are rounded. Without it they have as many decimals as move a point by a millionth of the largest
+    /// radius or line, and more where [`Options::closeness`] leaves less.
+    pub precision: Option<Precision>,
+    /// How fast it moves, in units a minute; without it the machine's own speed holds.
+    pub feed: Option<f64>,
+    /// How closely the courses follow what was given; without it they are what was given.
+    pub closeness: Option<Closeness>,
+}
+
+/// A program in absolute coordinates of the plane XY, in the units that the machine is set to. Arcs of ellipses are no part of it: in
+/// their place stand lines. Its first comment states how far it may stray from what was given.
+///
+/// # Errors
+///
+/// Where the precision that is asked for moves it farther than [`Closeness::room`].
+pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<String> {
+    let (precision, moved) = precision(courses, options)?;
+    let told = told(precision, moved, options.closeness);
+    let mut out = format!("({}, {told})\nG17 G90\n", comment(title));
+    let mut feed = options.feed.map(|feed| format!(" F{}", text(feed)));
     for course in courses {
         let course = course.rounded(precision);
         // Writing to a string cannot fail.
@@ -30,7 +45,7 @@ pub fn program(
         let mut from = course.start;
         for step in &course.steps {
             let _ = match step {
-                Step::Line(to) => write!(out, "G1 {}", at(*to)),
+                Step::Line(_) | Step::Elliptical(_) => write!(out, "G1 {}", at(step.to())),
                 Step::Arc(arc) => {
                     let code = if arc.sweep.degrees() < 0.0 {
                         "G2"
@@ -47,7 +62,63 @@ pub fn program(
             from = step.to();
         }
     }
-    out + "M2\n"
+    Ok(out + "M2\n")
+}
+
+/// The precision, and how far it moves the courses.
+fn precision(courses: &[Course], options: &Options) -> Result<(Precision, f64)> {
+    let room = options.closeness.map(|closeness| closeness.room);
+    let fits = |moved: f64| room.is_none_or(|room| moved <= room);
+    if let Some(precision) = options.precision {
+        let moved = moved(courses, precision);
+        return if fits(moved) {
+            Ok((precision, moved))
+        } else {
+            Err(Error::Format {
+                format: "gcode",
+                why: "with so few decimals it strays farther than the tolerance".to_owned(),
+                remedy: "give more decimals by -p or a larger tolerance by -t",
+            })
+        };
+    }
+    let mut precision = automatic(courses);
+    while let Precision::Fixed(decimals) = precision {
+        let moved = moved(courses, precision);
+        if fits(moved) {
+            return Ok((precision, moved));
+        }
+        precision = if decimals < MOST_DECIMALS {
+            Precision::Fixed(decimals + 1)
+        } else {
+            Precision::Full
+        };
+    }
+    Ok((precision, 0.0))
+}
+
+/// A bound of how far rounding moves courses. The radius of an arc is that from the rounded centre to its start, and a machine makes up
+/// for another one at its end.
+fn moved(courses: &[Course], precision: Precision) -> f64 {
+    let mut most = 0.0_f64;
+    for course in courses {
+        let rounded = course.rounded(precision);
+        let (mut from, mut shift) = (rounded.start, course.start.distance(rounded.start));
+        for (old, new) in course.steps.iter().zip(&rounded.steps) {
+            let end = old.to().distance(new.to());
+            let bend = match (old, new) {
+                (Step::Arc(old), Step::Arc(new)) => {
+                    let radius = from.distance(new.center);
+                    old.center.distance(new.center)
+                        + (radius - old.radius).abs()
+                        + (new.to.distance(new.center) - radius).abs()
+                }
+                _ => 0.0,
+            };
+            most = most.max(shift.max(end) + bend);
+            (from, shift) = (new.to(), end);
+        }
+    }
+    most
 }
 
 fn at(p: Point) -> String {
@@ -61,7 +132,7 @@ fn automatic(courses: &[Course]) -> Precision {
         let mut from = course.start;
         for step in &course.steps {
             size = size.max(match step {
-                Step::Line(to) => (*to - from).hypot2().sqrt(),
+                Step::Line(_) | Step::Elliptical(_) => (step.to() - from).hypot2().sqrt(),
                 Step::Arc(arc) => arc.radius,
             });
             from = step.to();
@@ -71,7 +142,12 @@ fn automatic(courses: &[Course]) -> Precision {
     Precision::moving_at_most(ROUNDING_PART * size, largest)
 }
 
-fn exactness(precision: Precision) -> String {
+/// How closely the program follows what was given.
+fn told(precision: Precision, moved: f64, closeness: Option<Closeness>) -> String {
+    let error = closeness.map_or(0.0, |closeness| closeness.error);
+    if error > 0.0 {
+        return format!("within {}", significant(rounded_up(error + moved, 3), 3));
+    }
     match precision {
         Precision::Full => "exact".to_owned(),
         Precision::Fixed(1) => "exact but for rounding to 1 decimal".to_owned(),
@@ -112,9 +188,13 @@ mod tests {
         let program = program(
             "A (sliver)",
             &[course],
-            Some(Precision::Fixed(2)),
-            Some(90.0),
-        );
+            &Options {
+                precision: Some(Precision::Fixed(2)),
+                feed: Some(90.0),
+                closeness: None,
+            },
+        )
+        .unwrap();
         assert_eq!(
             program,
             "(A [sliver], exact but for rounding to 2 decimals)\nG17 G90\nG0 X0 Y0\nG1 X1 Y0 F90\n\

@@ -31,6 +31,7 @@ mod exchange;
 mod explore;
 #[cfg(target_os = "linux")]
 mod faults;
+mod fewest_arcs;
 mod fewest_segments;
 #[cfg(unix)]
 mod files;

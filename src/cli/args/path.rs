@@ -25,6 +25,9 @@ pub(crate) struct PathArgs {
     /// What it becomes
     #[arg(long, value_enum, value_name = "KIND", default_value_t)]
     to: TargetArg,
+    /// With --to arcs: arcs of ellipses too
+    #[arg(long)]
+    elliptic: bool,
     /// Leave out the closing operators
     #[arg(long)]
     pub(crate) open: bool,
@@ -63,6 +66,17 @@ impl PathArgs {
             TargetArg::Lines => Kind::Lines,
             TargetArg::Arcs => Kind::Arcs,
         }
+    }
+
+    /// Whether arcs may be those of ellipses.
+    pub(crate) fn elliptic(&self) -> Result<bool, Failure> {
+        if self.elliptic && self.to != TargetArg::Arcs {
+            return Err(Failure::request_with_hint(
+                "--elliptic is for --to arcs",
+                "'curveto path DATA --to arcs --elliptic' makes arcs of circles and ellipses",
+            ));
+        }
+        Ok(self.elliptic)
     }
 
     /// The tolerance, where nothing else is asked for.

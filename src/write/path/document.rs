@@ -44,7 +44,7 @@ pub struct SubpathDocument {
 pub enum PathSegmentDocument {
     /// A line or a Bézier.
     Points(SegmentDocument),
-    /// A circular arc from where the segment before it ends.
+    /// An arc from where the segment before it ends.
     Arc {
         /// The arc, as SVG has it.
         arc: ArcDocument,
@@ -80,6 +80,15 @@ fn course_segments(course: &Course) -> Vec<PathSegmentDocument> {
                     rotation: 0.0,
                     large_arc: arc.sweep.degrees().abs() > 180.0,
                     sweep: arc.sweep.degrees() > 0.0,
+                    to: [arc.to.x, arc.to.y],
+                },
+            },
+            Step::Elliptical(arc) => PathSegmentDocument::Arc {
+                arc: ArcDocument {
+                    radii: [arc.radii.x, arc.radii.y],
+                    rotation: arc.rotation.degrees(),
+                    large_arc: arc.large_arc,
+                    sweep: arc.sweep,
                     to: [arc.to.x, arc.to.y],
                 },
             },

@@ -1,0 +1,390 @@
+//! `path --to arcs` and `--to lines` take as few pieces as dynamic programming finds, keep what was given, and stay within the
+//! tolerance in the decimals of every format, by judges that share no code with them.
+
+use std::fmt::Write as _;
+
+use curveto::kurbo::{CubicBez, ParamCurve, Point, Vec2};
+use proptest::prelude::*;
+
+use crate::judges::independent::{P, Segment, segments};
+use crate::judges::program::{printed, run};
+use crate::judges::way_back::apart;
+
+/// What rounding leaves of a tolerance, and the fewer ends that a grid has.
+const ROUNDING: f64 = 0.93;
+
+/// Curves without an arc in them.
+const FREE: [[f64; 8]; 6] = [
+    [0.0, 0.0, 30.0, 80.0, 70.0, 90.0, 100.0, 0.0],
+    [0.0, 0.0, 30.0, 100.0, 70.0, -100.0, 100.0, 0.0],
+    [0.0, 0.0, 90.0, 0.0, 100.0, 40.0, 100.0, 100.0],
+    [0.0, 0.0, 150.0, 80.0, -50.0, 80.0, 100.0, 0.0],
+    [0.0, 0.0, 10.0, 60.0, 20.0, 90.0, 100.0, 100.0],
+    [0.0, 0.0, 0.0, 50.0, 10.0, 100.0, 90.0, 20.0],
+];
+
+fn cubic([a, b, c, d, e, f, g, h]: [f64; 8]) -> CubicBez {
+    CubicBez::new((a, b), (c, d), (e, f), (g, h))
+}
+
+fn data(c: [f64; 8]) -> String {
+    format!(
+        "M{} {}C{} {} {} {} {} {}",
+        c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]
+    )
+}
+
+/// How far points lie from the arc with this sagitta over a chord, by its circle's centre.
+fn from_arc(points: &[Point], a: Point, b: Point, sagitta: f64) -> f64 {
+    let half = (b - a).hypot() / 2.0;
+    let along = (b - a) / (2.0 * half);
+    let left = Vec2::new(-along.y, along.x);
+    if sagitta.abs() < 1e-9 * half {
+        let off = |p: &Point| along.cross(*p - a).abs();
+        return points.iter().map(off).fold(0.0, f64::max);
+    }
+    let radius = (half * half + sagitta * sagitta) / (2.0 * sagitta);
+    let center = a.midpoint(b) + left * (sagitta - radius);
+    let off = |p: &Point| ((*p - center).hypot() - radius.abs()).abs();
+    points.iter().map(off).fold(0.0, f64::max)
+}
+
+/// Whether some arc over the chord of a part stays within the tolerance: the best sagitta by golden section.
+fn fits(curve: &CubicBez, from: f64, to: f64, tolerance: f64, is_line: bool) -> bool {
+    let count = 40;
+    let at = |i: usize| curve.eval(from + (to - from) * i as f64 / count as f64);
+    let points: Vec<Point> = (1..count).map(at).collect();
+    let (a, b) = (at(0), at(count));
+    if is_line {
+        return from_arc(&points, a, b, 0.0) <= tolerance;
+    }
+    let middle = (b - a).cross(at(count / 2) - a) / (b - a).hypot();
+    let (mut low, mut high) = (middle - 3.0 * tolerance, middle + 3.0 * tolerance);
+    for _ in 0..40 {
+        let (x, y) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
+        let [u, v] = [x, y].map(|sagitta| from_arc(&points, a, b, sagitta));
+        if u.min(v) <= tolerance {
+            return true;
+        }
+        if u < v {
+            high = y;
+        } else {
+            low = x;
+        }
+    }
+    false
+}
+
+/// The fewest pieces whose ends lie on a grid of parameters, by dynamic programming.
+fn fewest(curve: &CubicBez, tolerance: f64, grid: usize, is_line: bool) -> usize {
+    let mut least = vec![usize::MAX; grid + 1];
+    least[0] = 0;
+    for to in 1..=grid {
+        for from in 0..to {
+            let [u, v] = [from, to].map(|i| i as f64 / grid as f64);
+            if least[from] < usize::MAX
+                && least[from] + 1 < least[to]
+                && fits(curve, u, v, tolerance, is_line)
+            {
+                least[to] = least[from] + 1;
+            }
+        }
+    }
+    least[grid]
+}
+
+/// The pieces that the program draws.
+fn pieces(data: &str, to: &str, tolerance: f64) -> usize {
+    let text = printed(&["path", data, "--to", to, "-t", &tolerance.to_string()]);
+    segments(&text).len() - 1
+}
+
+#[test]
+fn arcs_are_as_few_as_dynamic_programming_finds() {
+    for numbers in FREE {
+        for tolerance in [2.0, 0.2, 0.02] {
+            let found = pieces(&data(numbers), "arcs", tolerance);
+            let optimum = fewest(&cubic(numbers), ROUNDING * tolerance, 120, false);
+            assert!(
+                found <= optimum,
+                "{numbers:?} {tolerance}: {found}, not {optimum}"
+            );
+        }
+    }
+}
+
+#[test]
+fn chords_are_within_a_twentieth_of_the_optimum() {
+    for numbers in FREE {
+        for tolerance in [1.0, 0.1] {
+            let found = pieces(&data(numbers), "lines", tolerance);
+            let optimum = fewest(&cubic(numbers), tolerance, 300, true);
+            let most = (1.05 * optimum as f64).ceil() as usize;
+            assert!(
+                found <= most,
+                "{numbers:?} {tolerance}: {found}, not {optimum}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_spiral_takes_fewer_arcs_than_biarcs_would() {
+    // Over the same length two arcs with shared tangents stray ten times as far as one whose ends lie on the curve.
+    assert!(pieces("M1 0A1 0.5 0 0 1 0 0.5", "arcs", 1e-4) <= 7);
+}
+
+#[test]
+fn arcs_run_over_smooth_joints_and_not_over_corners() {
+    // One circle in 40 cubics that nobody drew as arcs of it: their handles are too short.
+    let mut smooth = "M100 0".to_owned();
+    for i in 1..=40 {
+        let [a, b] = [i - 1, i].map(|i| f64::from(i) * std::f64::consts::PI / 80.0);
+        let handle = 0.2 * (b - a);
+        let _ = write!(
+            smooth,
+            "C{} {} {} {} {} {}",
+            100.0 * (a.cos() - handle * a.sin()),
+            100.0 * (a.sin() + handle * a.cos()),
+            100.0 * (b.cos() + handle * b.sin()),
+            100.0 * (b.sin() - handle * b.cos()),
+            100.0 * b.cos(),
+            100.0 * b.sin(),
+        );
+    }
+    assert_eq!(pieces(&smooth, "arcs", 0.1), 1);
+    let corner = "M0 0C10 0 20 1 30 3C40 1 50 0 60 0";
+    let text = printed(&["path", corner, "--to", "arcs", "-t", "0.9"]);
+    assert!(text.contains("30 3"), "{text}");
+}
+
+// ---- random paths
+
+#[derive(Debug, Clone)]
+enum Step {
+    Line([f64; 2]),
+    Quad([f64; 4]),
+    Cubic([f64; 6]),
+    Arc([f64; 3], bool, bool, [f64; 2]),
+}
+
+fn number() -> impl Strategy<Value = f64> {
+    (-9999..9999_i32, 0..4_u32)
+        .prop_map(|(x, d)| f64::from(x) / f64::from(10_u32.pow(d)).max(100.0))
+}
+
+fn step() -> impl Strategy<Value = Step> {
+    let arc = (
+        prop::array::uniform3(1.0..80.0_f64),
+        any::<bool>(),
+        any::<bool>(),
+        prop::array::uniform2(number()),
+    );
+    prop_oneof![
+        prop::array::uniform2(number()).prop_map(Step::Line),
+        prop::array::uniform4(number()).prop_map(Step::Quad),
+        prop::array::uniform6(number()).prop_map(Step::Cubic),
+        arc.prop_map(|(radii, large, sweep, to)| Step::Arc(radii, large, sweep, to)),
+    ]
+}
+
+fn text(steps: &[Step], start: [f64; 2], closed: bool) -> String {
+    let mut out = format!("M{} {}", start[0], start[1]);
+    let words = |letter: char, numbers: &[f64]| {
+        let words: Vec<String> = numbers.iter().map(f64::to_string).collect();
+        format!("{letter}{}", words.join(" "))
+    };
+    for step in steps {
+        out += &match step {
+            Step::Line(p) => words('L', p),
+            Step::Quad(p) => words('Q', p),
+            Step::Cubic(p) => words('C', p),
+            Step::Arc([rx, ry, turn], large, sweep, to) => {
+                let ry = if *turn < 20.0 { rx } else { ry };
+                let flags = [*large, *sweep].map(|flag| f64::from(u8::from(flag)));
+                words('A', &[*rx, *ry, *turn, flags[0], flags[1], to[0], to[1]])
+            }
+        };
+    }
+    if closed { out + "Z" } else { out }
+}
+
+fn ends(path: &[Segment]) -> Vec<P> {
+    let end = |segment: &Segment| match *segment {
+        Segment::Move(p)
+        | Segment::Line(p)
+        | Segment::Quad(_, p)
+        | Segment::Cubic(.., p)
+        | Segment::Arc(.., p) => Some(p),
+        Segment::Close => None,
+    };
+    path.iter().filter_map(end).collect()
+}
+
+/// Lines and arcs of G-code as path data, each arc about its I J to where it ends, its radius that of its start.
+fn of_gcode(text: &str) -> String {
+    let mut out = String::new();
+    let mut at = [0.0_f64; 2];
+    for line in text.lines().filter(|line| line.starts_with('G')) {
+        let word = |letter: char| {
+            let word = line.split(' ').find(|word| word.starts_with(letter))?;
+            word[1..].parse::<f64>().ok()
+        };
+        let (Some(x), Some(y)) = (word('X'), word('Y')) else {
+            continue;
+        };
+        match line.split(' ').next() {
+            Some("G0") => write!(out, "M{x} {y}").unwrap(),
+            Some("G1") => write!(out, "L{x} {y}").unwrap(),
+            code => {
+                let (i, j) = (word('I').unwrap(), word('J').unwrap());
+                let clockwise = code == Some("G2");
+                let (u, v) = ([-i, -j], [x - at[0] - i, y - at[1] - j]);
+                let turn = f64::atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1]);
+                let turn = if clockwise { -turn } else { turn };
+                let turn = if turn > 1e-12 {
+                    turn
+                } else {
+                    turn + std::f64::consts::TAU
+                };
+                let radius = i.hypot(j);
+                // By many short chords.
+                for k in 1..=400 {
+                    let part = f64::from(k) / 400.0 * if clockwise { -turn } else { turn };
+                    let (sin, cos) = part.sin_cos();
+                    let p = [
+                        at[0] + i + cos * u[0] - sin * u[1],
+                        at[1] + j + sin * u[0] + cos * u[1],
+                    ];
+                    assert!(radius.is_finite());
+                    write!(out, "L{} {}", p[0], p[1]).unwrap();
+                }
+                write!(out, "L{x} {y}").unwrap();
+            }
+        }
+        at = [x, y];
+    }
+    out
+}
+
+fn stated(path: &str, to: &[&str], tolerance: &str) -> (f64, String) {
+    let words = [&["path", path, "-t", tolerance, "-f", "json"][..], to].concat();
+    let json: serde_json::Value = serde_json::from_str(&printed(&words)).unwrap();
+    let peak = json["error"]["peak"].as_f64().unwrap();
+    (peak, json["path"].as_str().unwrap().to_owned())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn any_path_stays_within_the_tolerance_in_every_form(
+        steps in prop::collection::vec(step(), 1..6),
+        start in prop::array::uniform2(number()),
+        closed in any::<bool>(),
+        tolerance in prop_oneof![Just("0.05"), Just("0.5"), Just("3")],
+    ) {
+        let path = text(&steps, start, closed);
+        let old = segments(&path);
+        let room: f64 = tolerance.parse().unwrap();
+        for to in [&["--to", "arcs"][..], &["--to", "arcs", "--elliptic"], &["--to", "lines"]] {
+            let (peak, new) = stated(&path, to, tolerance);
+            prop_assert!(peak <= room, "{path} {to:?}: {peak}");
+            let new = segments(&new);
+            let off = apart(&old, &new).unwrap();
+            // The points of the judge stand on chords, of which a long arc has few.
+            prop_assert!(off <= peak + 0.06, "{path} {to:?}: {off} beyond {peak}");
+            let (a, b) = (ends(&old), ends(&new));
+            prop_assert_eq!(a[0], b[0]);
+            let closes = |path: &[Segment]| matches!(path.last(), Some(Segment::Close));
+            prop_assert_eq!(closes(&old), closes(&new));
+            if !closed {
+                prop_assert_eq!(a.last(), b.last());
+            }
+            for (step, end) in steps.iter().zip(&a[1..]) {
+                let kept = b.contains(end);
+                let is_curve = matches!(step, Step::Quad(_) | Step::Cubic(_));
+                prop_assert!(kept || is_curve || closed, "{path} {to:?}: {end:?} is lost");
+            }
+        }
+        for precision in [None, Some("3")] {
+            let words = ["path", &path, "--to", "arcs", "-f", "gcode", "-t", tolerance];
+            let more = precision.map_or(vec![], |p| vec!["-p", p]);
+            let gcode = printed(&[&words[..], &more].concat());
+            let off = apart(&old, &segments(&of_gcode(&gcode))).unwrap();
+            prop_assert!(off <= room + 0.06, "{path} {more:?}: {off}");
+        }
+    }
+}
+
+#[test]
+fn gcode_says_how_closely_it_follows_and_refuses_too_few_decimals() {
+    let curve = "M0 0C30 80 70 90 100 0";
+    for to in ["arcs", "lines"] {
+        let told = printed(&["path", curve, "--to", to, "-t", "0.1", "-f", "gcode"]);
+        let first = told.lines().next().unwrap();
+        let within = first.strip_prefix("(Path, within ").unwrap();
+        let within: f64 = within.strip_suffix(')').unwrap().parse().unwrap();
+        assert!(within <= 0.1 && within > 0.05, "{first}");
+        let words = [
+            "path", curve, "--to", to, "-t", "0.1", "-f", "gcode", "-p", "0",
+        ];
+        assert_eq!(run(&words).status.code(), Some(2), "{to}");
+    }
+    let circle = printed(&["path", "M5 0A5 5 0 0 1-5 0", "--to", "arcs", "-f", "gcode"]);
+    assert!(
+        circle.starts_with("(Path, exact but for rounding"),
+        "{circle}"
+    );
+}
+
+#[test]
+fn rounding_of_what_was_given_counts_too() {
+    let (peak, path) = stated("M0 0L10.4 0", &["--to", "arcs", "-p", "0"], "1");
+    assert_eq!(path, "M0 0L10 0");
+    assert!((0.4..0.41).contains(&peak), "{peak}");
+    let coarse = [
+        "path",
+        "M0 0L10.4 0",
+        "--to",
+        "arcs",
+        "-p",
+        "0",
+        "-t",
+        "0.1",
+    ];
+    assert_eq!(run(&coarse).status.code(), Some(2));
+}
+
+#[test]
+fn arcs_of_ellipses_are_found_and_kept_on_request() {
+    let quarter = "M0 0C4.97 0 9 1.34 9 3";
+    let found = printed(&["path", quarter, "--to", "arcs", "--elliptic"]);
+    assert_eq!(found, "M0 0A9 3 0 0 1 9 3\n");
+    let given = "M1 0A1 .5 30 0 1 0 .5L3 4";
+    let found = printed(&["path", given, "--to", "arcs", "--elliptic"]);
+    assert_eq!(found, "M1 0A1 0.5 30 0 1 0 0.5L3 4\n");
+    for format in ["gcode", "dxf"] {
+        let words = ["path", given, "--to", "arcs", "--elliptic", "-f", format];
+        assert_eq!(run(&words).status.code(), Some(2), "{format}");
+    }
+    let words = ["path", given, "--elliptic"];
+    assert_eq!(run(&words).status.code(), Some(2));
+}
+
+#[test]
+fn radii_are_those_that_were_meant() {
+    for (data, radius) in [
+        // By a rough constant, with few decimals.
+        ("M24 0C24 13.252 13.252 23.9987 0 24", "A24 24 "),
+        ("M7.5 0C7.5 4.1 4.1 7.5 0 7.5", "A7.5 7.5 "),
+        (
+            "M100 0Q100 19.89 92.39 38.27Q84.78 56.65 70.71 70.71",
+            "A100 100 ",
+        ),
+    ] {
+        for wide in [&[][..], &["-t", "0.6"]] {
+            let found = printed(&[&["path", data, "--to", "arcs"][..], wide].concat());
+            assert!(found.contains(radius), "{data} {wide:?}: {found}");
+        }
+    }
+}
