@@ -130,8 +130,10 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
         }
     };
     let Summary { lines, failed } = summary;
-    args.talk
-        .state(|| format!("{name}: {lines} lines read, {failed} could not be drawn"));
+    args.talk.state(|| {
+        let s = if lines == 1 { "" } else { "s" };
+        format!("{name}: {lines} line{s} read, {failed} could not be drawn")
+    });
     Ok(ExitCode::from(u8::from(failed > 0)))
 }
 

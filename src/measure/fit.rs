@@ -1,8 +1,10 @@
-//! The circle that a curve was meant to be, where nobody says: Kåsa's algebraic fit to begin with (the least sum of
+//! The circle or ellipse that a curve was meant to be, where nobody says. A circle by Kåsa's algebraic fit to begin with (the least sum of
 //! (|p - c|² - r²)², which is linear), then the least sum of (|p - c| - r)² by Gauss-Newton.
 //!
 //! At every step the best radius for a centre is the mean distance, so that two unknowns are left: with the unit directions g
 //! from the centre to the points, the step solves Σ (g - ḡ)(g - ḡ)ᵀ δ = Σ (g - ḡ)(|p - c| - r).
+
+mod ellipse;
 
 use kurbo::{ParamCurve, Point, Vec2};
 
@@ -17,7 +19,7 @@ const POINTS: u32 = 64;
 /// The most steps; from Kåsa's circle five or six do.
 const MOST_STEPS: usize = 50;
 
-/// What the circle is fitted to.
+/// What a circle or an ellipse is fitted to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -29,7 +31,7 @@ pub enum FitTo {
     Curve,
 }
 
-/// A fitted circle and how well it fits.
+/// How well a fitted circle or ellipse fits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -40,7 +42,7 @@ pub struct Fit {
     pub points: usize,
     /// The root mean square of their distances from it.
     pub rms: f64,
-    /// The same over the radius.
+    /// The same over the larger radius.
     pub relative_rms: f64,
 }
 
@@ -56,6 +58,41 @@ pub fn circle(curve: &Curve, to: Option<FitTo>) -> Result<(Truth, Fit)> {
         Some(FitTo::Joints) => joints(),
         Some(FitTo::Curve) => along(),
         None => joints().or_else(|_| along()),
+    }
+}
+
+/// The ellipse fitted to a curve: to what `to` says, or to the joints where five of them determine an ellipse and else to the curve.
+///
+/// # Errors
+///
+/// Where no ellipse is nearest, as of points on a line.
+pub fn ellipse(curve: &Curve, to: Option<FitTo>) -> Result<(Truth, Fit)> {
+    let joints = || fitted_ellipse(&joints(curve), FitTo::Joints);
+    let along = || fitted_ellipse(&along(curve), FitTo::Curve);
+    match to {
+        Some(FitTo::Joints) => joints(),
+        Some(FitTo::Curve) => along(),
+        None => joints().or_else(|_| along()),
+    }
+}
+
+/// How many times nearer to a curve an ellipse has to be than a circle to be what was meant.
+const NEARER: f64 = 4.0;
+
+/// The ellipse where it is much nearer to the points of the curve than the circle, else the circle.
+///
+/// # Errors
+///
+/// Where neither fits.
+pub fn either(curve: &Curve) -> Result<(Truth, Fit)> {
+    let rms =
+        |found: &Result<(Truth, Fit)>| found.as_ref().map_or(f64::INFINITY, |(_, fit)| fit.rms);
+    let round = circle(curve, Some(FitTo::Curve));
+    let flat = ellipse(curve, Some(FitTo::Curve));
+    if NEARER * rms(&flat) < rms(&round) {
+        ellipse(curve, None)
+    } else {
+        circle(curve, None)
     }
 }
 
@@ -99,6 +136,20 @@ fn fitted(points: &[Point], to: FitTo) -> Result<(Truth, Fit)> {
         relative_rms: rms / radius,
     };
     Ok((Truth::circle(center, radius), fit))
+}
+
+fn fitted_ellipse(points: &[Point], to: FitTo) -> Result<(Truth, Fit)> {
+    let truth = ellipse::nearest_ellipse(points).ok_or_else(|| {
+        Error::Shape("no ellipse fits: fewer than five points determine none, nor do points of another curve".to_owned())
+    })?;
+    let rms = (ellipse::squares(points, &truth) / points.len() as f64).sqrt();
+    let fit = Fit {
+        to,
+        points: points.len(),
+        rms,
+        relative_rms: rms / truth.larger_radius(),
+    };
+    Ok((truth, fit))
 }
 
 /// The centre and radius of the circle nearest to these points.

@@ -222,6 +222,57 @@ fn what_is_no_circle_is_measured_and_the_fit_says_so() {
 }
 
 #[test]
+fn an_ellipse_is_fitted_where_it_was_meant_and_a_circle_where_that_was() {
+    let drawn = |words: &str| printed(&words.split(' ').collect::<Vec<_>>());
+    let measured = |data: &str, fit: &str| json(&["measure", "--path", data, "--fit", fit]);
+    let ellipse = drawn("ellipse 120 50 --rotation 20 --center 3,7 -n 8 -p 9");
+    for fit in ["ellipse", "auto"] {
+        let found = measured(ellipse.trim_end(), fit);
+        let reference = &found["reference"];
+        for (value, wished) in [
+            (&reference["radii"][0], 120.0),
+            (&reference["radii"][1], 50.0),
+            (&reference["center"][0], 3.0),
+            (&reference["center"][1], 7.0),
+        ] {
+            assert!((number(value) - wished).abs() < 1e-6, "{fit}: {reference}");
+        }
+        assert_eq!(reference["fit"]["to"], "joints", "{reference}");
+        // The error is that which drawing states.
+        let stated = json(&[
+            "ellipse",
+            "120",
+            "50",
+            "--rotation",
+            "20",
+            "--center",
+            "3,7",
+            "-n",
+            "8",
+            "-p",
+            "9",
+        ]);
+        close(
+            &found["error"]["peak"],
+            number(&stated["error"]["peak"]),
+            1e-4,
+        );
+    }
+    let circle = drawn("circle 50 -n 4 -p 9");
+    for fit in ["circle", "auto"] {
+        let found = measured(circle.trim_end(), fit);
+        for radius in 0..2 {
+            close(&found["reference"]["radii"][radius], 50.0, 1e-9);
+        }
+    }
+    let said = refused(&["measure", "--path", "M0 0L5 5L9 9", "--fit", "ellipse"]);
+    assert!(
+        said.contains("no ellipse fits") && said.contains("--against"),
+        "{said}"
+    );
+}
+
+#[test]
 fn tables_are_80_columns_wide() {
     let cases: [&[&str]; 7] = [
         &["measure", "circle", "1"],

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{ArgAction, Args, Subcommand, ValueEnum};
+use curveto::curve::Curve;
 use curveto::measure::Quantity;
-use curveto::measure::fit::FitTo;
+use curveto::measure::fit::{self, Fit, FitTo};
 use curveto::picture::size::Size;
 use curveto::shape::Truth;
 use curveto::{Angle, Ellipse, Shape};
@@ -80,10 +81,11 @@ pub(crate) struct ForeignArgs {
     /// Every path of an SVG file, its transforms applied; - is standard input
     #[arg(long, alias = "svg", value_name = "FILE", group = "curve")]
     pub(crate) file: Option<PathBuf>,
-    /// The true shape [default: the circle that fits best]
+    /// The true shape [default: the one that fits best, as --fit says]
     #[arg(long, value_name = "circle:CX,CY,R|ellipse:CX,CY,RX,RY,ROT", value_parser = against, requires = "curve")]
     pub(crate) against: Option<Truth>,
-    /// What the circle is fitted to [default: the joints where they determine one, else the curve]
+    /// What is fitted where --against names nothing: a circle, an ellipse, or with auto an ellipse where it is much nearer, and to
+    /// what: the joints where they determine it, else the curve [default: circle]
     #[arg(
         long,
         value_enum,
@@ -94,20 +96,31 @@ pub(crate) struct ForeignArgs {
     pub(crate) fit: Option<FitArg>,
 }
 
-/// What a circle is fitted to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+/// What is fitted to a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub(crate) enum FitArg {
-    /// The ends of the segments
+    /// A circle
+    #[default]
+    Circle,
+    /// An ellipse
+    Ellipse,
+    /// An ellipse where it is at least four times nearer than a circle, else a circle
+    Auto,
+    /// A circle, to the ends of the segments
     Joints,
-    /// Points all along the curve
+    /// A circle, to points all along the curve
     Curve,
 }
 
-impl From<FitArg> for FitTo {
-    fn from(to: FitArg) -> Self {
-        match to {
-            FitArg::Joints => Self::Joints,
-            FitArg::Curve => Self::Curve,
+impl FitArg {
+    /// The shape that a curve was meant to be.
+    pub(crate) fn fitted(self, curve: &Curve) -> curveto::Result<(Truth, Fit)> {
+        match self {
+            Self::Circle => fit::circle(curve, None),
+            Self::Ellipse => fit::ellipse(curve, None),
+            Self::Auto => fit::either(curve),
+            Self::Joints => fit::circle(curve, Some(FitTo::Joints)),
+            Self::Curve => fit::circle(curve, Some(FitTo::Curve)),
         }
     }
 }

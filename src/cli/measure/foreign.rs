@@ -151,12 +151,13 @@ fn fitted(
     curve: &Curve,
     args: &ForeignArgs,
 ) -> Result<(curveto::shape::Truth, Option<fit::Fit>), Failure> {
-    fit::circle(curve, args.fit.map(Into::into))
+    let fit = args.fit.unwrap_or_default();
+    fit.fitted(curve)
         .map(|(truth, fit)| (truth, Some(fit)))
         .map_err(|error| {
             Failure::request_with_hint(
                 error.to_string(),
-                "--against circle:CX,CY,R names the true circle",
+                "--against circle:CX,CY,R or ellipse:CX,CY,RX,RY,ROT names the true shape",
             )
         })
 }
