@@ -113,7 +113,7 @@ truth: ## Hold the stated errors of a hundred thousand shapes off the beaten tra
 numbers: ## Hold a billion printed numbers against the standard library
 	$(CARGO) test --release --locked --lib -- --ignored a_billion_mixed_numbers
 
-FEATURES = document batch png pdf plot serde schema cli
+FEATURES = document batch png pdf plot serde schema simd cli
 
 lint: ## Check formatting, lints, each feature alone, and the documentation of the library
 	$(CARGO) fmt --all -- --check

@@ -15,36 +15,27 @@
 //! itself is never added, so that arcs of huge radius keep their digits. The last point is no sum where it was given, where the arc closes,
 //! and at every multiple of 15 degrees: there it is the end itself.
 //!
-//! What is called for every arc is compiled into the caller, so that a processor works at the next arc before it is done with one.
+//! [`cubics_of_arcs`] and [`cubics_of_svg_arcs`] take many arcs at once and give the same in a fraction of the time.
 //!
-//! The count is found from below: the peak error of `minimax` is at least 1.29263358e-5 a⁶ at every angle a up to half a turn, and
-//! its exact value decides whether one segment more is needed.
+//! What is called for every arc is compiled into the caller, so that a processor works at the next arc before it is done with one.
 
-#![expect(
-    clippy::inline_always,
-    reason = "a tenth of the time of an arc, by `make bench`"
-)]
+mod columns;
+mod lanes;
+mod steps;
 
 use core::iter::FusedIterator;
 
 use kurbo::{CubicBez, Point, Vec2};
 
 use crate::angle::Angle;
-use crate::error::{Error, Result};
-use crate::joints::MOST_SEGMENTS;
-use crate::method::{Method, Rule, Span};
-use crate::number::digits::ROUNDING;
+use crate::error::Result;
+use crate::method::Rule;
 use crate::shape::endpoint::{Chord, SvgArc};
 use crate::shape::{Arc, Truth};
 
-/// (180/π)⁶ over 1.29263358e-5, the leading constant of `minimax`: its peak error falls to that times a⁶ as the angle a does.
-const DEGREES_6: f64 = 2_736_909_018_401_684.5;
+use steps::{Steps, nearest, relative};
 
-/// Half turns to a degree, less a trace that keeps rounding from adding a segment.
-const HALF_TURNS: f64 = (1.0 - 1e-12) / 180.0;
-
-/// The finest relative tolerance that is told from none at all.
-const FINEST: f64 = 64.0 * f64::EPSILON;
+pub use lanes::{Instructions, ManyCubics, cubics_of_arcs, cubics_of_svg_arcs};
 
 /// The cubics of an arc, in order; each starts where the one before it ends.
 #[derive(Debug, Clone)]
@@ -101,162 +92,106 @@ impl Iterator for Cubics {
 impl ExactSizeIterator for Cubics {}
 impl FusedIterator for Cubics {}
 
+/// A point of an ellipse with its radius vector and the derivative by the parametric angle.
+#[derive(Debug, Clone, Copy)]
+struct Frame {
+    point: Point,
+    radius: Vec2,
+    tangent: Vec2,
+}
+
+impl Frame {
+    /// At this direction on the unit circle. Without a branch.
+    #[inline(always)]
+    fn at(truth: &Truth, direction: Vec2) -> Self {
+        let radius = truth.image(direction);
+        Self {
+            point: truth.center + radius,
+            radius,
+            tangent: truth.image(Vec2::new(-direction.y, direction.x)),
+        }
+    }
+}
+
 /// How an arc runs: all that the steps start from.
 struct Course {
-    truth: Truth,
-    start: Point,
-    /// The start on the unit circle.
-    direction: Vec2,
-    /// The end and its place on the unit circle, where they are known without a sum.
-    end: Option<(Point, Vec2)>,
-    /// In degrees.
-    sweep: f64,
+    start: Frame,
+    /// Where it is known without a sum.
+    end: Option<Frame>,
 }
 
 impl Course {
     #[inline(always)]
     fn of_arc(arc: &Arc) -> Self {
         let truth = arc.truth();
-        let sweep = arc.sweep.degrees();
-        let first = arc.start.direction();
-        let last = arc.start.degrees() + sweep;
-        // Where the last direction has a short form, as on the axes, it is met to the last digit.
-        let last = if sweep.abs() == 360.0 {
-            Some(first)
-        } else if arc.ends.is_some() || nearest(last * (1.0 / 15.0)) == last * (1.0 / 15.0) {
-            Some(Angle::from_degrees(last).direction())
-        } else {
-            None
+        let start = Frame::at(&truth, arc.start.direction());
+        let end = match End::of(arc) {
+            End::Start => Some(start),
+            End::Angle(angle) => Some(Frame::at(&truth, angle.direction())),
+            End::Unknown => None,
         };
-        let point = |d: Vec2| arc.center + truth.image(d);
-        let [start, end] = arc
-            .ends
-            .map_or([None, None], |[start, end]| [Some(start), Some(end)]);
-        Self {
-            truth,
-            start: start.unwrap_or_else(|| point(first)),
-            direction: first,
-            end: last.map(|last| (end.unwrap_or_else(|| point(last)), last)),
-            sweep,
-        }
+        Self { start, end }.through(arc.ends)
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_chord(arc: &SvgArc, chord: &Chord) -> Self {
-        let [first, last] = chord.directions();
-        Self {
-            truth: chord.truth(),
-            start: arc.from,
-            direction: first,
-            end: Some((arc.to, last)),
-            sweep: chord.sweep,
-        }
+        let truth = chord.truth();
+        let [start, end] = chord.directions().map(|end| Frame::at(&truth, end));
+        let end = Some(end);
+        Self { start, end }.through(Some([arc.from, arc.to]))
     }
 
-    fn by(&self, rule: Rule, count: usize) -> Result<Cubics> {
-        if count == 0 || count > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count,
-                most: MOST_SEGMENTS,
-            });
+    /// The course through ends that were given, to the last digit.
+    #[inline(always)]
+    fn through(mut self, ends: Option<[Point; 2]>) -> Self {
+        if let Some([from, to]) = ends {
+            self.start.point = from;
+            if let Some(end) = &mut self.end {
+                end.point = to;
+            }
         }
-        let sees_ellipse = rule.method().is_some_and(Method::sees_ellipse);
-        let span = Span::from_degrees(self.sweep / count as f64);
-        let piece = rule.piece(&span)?;
-        if piece.is_tangent_cubic() && (self.truth.is_circle() || !sees_ellipse) {
-            return Ok(self.cubics(&Steps {
-                count,
-                span,
-                handle: piece.handle.y,
-            }));
-        }
-        Err(Error::Impossible {
-            method: rule.id(),
-            why: "its segments are no cubics with the same handles along the tangents".to_owned(),
-            remedy: "approximate() draws by every method".to_owned(),
-        })
+        self
     }
 
     #[inline(always)]
     fn cubics(&self, steps: &Steps) -> Cubics {
-        let sign = 1.0_f64.copysign(self.sweep);
-        let first = self.direction;
-        let across = |d: Vec2| Vec2::new(-d.y, d.x);
         Cubics {
-            start: self.start,
+            start: self.start.point,
             way: Vec2::ZERO,
-            point: self.start,
-            radius: self.truth.image(first),
-            tangent: self.truth.image(across(first)),
-            end: self
-                .end
-                .map(|(end, last)| (end, self.truth.image(across(last)))),
-            sine: sign * steps.span.s,
-            versine: steps.span.versine(),
-            handle: sign * steps.handle,
-            left: steps.count,
+            point: self.start.point,
+            radius: self.start.radius,
+            tangent: self.start.tangent,
+            end: self.end.map(|end| (end.point, end.tangent)),
+            sine: steps.sine,
+            versine: steps.versine,
+            handle: steps.handle,
+            left: steps.count as u32 as usize,
         }
     }
 }
 
-/// Equal steps along an arc.
-struct Steps {
-    count: usize,
-    span: Span,
-    handle: f64,
+/// Where an arc ends, as far as it is known without a sum.
+enum End {
+    /// Where it starts.
+    Start,
+    Angle(Angle),
+    Unknown,
 }
 
-impl Steps {
-    /// The fewest `minimax` segments of so many degrees within a tolerance, in user units, on an ellipse of these radii.
+impl End {
     #[inline(always)]
-    fn within(sweep: f64, radii: Vec2, tolerance: f64) -> Self {
-        let tolerance = (tolerance / larger(radii.x, radii.y)).max(FINEST);
-        let sweep = sweep.abs();
-        let least = larger(
-            sweep * inverse_sixth_root(tolerance * DEGREES_6),
-            sweep * HALF_TURNS,
-        );
-        // Rounded up; what is a trace above a whole number is left to the exact error.
-        let mut count = nearest(least + (0.5 - 1e-9)).max(1.0);
-        // r² - 1 where r - 1 is the tolerance.
-        let allowed = tolerance * (2.0 + tolerance);
-        loop {
-            let span = Span::of_quarter(0.25 * sweep / count);
-            let (handle, square) = Method::minimax_with_square(&span);
-            if square > allowed {
-                count += 1.0;
-                continue;
-            }
-            return Self {
-                count: count as u32 as usize,
-                span,
-                handle,
-            };
+    fn of(arc: &Arc) -> Self {
+        let sweep = arc.sweep.degrees();
+        let last = arc.start.degrees() + sweep;
+        if sweep.abs() == 360.0 {
+            Self::Start
+        } else if arc.ends.is_some() || nearest(last * (1.0 / 15.0)) == last * (1.0 / 15.0) {
+            // Where the last direction has a short form, as on the axes, it is met to the last digit.
+            Self::Angle(Angle::from_degrees(last))
+        } else {
+            Self::Unknown
         }
     }
-}
-
-/// The larger of two numbers, with one instruction as neither is NaN.
-#[inline]
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
-/// The nearest whole number to one below 2^51.
-#[inline]
-fn nearest(x: f64) -> f64 {
-    (x + ROUNDING) - ROUNDING
-}
-
-/// x^(-1/6) of a positive number, up to 0.5 % too small and never too large: one step of Newton's method, which comes from below,
-/// from the bits of the number, of which a sixth is a sixth of its logarithm but for some hundredths.
-#[inline]
-fn inverse_sixth_root(x: f64) -> f64 {
-    /// 7/6 of the bits of 1, less what centres the error.
-    const BIAS: u64 = (0x3ff << 52) / 6 * 7 - (30 << 43);
-    let guess = f64::from_bits(BIAS - x.to_bits() / 6);
-    let cube = guess * guess * guess;
-    guess * (7.0 - x * (cube * cube)) * (1.0 / 6.0)
 }
 
 impl Arc {
@@ -279,18 +214,24 @@ impl Arc {
     #[inline]
     #[must_use]
     pub fn cubics(&self, tolerance: f64) -> Cubics {
-        let steps = Steps::within(self.sweep.degrees(), self.radii, tolerance);
-        Course::of_arc(self).cubics(&steps)
+        let tolerance = relative(tolerance, self.radii);
+        Course::of_arc(self).cubics(&Steps::within(self.sweep.degrees(), tolerance))
     }
 
     /// `count` cubics of equal parametric angle by a rule.
     ///
     /// # Errors
     ///
-    /// As [`Method::piece`], where the rule's pieces are no cubics that touch the circle at both ends, and where the count is 0 or
-    /// beyond [`MOST_SEGMENTS`].
+    /// As [`Method::piece`](crate::method::Method::piece), where the rule's pieces are no cubics that touch the circle at both ends, and where the count is 0 or
+    /// beyond [`MOST_SEGMENTS`](crate::joints::MOST_SEGMENTS).
     pub fn cubics_by(&self, rule: Rule, count: usize) -> Result<Cubics> {
-        Course::of_arc(self).by(rule, count)
+        let steps = Steps::by(
+            rule,
+            count,
+            self.sweep.degrees(),
+            self.radii.x == self.radii.y,
+        )?;
+        Ok(Course::of_arc(self).cubics(&steps))
     }
 }
 
@@ -301,9 +242,8 @@ impl SvgArc {
     #[must_use]
     pub fn cubics(&self, tolerance: f64) -> Option<Cubics> {
         let chord = self.chord().ok().flatten()?;
-        let course = Course::of_chord(self, &chord);
-        let steps = Steps::within(course.sweep, course.truth.radii, tolerance);
-        Some(course.cubics(&steps))
+        let steps = Steps::within(chord.sweep, relative(tolerance, chord.radii));
+        Some(Course::of_chord(self, &chord).cubics(&steps))
     }
 
     /// `count` cubics of equal parametric angle by a rule; `None` where the arc is a line or nothing.
@@ -312,22 +252,10 @@ impl SvgArc {
     ///
     /// As [`Arc::cubics_by`] and [`SvgArc::shape`].
     pub fn cubics_by(&self, rule: Rule, count: usize) -> Result<Option<Cubics>> {
-        self.chord()?
-            .map(|chord| Course::of_chord(self, &chord).by(rule, count))
-            .transpose()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_sixth_root_is_a_lower_bound() {
-        for i in -14_000..5_000 {
-            let x = 10_f64.powf(f64::from(i) / 1000.0);
-            let ratio = inverse_sixth_root(x) * x.powf(1.0 / 6.0);
-            assert!((0.995..1.0 + 1e-15).contains(&ratio), "{x} {ratio}");
-        }
+        let Some(chord) = self.chord()? else {
+            return Ok(None);
+        };
+        let steps = Steps::by(rule, count, chord.sweep, chord.truth().is_circle())?;
+        Ok(Some(Course::of_chord(self, &chord).cubics(&steps)))
     }
 }

@@ -223,7 +223,7 @@ impl Method {
     }
 
     /// The handle of `minimax` and the peak of r² - 1, for angles up to half a turn: what the engine asks for, computed once.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn minimax_with_square(span: &Span) -> (f64, f64) {
         minimax::handle_with_square(span)
     }

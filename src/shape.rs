@@ -11,7 +11,7 @@ use kurbo::{Point, Vec2};
 
 use crate::angle::Angle;
 use crate::error::{Error, Result, finite, positive};
-use outline::positive_radii;
+pub(crate) use outline::positive_radii;
 
 /// A shape that can be drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -27,10 +27,13 @@ fn icons(name: &str) -> Vec<String> {
     texts.filter_map(Result::ok).collect()
 }
 
-/// One pass in a thread of its own, which has met none of the icons before.
-pub(crate) fn pass(set: &[String], convert: fn(&str) -> usize) -> usize {
-    let all = || set.iter().map(|icon| convert(icon)).sum();
-    thread::scope(|scope| scope.spawn(all).join().unwrap_or(0))
+pub(crate) fn warm(set: &[String], convert: fn(&str) -> usize) -> usize {
+    set.iter().map(|icon| convert(icon)).sum()
+}
+
+/// In a thread of its own, which has met none of the icons before.
+pub(crate) fn cold(set: &[String], convert: fn(&str) -> usize) -> usize {
+    thread::scope(|scope| scope.spawn(|| warm(set, convert)).join().unwrap_or(0))
 }
 
 pub(crate) fn ours(text: &str) -> usize {

@@ -11,10 +11,11 @@ mod documents;
 use std::hint::black_box;
 use std::time::Instant;
 
+use curveto::engine::{Instructions, ManyCubics, cubics_of_arcs, cubics_of_svg_arcs};
 use curveto::measure::radial;
 use curveto::shape::Truth;
 use curveto::shape::endpoint::SvgArc;
-use curveto::{Angle, Arc};
+use curveto::{Angle, Arc, Tolerance};
 use kurbo::{CubicBez, PathEl, PathSeg, Point, Vec2};
 use lyon_geom::{Angle as LyonAngle, ArcFlags, point, vector};
 
@@ -178,45 +179,55 @@ fn best<const N: usize>(mut peers: [Box<dyn FnMut() -> (f64, f64) + '_>; N]) -> 
     best
 }
 
+/// Whoever draws all arcs, and what one of them costs and becomes.
+type Run<'a> = Box<dyn FnMut() -> (f64, f64) + 'a>;
+
 /// What an arc costs and how many segments it becomes.
-fn rows(form: &str, tolerance: f64, peers: [Box<dyn FnMut() -> (f64, f64) + '_>; 3]) {
-    let best = best(peers);
-    let [a, b, c] = best.map(|(time, _)| format!("{time:.1}"));
-    let ratio = best[0].0 / best[1].0;
-    println!("| {form}, {tolerance:e}: ns an arc | {a} | {b} | {c} | - | {ratio:.2} |");
-    let [a, b, c] = best.map(|(_, segments)| format!("{segments:.3}"));
-    let ratio = best[0].1 / best[1].1;
-    println!("| {form}, {tolerance:e}: segments an arc | {a} | {b} | {c} | - | {ratio:.2} |");
+fn rows(form: &str, tolerance: f64, [lanes, plain, single, kurbo, lyon]: [Run; 5]) {
+    let best = best([lanes, plain, single, kurbo, lyon]);
+    let to_kurbo = |i: usize, of: fn(&(f64, f64)) -> f64| of(&best[i]) / of(&best[3]);
+    let [a, b, c, d, e] = best.map(|(time, _)| format!("{time:.1}"));
+    let [lanes, plain, single] = [0, 1, 2].map(|i| to_kurbo(i, |run| run.0));
+    println!(
+        "| {form}, {tolerance:e}: ns an arc | {a} | {b} | {c} | {d} | {e} | {lanes:.2} | {plain:.2} | {single:.2} |"
+    );
+    let [a, b, c, d, e] = best.map(|(_, segments)| format!("{segments:.3}"));
+    let [lanes, plain, single] = [0, 1, 2].map(|i| to_kurbo(i, |run| run.1));
+    println!(
+        "| {form}, {tolerance:e}: segments an arc | {a} | {b} | {c} | {d} | {e} | {lanes:.2} | {plain:.2} | {single:.2} |"
+    );
 }
 
-/// What a byte of SVG costs and what becomes of it, parsed and written again, in one pass over each set of icons.
+/// What a byte of SVG costs and what becomes of it, parsed and written again, in one pass over each set of icons: in a thread that has
+/// met none of them, and in one that has.
 fn documents_rows() {
     let sets = documents::sets();
     if sets.is_empty() {
         println!("\nNo icons: `make corpora` fetches them.");
+        return;
     }
+    println!("\n| one pass | cold | warm | usvg | usvg / cold | usvg / warm |");
+    println!("| --- | ---: | ---: | ---: | ---: | ---: |");
     for (name, set) in sets {
         let bytes: usize = set.iter().map(String::len).sum();
-        let run = |convert: fn(&str) -> usize| {
+        let run = |pass: &dyn Fn() -> usize| {
             let clock = Instant::now();
-            let written = documents::pass(black_box(&set), convert);
+            let written = pass();
             let elapsed = clock.elapsed().as_secs_f64() * 1e9;
             (elapsed / bytes as f64, written as f64 / bytes as f64)
         };
-        let [a, b] = best([
-            Box::new(|| run(documents::ours)),
-            Box::new(|| run(documents::usvgs)),
+        let best = best([
+            Box::new(|| run(&|| documents::cold(black_box(&set), documents::ours))),
+            Box::new(|| run(&|| documents::warm(black_box(&set), documents::ours))),
+            Box::new(|| run(&|| documents::cold(black_box(&set), documents::usvgs))),
         ]);
-        let (time, size) = (a.0 / b.0, a.1 / b.1);
-        let name = format!("{name}, one pass");
-        println!(
-            "| {name}: ns a byte | {:.2} | - | - | {:.2} | {time:.2} |",
-            a.0, b.0
-        );
-        println!(
-            "| {name}: bytes out a byte in | {:.2} | - | - | {:.2} | {size:.2} |",
-            a.1, b.1
-        );
+        for (what, [a, b, c]) in [
+            ("ns a byte", best.map(|run| run.0)),
+            ("bytes out a byte in", best.map(|run| run.1)),
+        ] {
+            let (cold, warm) = (c / a, c / b);
+            println!("| {name}: {what} | {a:.2} | {b:.2} | {c:.2} | {cold:.2} | {warm:.2} |");
+        }
     }
 }
 
@@ -228,14 +239,34 @@ fn kurbo_arc(arc: &kurbo::Arc, tolerance: f64, sum: &mut Sum) {
     }
 }
 
+/// The time of one run over all arcs in lanes.
+fn clock_lanes<C: Iterator<Item = CubicBez>>(
+    lanes: impl ExactSizeIterator<Item = C>,
+) -> (f64, f64) {
+    let count = lanes.len() as f64;
+    let clock = Instant::now();
+    let mut sum = Sum::default();
+    for cubics in lanes {
+        for c in cubics {
+            sum.take(c.p1, c.p2, c.p3);
+        }
+    }
+    let elapsed = clock.elapsed().as_secs_f64() * 1e9;
+    black_box(sum.sum);
+    (elapsed / count, sum.segments as f64 / count)
+}
+
 fn centre_row(inputs: &[Input], tolerance: f64) {
     let ours: Vec<_> = inputs.iter().map(|input| input.ours).collect();
     let kurbo: Vec<_> = inputs.iter().map(|input| input.kurbo).collect();
     let lyon: Vec<_> = inputs.iter().map(|input| input.lyon).collect();
+    let lanes = || cubics_of_arcs(&ours, Tolerance::Relative(tolerance));
     rows(
         "centre",
         tolerance,
         [
+            Box::new(|| clock_lanes(lanes())),
+            Box::new(|| clock_lanes(lanes().at_most(Instructions::Target))),
             Box::new(|| {
                 clock(&ours, |arc, sum| {
                     for c in arc.cubics(tolerance * arc.radii.x.max(arc.radii.y)) {
@@ -257,17 +288,19 @@ fn svg_row(inputs: &[Input], tolerance: f64) {
     let ours: Vec<_> = inputs.iter().map(|input| input.ours_svg).collect();
     let kurbo: Vec<_> = inputs.iter().map(|input| input.kurbo_svg).collect();
     let lyon: Vec<_> = inputs.iter().map(|input| input.lyon_svg).collect();
+    let lanes = || cubics_of_svg_arcs(&ours, Tolerance::Relative(tolerance));
+    let drawn = |lanes: ManyCubics<'_, SvgArc>| clock_lanes(lanes.map(|c| c.into_iter().flatten()));
     rows(
         "SVG end points",
         tolerance,
         [
+            Box::new(|| drawn(lanes())),
+            Box::new(|| drawn(lanes().at_most(Instructions::Target))),
             Box::new(|| {
                 clock(&ours, |arc, sum| {
                     let cubics = arc.cubics(tolerance * arc.radii.x.max(arc.radii.y));
-                    if let Some(cubics) = cubics {
-                        for c in cubics {
-                            sum.take(c.p1, c.p2, c.p3);
-                        }
+                    for c in cubics.into_iter().flatten() {
+                        sum.take(c.p1, c.p2, c.p3);
                     }
                 })
             }),
@@ -295,8 +328,10 @@ fn main() {
     let mut numbers = Numbers(7);
     let inputs: Vec<Input> = (0..count).map(|_| Input::random(&mut numbers)).collect();
     println!("{count} random elliptical arcs, best of {ROUNDS} rounds");
-    println!("| what, relative tolerance | ours | kurbo | lyon_geom | usvg | ratio |");
-    println!("| --- | ---: | ---: | ---: | ---: | ---: |");
+    println!(
+        "| what, relative tolerance | lanes | lanes, any processor | one by one | kurbo | lyon_geom | lanes / kurbo | any / kurbo | one / kurbo |"
+    );
+    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     for tolerance in [1e-3, 1e-6] {
         centre_row(&inputs, tolerance);
         svg_row(&inputs, tolerance);
@@ -343,9 +378,9 @@ fn errors(inputs: &[Input]) {
                 .lyon
                 .for_each_cubic_bezier(&mut |c| take(p(c.from), p(c.ctrl1), p(c.ctrl2), p(c.to)));
         });
+        let ratio = ours / kurbo;
         println!(
-            "| largest relative error, {tolerance:e} | {ours:.2e} | {kurbo:.2e} | {lyon:.2e} | - | {:.2} |",
-            ours / kurbo
+            "| largest relative error, {tolerance:e} | {ours:.2e} | {ours:.2e} | {ours:.2e} | {kurbo:.2e} | {lyon:.2e} | {ratio:.2} | {ratio:.2} | {ratio:.2} |"
         );
     }
 }

@@ -35,7 +35,7 @@ const FIRST: f64 = Q_0 * Q_0 / P_1;
 const SECOND: f64 = P_2 / P_1 - 2.0 * Q_1 / Q_0;
 
 /// The value w0 of v = 4t(1-t) at which the balanced curve crosses the circle, and γ.
-#[inline]
+#[inline(always)]
 fn zero(span: &Span) -> (f64, f64) {
     let (c, square) = (span.ch, span.sh * span.sh);
     let root_square = root_square(span, GOLDAPP_ZERO);
@@ -69,14 +69,14 @@ pub(super) fn error(span: &Span) -> RadialError {
 }
 
 /// The handle and the peak of r² - 1, which saves the root of an error that is only compared.
-#[inline]
+#[inline(always)]
 pub(super) fn handle_with_square(span: &Span) -> (f64, f64) {
     let (w0, gamma) = zero(span);
     (family(span, w0), square(w0, gamma))
 }
 
 /// The peak of r² - 1, G w0³/432.
-#[inline]
+#[inline(always)]
 fn square(w0: f64, gamma: f64) -> f64 {
     gamma * (32.0 * (w0 * w0 * w0))
 }

@@ -2,7 +2,7 @@
 
 use kurbo::Vec2;
 
-use crate::angle::{Angle, first_direction};
+use crate::angle::Angle;
 
 /// The angle of one piece, positive, with the sines and cosines that the formulas ask for.
 ///
@@ -39,10 +39,10 @@ impl Span {
         }
     }
 
-    /// Four times so many degrees, which are from 0 to 45, at less cost: all from their sine and cosine, right but for the last digit.
-    #[inline]
-    pub(crate) fn of_quarter(degrees: f64) -> Self {
-        let quarter = first_direction(degrees);
+    /// Four times so many degrees, from 0 to 45 and in this direction, at less cost: all from their sine and cosine, right but for the
+    /// last digit.
+    #[inline(always)]
+    pub(crate) fn of_quarter(degrees: f64, quarter: Vec2) -> Self {
         let half = Vec2::new(
             (quarter.x - quarter.y) * (quarter.x + quarter.y),
             2.0 * quarter.y * quarter.x,
@@ -71,6 +71,7 @@ impl Span {
     }
 
     /// 1 - cos a without cancellation.
+    #[inline(always)]
     pub(crate) fn versine(&self) -> f64 {
         2.0 * self.sh * self.sh
     }

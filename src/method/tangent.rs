@@ -32,13 +32,13 @@ use crate::radial_error::RadialError;
 use super::{Piece, Span};
 
 /// R² of the family's member.
-#[inline]
+#[inline(always)]
 pub(super) fn root_square(span: &Span, w0: f64) -> f64 {
     4.0 - (1.0 - w0) * (span.sh * span.sh)
 }
 
 /// The handle k(a, w0).
-#[inline]
+#[inline(always)]
 pub(super) fn family(span: &Span, w0: f64) -> f64 {
     let root = root_square(span, w0).sqrt();
     2.0 / 3.0 * (3.0 + w0) * span.sh / ((1.0 + w0) * span.ch + root)

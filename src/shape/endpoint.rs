@@ -4,7 +4,7 @@ use kurbo::{Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
 use super::{Arc, Line, Shape, Truth, finite_point, positive_radii};
-use crate::angle::Angle;
+use crate::angle::{Angle, quadrant_degrees};
 use crate::error::{Error, Result, finite, positive};
 use crate::number::{decimals_of, round};
 use crate::numeric::double::Double;
@@ -57,54 +57,110 @@ impl SvgArc {
     /// The arc as its chord sees it; `None` where it is a line or nothing.
     #[inline]
     pub(crate) fn chord(&self) -> Result<Option<Chord>> {
-        let from = finite_point("start point", self.from)?;
-        let to = finite_point("end point", self.to)?;
-        let radii = Vec2::new(
-            finite("radius", self.radii.x)?.abs(),
-            finite("radius", self.radii.y)?.abs(),
-        );
-        finite("rotation", self.rotation.degrees())?;
-        if from == to || radii.x == 0.0 || radii.y == 0.0 {
+        self.check()?;
+        if self.is_straight() {
             return Ok(None);
         }
-        let axis = self.rotation.direction();
-        // (5.1) in the frame of the ellipse's axes, (6.1) divided by the radii: half the chord on the unit circle.
-        let half = (from - to) / 2.0;
-        let unit = Vec2::new(
-            (axis.x * half.x + axis.y * half.y) / radii.x,
-            (axis.x * half.y - axis.y * half.x) / radii.y,
+        let half = Half::new(self, self.rotation.direction()).with_all_digits(self);
+        let chord = half.chord(self);
+        positive_radii(chord.radii)?;
+        Ok(Some(chord))
+    }
+
+    /// Refuses numbers that are not finite, or too large.
+    #[inline]
+    pub(crate) fn check(&self) -> Result<()> {
+        finite_point("start point", self.from)?;
+        finite_point("end point", self.to)?;
+        finite("radius", self.radii.x)?;
+        finite("radius", self.radii.y)?;
+        finite("rotation", self.rotation.degrees())?;
+        Ok(())
+    }
+
+    /// Whether it is a line or nothing.
+    #[inline]
+    pub(crate) fn is_straight(&self) -> bool {
+        self.from == self.to || self.radii.x == 0.0 || self.radii.y == 0.0
+    }
+}
+
+/// Half the chord of an arc in the frame where its ellipse is the unit circle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Half {
+    pub(crate) axis: Vec2,
+    /// From the middle of the chord to the start, and its size.
+    pub(crate) along: Vec2,
+    pub(crate) size: f64,
+    /// How far the centre is from the chord.
+    pub(crate) depth: f64,
+}
+
+impl Half {
+    /// Without a branch, as all that follows but [`Self::with_all_digits`].
+    #[inline(always)]
+    pub(crate) fn new(arc: &SvgArc, axis: Vec2) -> Self {
+        // (5.1) in the frame of the ellipse's axes, (6.1) divided by the radii.
+        let half = (arc.from - arc.to) / 2.0;
+        let along = Vec2::new(
+            (axis.x * half.x + axis.y * half.y) / arc.radii.x.abs(),
+            (axis.x * half.y - axis.y * half.x) / arc.radii.y.abs(),
         );
-        let size = unit.hypot();
-        // (6.2), (6.3): radii too small are scaled up, and the centre is the middle of the chord.
-        let too_small = size >= 1.0;
-        let depth = if too_small {
-            0.0
-        } else if size > NEARLY_SEMICIRCLE {
-            depth_of(from, to, axis, radii)
+        let size = along.hypot();
+        let square = (1.0 - size) * (1.0 + size);
+        Self {
+            axis,
+            along,
+            size,
+            depth: if square > 0.0 { square } else { 0.0 }.sqrt(),
+        }
+    }
+
+    /// Near a semicircle, with the digits of the depth that cancelled.
+    #[inline(always)]
+    pub(crate) fn with_all_digits(self, arc: &SvgArc) -> Self {
+        if self.lacks_digits() {
+            Self {
+                depth: depth_of(arc.from, arc.to, self.axis, arc.radii),
+                ..self
+            }
         } else {
-            ((1.0 - size) * (1.0 + size)).sqrt()
+            self
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn lacks_digits(&self) -> bool {
+        self.size > NEARLY_SEMICIRCLE && self.size < 1.0
+    }
+
+    #[inline(always)]
+    pub(crate) fn chord(&self, arc: &SvgArc) -> Chord {
+        // (6.2), (6.3): radii too small are scaled up, and the centre is the middle of the chord.
+        let too_small = self.size >= 1.0;
+        let (within, scale) = if too_small {
+            (1.0, self.size)
+        } else {
+            (self.size, 1.0)
         };
         // (5.5), (5.6): twice the angle whose sine is half the chord.
-        let short = 2.0 * libm::atan2(size.min(1.0), depth).to_degrees();
-        let sweep = match (too_small, self.large_arc) {
-            (true, _) => 180.0,
-            (false, true) => 360.0 - short,
-            (false, false) => short,
-        };
-        let side = if self.large_arc == self.sweep {
+        let short = 2.0 * quadrant_degrees(within, self.depth);
+        let long = if too_small { 180.0 } else { 360.0 - short };
+        let size = if arc.large_arc { long } else { short };
+        let side = if arc.large_arc == arc.sweep {
             -1.0
         } else {
             1.0
         };
-        let along = unit / size;
-        Ok(Some(Chord {
-            middle: from.midpoint(to),
-            radii: positive_radii(if too_small { radii * size } else { radii })?,
-            axis,
-            along: along * size.min(1.0),
-            across: Vec2::new(along.y, -along.x) * (side * depth),
-            sweep: if self.sweep { sweep } else { -sweep },
-        }))
+        let direction = self.along / self.size;
+        Chord {
+            middle: arc.from.midpoint(arc.to),
+            radii: Vec2::new(arc.radii.x.abs(), arc.radii.y.abs()) * scale,
+            axis: self.axis,
+            along: direction * within,
+            across: Vec2::new(direction.y, -direction.x) * (side * self.depth),
+            sweep: if arc.sweep { size } else { -size },
+        }
     }
 }
 
@@ -116,7 +172,7 @@ fn depth_of(from: Point, to: Point, axis: Vec2, radii: Vec2) -> f64 {
     let half = [(from.x, to.x), (from.y, to.y)].map(|(a, b)| Double::difference(a, b).scaled(0.5));
     let along = half[0].scaled(axis.x).plus(half[1].scaled(axis.y));
     let across = half[0].scaled(-axis.y).plus(half[1].scaled(axis.x));
-    let (x, y) = (along.over(radii.x), across.over(radii.y));
+    let (x, y) = (along.over(radii.x.abs()), across.over(radii.y.abs()));
     let square = x.times(x).plus(y.times(y));
     let rest = Double::difference(1.0, 0.0).plus(square.scaled(-1.0));
     rest.value().max(0.0).sqrt()
@@ -127,7 +183,7 @@ fn depth_of(from: Point, to: Point, axis: Vec2, radii: Vec2) -> f64 {
 pub(crate) struct Chord {
     middle: Point,
     /// The radii, large enough.
-    radii: Vec2,
+    pub(crate) radii: Vec2,
     axis: Vec2,
     /// Half the chord on the unit circle, from its middle to the start.
     along: Vec2,
@@ -139,7 +195,7 @@ pub(crate) struct Chord {
 
 impl Chord {
     /// The ellipse.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn truth(&self) -> Truth {
         let truth = Truth::new(self.middle, self.radii, self.axis);
         Truth {
@@ -149,7 +205,7 @@ impl Chord {
     }
 
     /// The ends on the unit circle.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn directions(&self) -> [Vec2; 2] {
         [self.along - self.across, -self.along - self.across]
     }

@@ -151,7 +151,7 @@ impl Truth {
     }
 
     /// The image of a vector of the unit circle's plane, the centre left out.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub(crate) fn image(&self, v: Vec2) -> Vec2 {
         let (x, y) = (v.x * self.radii.x, v.y * self.radii.y);
@@ -299,7 +299,7 @@ fn mapped(map: Affine, p: Point) -> (Point, f64) {
 const FLATTEST: f64 = 1e12;
 
 #[inline]
-pub(super) fn positive_radii(radii: Vec2) -> Result<Vec2> {
+pub(crate) fn positive_radii(radii: Vec2) -> Result<Vec2> {
     let what = if radii.x == radii.y {
         "radius"
     } else {

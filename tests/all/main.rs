@@ -43,6 +43,7 @@ mod golden;
 mod help;
 mod house;
 mod judges;
+mod lanes;
 mod laws;
 mod machines;
 mod measure;
