@@ -1,4 +1,4 @@
-//! Time per number of the formatter, against std and zmij: `cargo bench --bench number`.
+//! Time per number of the formatter, against the standard library, zmij and ryu: `cargo bench --bench number`.
 
 // A benchmark may ask the platform's functions.
 #![allow(clippy::disallowed_methods)]
@@ -60,6 +60,9 @@ fn number(c: &mut Criterion) {
     run("shortest".into(), &push_shortest);
     run("shortest/zmij".into(), &|out, x| {
         out.extend_from_slice(zmij::Buffer::new().format_finite(x).as_bytes());
+    });
+    run("shortest/ryu".into(), &|out, x| {
+        out.extend_from_slice(ryu::Buffer::new().format_finite(x).as_bytes());
     });
     run("shortest/std".into(), &|out, x| drop(write!(out, "{x}")));
     group.finish();
