@@ -10,6 +10,7 @@ mod decimals;
 mod doubt;
 mod element;
 mod end;
+mod grammar;
 mod length;
 mod memo;
 mod note;

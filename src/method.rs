@@ -10,6 +10,7 @@ mod chen;
 mod conic;
 pub(crate) mod ellipse;
 mod equioscillating;
+pub mod figures;
 mod integral;
 mod lancaster;
 mod minimax;

@@ -93,41 +93,10 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
             hint.unwrap_or_default()
         ));
     };
+    let names = (name.as_str(), &target);
     let summary = match options.format {
-        Format::Path | Format::Json | Format::Ps => {
-            let mut summary = Summary::default();
-            let whole = |output: &mut dyn Write, progress| {
-                summary = stream(
-                    input,
-                    output,
-                    progress,
-                    &options,
-                    (&name, &target),
-                    complain,
-                )?;
-                Ok(keeps(summary, &options))
-            };
-            match &target {
-                Target::Stdout => whole(&mut io::stdout().lock(), None).map(drop)?,
-                Target::File(path) => stream_file(path, |file| whole(file, Progress::new()))?,
-            }
-            summary
-        }
-        format => {
-            if format == Format::Image(Image::Png) {
-                target.refuse_terminal()?;
-            }
-            let picture = batch::figure(input, &options, complain)
-                .with_context(|| format!("cannot go on with {name}"))?;
-            if keeps(picture.summary, &options) {
-                let bytes = match format {
-                    Format::Dxf => picture.dxf().into_bytes(),
-                    _ => write(&picture, format, &looks)?,
-                };
-                target.write(&bytes)?;
-            }
-            picture.summary
-        }
+        Format::Path | Format::Json | Format::Ps => lines(input, &options, names, complain)?,
+        _ => picture(input, &options, &looks, names, complain)?,
     };
     let Summary { lines, failed } = summary;
     args.talk.state(|| {
@@ -135,6 +104,49 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
         format!("{name}: {lines} line{s} read, {failed} could not be drawn")
     });
     Ok(ExitCode::from(u8::from(failed > 0)))
+}
+
+/// Answers line by line, to standard output or to a whole file.
+fn lines(
+    input: Box<dyn Read + Send>,
+    options: &Options,
+    names: (&str, &Target),
+    complain: impl FnMut(u64, &curveto::Error),
+) -> Result<Summary, Failure> {
+    let mut summary = Summary::default();
+    let whole = |output: &mut dyn Write, progress| {
+        summary = stream(input, output, progress, options, names, complain)?;
+        Ok(keeps(summary, options))
+    };
+    match names.1 {
+        Target::Stdout => whole(&mut io::stdout().lock(), None).map(drop)?,
+        Target::File(path) => stream_file(path, |file| whole(file, Progress::new()))?,
+    }
+    Ok(summary)
+}
+
+/// Draws all lines as one picture.
+fn picture(
+    input: Box<dyn Read + Send>,
+    options: &Options,
+    looks: &curveto::write::Options,
+    (name, target): (&str, &Target),
+    complain: impl FnMut(u64, &curveto::Error),
+) -> Result<Summary, Failure> {
+    let format = options.format;
+    if format == Format::Image(Image::Png) {
+        target.refuse_terminal()?;
+    }
+    let picture = batch::figure(input, options, complain)
+        .with_context(|| format!("cannot go on with {name}"))?;
+    if keeps(picture.summary, options) {
+        let bytes = match format {
+            Format::Dxf => picture.dxf().into_bytes(),
+            _ => write(&picture, format, looks)?,
+        };
+        target.write(&bytes)?;
+    }
+    Ok(picture.summary)
 }
 
 /// Whether a file is to be written: not where a line ended the run.

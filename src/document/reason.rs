@@ -124,66 +124,66 @@ impl Reason {
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::ExternalStyle => {
-                f.write_str("an external style sheet may select it by name or set its geometry")
-            }
-            Self::Script => {
-                f.write_str("a script or an event handler of the document may address it")
-            }
-            Self::EntityContent => {
-                f.write_str("an entity in the content may hold styles or elements that change it")
-            }
-            Self::SelectedByName(selector) => {
-                write!(
-                    f,
-                    "the style selector `{selector}` may depend on its name or its attributes"
-                )
-            }
+            Self::SelectedByName(selector) => write!(
+                f,
+                "the style selector `{selector}` may depend on its name or its attributes"
+            ),
             Self::StyleGeometry(property) => write!(f, "a style may set `{property}`"),
             Self::StyleReads(attribute) => write!(f, "a style reads `attr({attribute})`"),
             Self::Animated(attribute) => write!(f, "an animation changes `{attribute}`"),
-            Self::Marker => f.write_str(
-                "a marker is in effect, which renderers draw on paths but not on this element",
+            Self::Length { attribute, value } => write!(
+                f,
+                "`{attribute}=\"{value}\"` is not a number or an absolute length"
             ),
-            Self::MotionPath => {
-                f.write_str("an animated motion follows it and may count its vertices")
-            }
-            Self::AttributeDefaults => {
-                f.write_str("the DTD declares attribute defaults that depend on element names")
-            }
-            Self::Length { attribute, value } => {
-                write!(
-                    f,
-                    "`{attribute}=\"{value}\"` is not a number or an absolute length"
-                )
-            }
             Self::NotDrawn(why) => write!(f, "nothing is drawn: {why}"),
-            Self::Entity => f.write_str("its value depends on an entity or on another resource"),
-            Self::MarkerOnVertices => {
-                f.write_str("a marker may stand on every vertex, and this arc needs new ones")
-            }
-            Self::MarkerOnRun => {
-                f.write_str("a marker may stand on every vertex, and an arc would take some away")
-            }
             Self::StaysPath(why) => write!(f, "it stays a path: {why}"),
-            Self::EmptyArc => f.write_str(
-                "the arc ends where it starts, and a cap, a marker or the next command may show it",
-            ),
-            Self::NearlyWhole => f.write_str(
-                "its ends are one point in single precision, so that some renderers draw nothing and others all of it",
-            ),
-            Self::PathError => {
-                f.write_str("the path data have an error here; nothing behind it is drawn")
-            }
-            Self::PathErrorBehindArc => {
-                f.write_str("the path data have an error between this arc and a smooth curve")
-            }
-            Self::TooLarge => f.write_str("its coordinates are too large"),
-            Self::Collapses => f.write_str("it would collapse at this precision"),
             Self::Refused(why) => f.write_str(why),
             Self::Elsewhere(attribute) => {
                 write!(f, "only `d` of a path is converted, not `{attribute}`")
             }
+            _ => f.write_str(self.words()),
+        }
+    }
+}
+
+impl Reason {
+    /// What it says where it names nothing of the document.
+    const fn words(&self) -> &'static str {
+        match self {
+            Self::ExternalStyle => {
+                "an external style sheet may select it by name or set its geometry"
+            }
+            Self::Script => "a script or an event handler of the document may address it",
+            Self::EntityContent => {
+                "an entity in the content may hold styles or elements that change it"
+            }
+            Self::Marker => {
+                "a marker is in effect, which renderers draw on paths but not on this element"
+            }
+            Self::MotionPath => "an animated motion follows it and may count its vertices",
+            Self::AttributeDefaults => {
+                "the DTD declares attribute defaults that depend on element names"
+            }
+            Self::Entity => "its value depends on an entity or on another resource",
+            Self::MarkerOnVertices => {
+                "a marker may stand on every vertex, and this arc needs new ones"
+            }
+            Self::MarkerOnRun => {
+                "a marker may stand on every vertex, and an arc would take some away"
+            }
+            Self::EmptyArc => {
+                "the arc ends where it starts, and a cap, a marker or the next command may show it"
+            }
+            Self::NearlyWhole => {
+                "its ends are one point in single precision, so that some renderers draw nothing and others all of it"
+            }
+            Self::PathError => "the path data have an error here; nothing behind it is drawn",
+            Self::PathErrorBehindArc => {
+                "the path data have an error between this arc and a smooth curve"
+            }
+            Self::TooLarge => "its coordinates are too large",
+            Self::Collapses => "it would collapse at this precision",
+            _ => "",
         }
     }
 }

@@ -1,9 +1,10 @@
 //! The pass that replaces: from the first byte to the last, with the facts of the document at hand.
 
+mod permission;
+
 use core::ops::Range;
 
 use super::arcs;
-use super::doubt::Doubt;
 use super::output::{Output, Sink};
 use super::reason::Reason;
 use super::scratch::Scratch;
@@ -11,7 +12,7 @@ use super::shape_data::{self, ShapeData};
 use super::splice::Splice;
 use super::style::facts::{self, Facts};
 use super::style::own;
-use super::style::property::{Kind, Markers, Properties};
+use super::style::property::{Kind, Markers};
 use super::tag;
 use super::xml::attributes::Attribute;
 use super::xml::encoding::Source;
@@ -217,35 +218,6 @@ impl<'a> Rewriter<'a, '_> {
         Some(kind)
     }
 
-    /// Why the document forbids to replace the element.
-    fn forbidden(
-        &self,
-        kind: Kind,
-        element: &Element<'_>,
-        scanner: &Scanner<'_>,
-    ) -> Option<Reason> {
-        let trust = self.options.trust;
-        let by_document = self.facts.and_then(|facts| {
-            let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
-            let (class, id) = (class.as_deref(), id.as_deref());
-            facts.forbid(kind, element.start, class, id, trust)
-        });
-        by_document
-            .or_else(|| {
-                let own = own::style(&scanner.attributes, &scanner.doctype);
-                facts::style_reason(kind, own).filter(|reason| reason.counts(trust))
-            })
-            .or_else(|| {
-                let prefix = element.name.strip_suffix(element.local).unwrap_or_default();
-                let named = |kind: Kind| format!("{prefix}{}", kind.name());
-                scanner
-                    .doctype
-                    .has_defaults_for(&named(kind), &named(Kind::Path))
-                    .then_some(Reason::AttributeDefaults)
-                    .filter(|reason| reason.counts(trust))
-            })
-    }
-
     /// A circle, an ellipse or a rectangle; whether it became a path.
     fn shape(
         &mut self,
@@ -295,22 +267,6 @@ impl<'a> Rewriter<'a, '_> {
         );
         self.counts.count(kind, 1);
         true
-    }
-
-    /// Whether a style may give a rectangle round corners that its attributes do not.
-    fn may_be_rounded(&self, scanner: &Scanner<'_>) -> bool {
-        if self.options.trust.contains(Doubt::StyleGeometry) {
-            return false;
-        }
-        let by_sheet = self.facts.is_some_and(|facts| {
-            let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
-            facts.may_round(class.as_deref(), id.as_deref())
-        });
-        let radii = Properties::named("rx").with(Properties::named("ry"));
-        by_sheet
-            || own::style(&scanner.attributes, &scanner.doctype)
-                .sets
-                .meets(radii)
     }
 
     fn path(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) {
@@ -369,15 +325,6 @@ impl<'a> Rewriter<'a, '_> {
         } else {
             None
         };
-        if self.options.to == Target::Beziers
-            && let Some(reason) = forbidden(self)
-        {
-            return self.output.note(name, start, reason);
-        }
-        let context = arcs::Context {
-            options: self.options,
-            markers,
-        };
         let (text, span, origin) = match &traced {
             Some(traced) => (
                 traced.text.as_str(),
@@ -386,26 +333,32 @@ impl<'a> Rewriter<'a, '_> {
             ),
             None => (scanner.source, d.value_span.clone(), None),
         };
-        if let Target::Arcs { tolerance, .. } = self.options.to {
-            let keeps_vertices = markers.middle && Reason::MarkerOnRun.counts(self.options.trust);
-            let found = runs::find(text, span, tolerance, keeps_vertices);
-            let reason = (!found.is_empty()).then(|| forbidden(self)).flatten();
-            if let Some(reason) = reason {
-                return self.output.note(name, start, reason);
+        let found = match self.options.to {
+            Target::Beziers => None,
+            Target::Arcs { tolerance, .. } => {
+                let trust = self.options.trust;
+                let keeps_vertices = markers.middle && Reason::MarkerOnRun.counts(trust);
+                Some(runs::find(text, span.clone(), tolerance, keeps_vertices))
             }
-            self.counts.count(Kind::Path, found.arcs);
-            self.strayed = self.strayed.max(found.strayed);
-            let output = &mut self.output;
-            return found.write(&mut Sink {
-                output,
-                element: name,
-                origin,
-            });
+        };
+        if found.as_ref().is_none_or(|found| !found.is_empty())
+            && let Some(reason) = forbidden(self)
+        {
+            return self.output.note(name, start, reason);
         }
         let mut sink = Sink {
             output: &mut self.output,
             element: name,
             origin,
+        };
+        if let Some(found) = found {
+            self.counts.count(Kind::Path, found.arcs);
+            self.strayed = self.strayed.max(found.strayed);
+            return found.write(&mut sink);
+        }
+        let context = arcs::Context {
+            options: self.options,
+            markers,
         };
         let outcome = arcs::rewrite(text, span, context, self.scratch, &mut sink);
         self.counts.count(Kind::Path, outcome.arcs);

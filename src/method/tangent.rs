@@ -99,7 +99,7 @@ pub(super) fn midpoint(span: &Span) -> f64 {
 }
 
 /// The zero of v that balances r² - 1: (3/2)(cbrt(√2+1) - cbrt(√2-1)).
-pub(super) const GOLDAPP_ZERO: f64 = 0.894_107_456_974_982_3;
+pub const GOLDAPP_ZERO: f64 = 0.894_107_456_974_982_3;
 
 pub(super) fn goldapp(span: &Span) -> f64 {
     family(span, GOLDAPP_ZERO)

@@ -1,10 +1,9 @@
 //! SVG path data as contours and curves.
 
-use kurbo::{CubicBez, PathSeg, Point, QuadBez, Vec2};
+use kurbo::{CubicBez, PathSeg, Point, QuadBez};
 use svgtypes::{PathParser, PathSegment};
 
 use super::refusal::refusal;
-use crate::angle::Angle;
 use crate::contour::{Contour, Step};
 use crate::curve::{CLOSING_GAP, Curve, size};
 use crate::error::{Error, Result, finite};
@@ -105,80 +104,70 @@ enum Control {
 
 impl Pen {
     fn take(&mut self, segment: PathSegment) -> Result<()> {
-        let here = self.here.to_vec2();
-        let at = |abs: bool, x: f64, y: f64| -> Result<Point> {
-            let (x, y) = (finite("coordinate", x)?, finite("coordinate", y)?);
-            let Vec2 { x: dx, y: dy } = if abs { Vec2::ZERO } else { here };
-            Ok(Point::new(
-                finite("coordinate", decimal_sum(dx, x))?,
-                finite("coordinate", decimal_sum(dy, y))?,
-            ))
-        };
         match segment {
             PathSegment::MoveTo { abs, x, y } => {
-                let p = at(abs, x, y)?;
+                let p = self.at(abs, x, y)?;
                 self.end();
                 (self.start, self.here) = (p, p);
             }
-            PathSegment::LineTo { abs, x, y } => self.line(at(abs, x, y)?),
+            PathSegment::LineTo { abs, x, y } => self.line(self.at(abs, x, y)?),
             PathSegment::HorizontalLineTo { abs, x } => {
-                let p = at(abs, x, 0.0)?;
+                let p = self.at(abs, x, 0.0)?;
                 self.line(Point::new(p.x, self.here.y));
             }
             PathSegment::VerticalLineTo { abs, y } => {
-                let p = at(abs, 0.0, y)?;
+                let p = self.at(abs, 0.0, y)?;
                 self.line(Point::new(self.here.x, p.y));
             }
-            PathSegment::CurveTo {
-                abs,
-                x1,
-                y1,
-                x2,
-                y2,
-                x,
-                y,
-            } => {
-                self.cubic(at(abs, x1, y1)?, at(abs, x2, y2)?, at(abs, x, y)?);
+            PathSegment::ClosePath { .. } => self.close(),
+            segment => self.curved(segment)?,
+        }
+        Ok(())
+    }
+
+    /// A curve or an arc.
+    fn curved(&mut self, segment: PathSegment) -> Result<()> {
+        // The control point before, mirrored at the current point.
+        let mirrored = |p: Point| self.here + (self.here - p);
+        match segment {
+            #[rustfmt::skip]
+            PathSegment::CurveTo { abs, x1, y1, x2, y2, x, y } => {
+                self.cubic(self.at(abs, x1, y1)?, self.at(abs, x2, y2)?, self.at(abs, x, y)?);
             }
             PathSegment::SmoothCurveTo { abs, x2, y2, x, y } => {
                 let first = match self.control {
-                    Control::Cubic(p) => self.here + (self.here - p),
+                    Control::Cubic(p) => mirrored(p),
                     _ => self.here,
                 };
-                self.cubic(first, at(abs, x2, y2)?, at(abs, x, y)?);
+                self.cubic(first, self.at(abs, x2, y2)?, self.at(abs, x, y)?);
             }
             PathSegment::Quadratic { abs, x1, y1, x, y } => {
-                self.quadratic(at(abs, x1, y1)?, at(abs, x, y)?);
+                self.quadratic(self.at(abs, x1, y1)?, self.at(abs, x, y)?);
             }
             PathSegment::SmoothQuadratic { abs, x, y } => {
                 let control = match self.control {
-                    Control::Quadratic(p) => self.here + (self.here - p),
+                    Control::Quadratic(p) => mirrored(p),
                     _ => self.here,
                 };
-                self.quadratic(control, at(abs, x, y)?);
+                self.quadratic(control, self.at(abs, x, y)?);
             }
-            PathSegment::EllipticalArc {
-                abs,
-                rx,
-                ry,
-                x_axis_rotation,
-                large_arc,
-                sweep,
-                x,
-                y,
-            } => {
-                self.arc(SvgArc {
-                    from: self.here,
-                    radii: Vec2::new(rx, ry),
-                    rotation: Angle::from_degrees(x_axis_rotation),
-                    large_arc,
-                    sweep,
-                    to: at(abs, x, y)?,
-                })?;
+            arc => {
+                if let Some(arc) = SvgArc::of_segment(self.here, arc) {
+                    self.arc(arc)?;
+                }
             }
-            PathSegment::ClosePath { .. } => self.close(),
         }
         Ok(())
+    }
+
+    /// A point of a command, absolute or counted from the current one.
+    fn at(&self, abs: bool, x: f64, y: f64) -> Result<Point> {
+        let (x, y) = (finite("coordinate", x)?, finite("coordinate", y)?);
+        let from = if abs { Point::ZERO } else { self.here };
+        Ok(Point::new(
+            finite("coordinate", decimal_sum(from.x, x))?,
+            finite("coordinate", decimal_sum(from.y, y))?,
+        ))
     }
 
     fn push(&mut self, segment: PathSeg, end: Point, control: Control) {
@@ -204,6 +193,8 @@ impl Pen {
     }
 
     fn arc(&mut self, arc: SvgArc) -> Result<()> {
+        finite("coordinate", arc.to.x)?;
+        finite("coordinate", arc.to.y)?;
         self.steps.extend(Step::of_shape(arc.shape()?));
         self.here = arc.to;
         self.control = Control::None;

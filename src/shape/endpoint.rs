@@ -27,6 +27,27 @@ pub struct SvgArc {
 }
 
 impl SvgArc {
+    /// The arc of a command of path data that begins at `from`; `None` where it is another command.
+    pub(crate) fn of_segment(from: Point, segment: PathSegment) -> Option<Self> {
+        #[rustfmt::skip]
+        let PathSegment::EllipticalArc { abs, rx, ry, x_axis_rotation, large_arc, sweep, x, y } = segment else {
+            return None;
+        };
+        let to = if abs {
+            Point::new(x, y)
+        } else {
+            Point::new(decimal_sum(from.x, x), decimal_sum(from.y, y))
+        };
+        Some(Self {
+            from,
+            radii: Vec2::new(rx, ry),
+            rotation: Angle::from_degrees(x_axis_rotation),
+            large_arc,
+            sweep,
+            to,
+        })
+    }
+
     /// The arc in centre form, by the rules for parameters out of range: equal ends are nothing, a zero radius is a line,
     /// negative radii count as positive, radii too small are scaled up.
     ///
@@ -217,67 +238,49 @@ impl Chord {
 ///
 /// [`Error::Syntax`] with the column where it does not parse, and where it is not one moveto and one arc.
 pub fn parse_svg_arc(text: &str) -> Result<SvgArc> {
-    let wrong = |column: usize, why: String| Error::Syntax {
+    const MOVETO: &str = "a moveto 'M x y'";
+    let wrong = |why: &str| unexpected(text, 1, why.to_owned());
+    let mut segments = PathParser::from(text);
+    let mut next = |expected: &str| {
+        let segment = segments.next().transpose();
+        segment.map_err(|error| misread(text, &error, expected))
+    };
+    let Some(PathSegment::MoveTo { x, y, .. }) = next(MOVETO)? else {
+        return Err(wrong(&format!("expected {MOVETO}")));
+    };
+    let arc = next("an arc 'A rx ry rotation large sweep x y'")?
+        .and_then(|segment| SvgArc::of_segment(Point::new(x, y), segment))
+        .ok_or_else(|| {
+            wrong("expected one arc 'A rx ry rotation large sweep x y' after the moveto")
+        })?;
+    match next("the end")? {
+        None => Ok(arc),
+        Some(_) => Err(wrong("expected one arc and nothing behind it")),
+    }
+}
+
+/// An error of the reader of path data, where something else was `expected`.
+fn misread(text: &str, error: &svgtypes::Error, expected: &str) -> Error {
+    let column = match *error {
+        svgtypes::Error::UnexpectedEndOfStream => {
+            let why = format!("it ends where {expected} should go on");
+            return unexpected(text, text.chars().count() + 1, why);
+        }
+        svgtypes::Error::UnexpectedData(at)
+        | svgtypes::Error::InvalidNumber(at)
+        | svgtypes::Error::InvalidChar(_, at)
+        | svgtypes::Error::InvalidString(_, at) => at,
+        _ => 1,
+    };
+    unexpected(text, column, format!("expected {expected}"))
+}
+
+fn unexpected(text: &str, column: usize, why: String) -> Error {
+    Error::Syntax {
         what: "the SVG arc",
         text: text.to_owned(),
         column,
         why,
-    };
-    let end = text.chars().count() + 1;
-    let mut segments = PathParser::from(text);
-    let mut next = |expected: &str| match segments.next() {
-        Some(Ok(segment)) => Ok(Some(segment)),
-        None => Ok(None),
-        Some(Err(error)) => Err(match error {
-            svgtypes::Error::UnexpectedEndOfStream => {
-                wrong(end, format!("it ends where {expected} should go on"))
-            }
-            svgtypes::Error::UnexpectedData(at)
-            | svgtypes::Error::InvalidNumber(at)
-            | svgtypes::Error::InvalidChar(_, at)
-            | svgtypes::Error::InvalidString(_, at) => wrong(at, format!("expected {expected}")),
-            _ => wrong(1, format!("expected {expected}")),
-        }),
-    };
-    let from = match next("a moveto 'M x y'")? {
-        Some(PathSegment::MoveTo { x, y, .. }) => Point::new(x, y),
-        _ => return Err(wrong(1, "expected a moveto 'M x y'".to_owned())),
-    };
-    let arc = match next("an arc 'A rx ry rotation large sweep x y'")? {
-        Some(PathSegment::EllipticalArc {
-            abs,
-            rx,
-            ry,
-            x_axis_rotation,
-            large_arc,
-            sweep,
-            x,
-            y,
-        }) => SvgArc {
-            from,
-            radii: Vec2::new(rx, ry),
-            rotation: Angle::from_degrees(x_axis_rotation),
-            large_arc,
-            sweep,
-            to: if abs {
-                Point::new(x, y)
-            } else {
-                Point::new(decimal_sum(from.x, x), decimal_sum(from.y, y))
-            },
-        },
-        _ => {
-            return Err(wrong(
-                1,
-                "expected one arc 'A rx ry rotation large sweep x y' after the moveto".to_owned(),
-            ));
-        }
-    };
-    match next("the end")? {
-        None => Ok(arc),
-        Some(_) => Err(wrong(
-            1,
-            "expected one arc and nothing behind it".to_owned(),
-        )),
     }
 }
 

@@ -250,3 +250,60 @@ fn every_file_of_tests_is_a_module_of_the_one_crate() {
         );
     }
 }
+
+/// The longest function, its line of `fn` and its closing brace counted, and the longest file.
+const LONGEST_FUNCTION: usize = 60;
+const LONGEST_FILE: usize = 400;
+
+/// Files that are a table: what is known of each method.
+const TABLES: [&str; 1] = ["src/method/catalogue.rs"];
+
+/// The functions of a text that `rustfmt` has set: their names and lengths in lines.
+fn functions(text: &str) -> Vec<(&str, usize)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut found = Vec::new();
+    for (i, line) in lines.iter().enumerate() {
+        let inner = line.trim_start();
+        let words = inner.split("fn ").next().unwrap_or_default();
+        let is_head = inner.contains("fn ")
+            && words.split_whitespace().all(|word| {
+                word.starts_with("pub") || matches!(word, "const" | "unsafe" | "extern" | "async")
+            });
+        if !is_head {
+            continue;
+        }
+        let indent = &line[..line.len() - inner.len()];
+        // A declaration without a body ends with a semicolon on its own level.
+        let end = lines[i..].iter().position(|line| {
+            line.strip_prefix(indent)
+                .is_some_and(|rest| rest == "}" || !rest.starts_with(' ') && rest.ends_with(';'))
+        });
+        let name = inner.split("fn ").nth(1).unwrap_or_default();
+        let name = name.split(['(', '<']).next().unwrap_or_default();
+        found.push((name, end.map_or(1, |end| end + 1)));
+    }
+    found
+}
+
+#[test]
+fn functions_and_files_are_short() {
+    let mut paths = Vec::new();
+    rust_files(&root().join("src"), &mut paths);
+    let (mut count, mut long) = (0, Vec::new());
+    for path in paths {
+        let name = path.strip_prefix(root()).unwrap().display().to_string();
+        let text = fs::read_to_string(&path).unwrap();
+        let lines = text.lines().count();
+        if lines > LONGEST_FILE && !TABLES.contains(&name.as_str()) {
+            long.push(format!("{name}: {lines} lines"));
+        }
+        for (function, lines) in functions(&text) {
+            count += 1;
+            if lines > LONGEST_FUNCTION {
+                long.push(format!("{name}: {function} has {lines} lines"));
+            }
+        }
+    }
+    assert!(count > 2000, "only {count} functions were found");
+    assert!(long.is_empty(), "{long:#?}");
+}

@@ -1,0 +1,78 @@
+//! Numbers for people: prose, tables, round figures.
+
+use super::push_fixed;
+use crate::numeric::functions;
+
+/// The text of a number with so many significant digits, for prose.
+#[must_use]
+pub fn significant(x: f64, digits: u8) -> String {
+    let magnitude = if x == 0.0 || !x.is_finite() {
+        0.0
+    } else {
+        libm::log10(x.abs()).floor()
+    };
+    let decimals = (f64::from(digits) - 1.0 - magnitude).clamp(0.0, 60.0);
+    let mut out = Vec::new();
+    push_fixed(&mut out, x, decimals as u8);
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+/// The least number of so many significant digits that is not below `x`: what a bound is rounded to for people.
+#[must_use]
+pub fn rounded_up(x: f64, digits: u8) -> f64 {
+    let text = format!("{x:.*e}", usize::from(digits.max(1)) - 1);
+    let (Ok(nearest), Some((mantissa, exponent))) = (text.parse::<f64>(), text.split_once('e'))
+    else {
+        return x;
+    };
+    if nearest >= x || !x.is_finite() {
+        return nearest;
+    }
+    // The next number of as many digits: one more in the last of them.
+    let whole: String = mantissa.chars().filter(|&c| c != '.').collect();
+    let whole: i64 = whole.parse().unwrap_or_default();
+    let exponent: i32 = exponent.parse().unwrap_or_default();
+    let next = format!("{}e{}", whole + 1, exponent + 1 - i32::from(digits.max(1)));
+    next.parse().unwrap_or(x)
+}
+
+/// The number nearest to `x`, by ratio, that is a 1, 2 or 5 with zeros; 1 where `x` is not positive and finite.
+#[must_use]
+pub fn round_one_two_five(x: f64) -> f64 {
+    if !(x.is_finite() && x > 0.0) {
+        return 1.0;
+    }
+    let exponent = libm::log10(x).floor() as i32;
+    // One rounding only: 10^22 and less are exact.
+    let scaled = |digit: f64| match exponent {
+        0.. => digit * functions::power(10.0, exponent),
+        _ => digit / functions::power(10.0, -exponent),
+    };
+    [1.0, 2.0, 5.0, 10.0]
+        .map(scaled)
+        .into_iter()
+        .min_by(|a, b| libm::log(a / x).abs().total_cmp(&libm::log(b / x).abs()))
+        .unwrap_or(1.0)
+}
+
+/// The text of a number for tables: so many significant digits, trailing zeros kept so that columns align; as `1.96076e-4` below
+/// a thousandth and from ten millions on. A number that is not finite gives `-`.
+#[must_use]
+pub fn compact(x: f64, digits: u8) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if !x.is_finite() {
+        return "-".to_owned();
+    }
+    let digits = digits.max(1);
+    let text = format!("{x:.*e}", usize::from(digits) - 1);
+    let exponent = text.split_once('e').and_then(|(_, e)| e.parse().ok());
+    match exponent {
+        Some(exponent @ -3..7) => {
+            let decimals = (i32::from(digits) - 1 - exponent).max(0);
+            format!("{x:.*}", decimals as usize)
+        }
+        _ => text,
+    }
+}
