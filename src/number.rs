@@ -8,15 +8,19 @@
 //! of that product decide the rounding exactly, ties included. Numbers of few digits take a product of floats wherever that is
 //! far enough from a tie to be on the right side of it for certain.
 
+pub(crate) mod decimal;
 pub(crate) mod digits;
 mod people;
+#[cfg(feature = "document")]
+pub(crate) mod read;
 
 pub use people::{compact, round_one_two_five, rounded_up, significant};
 
 use crate::numeric::functions;
 use std::io::Write as _;
 
-use digits::{ROUNDING, ZEROS, digits};
+use decimal::{After, Decimal, Form};
+use digits::{ZEROS, digits};
 
 /// How many decimals a number is printed with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,14 +89,13 @@ impl Precision {
 /// A float that is not finite prints as `0`: no writer may emit `NaN` or `inf`, and it is the caller who
 /// has to refuse such a number where a user can still be told.
 pub fn push_fixed(out: &mut Vec<u8>, x: f64, decimals: u8) {
-    let Some((whole, fraction)) = power(decimals).and_then(|power| split(x, power)) else {
-        return push_fixed_by_std(out, x, decimals);
-    };
-    let negative = x.is_sign_negative() && (whole | fraction) != 0;
-    if whole < SHORT_WHOLE && decimals <= 8 {
-        push_short(out, negative, whole, fraction, decimals);
-    } else {
+    if let Some(number) = Decimal::nearest(x, decimals) {
+        number.write(out, After::Letter, Form::Plain);
+    } else if let Some((whole, fraction)) = power(decimals).and_then(|power| split(x, power)) {
+        let negative = x.is_sign_negative() && (whole | fraction) != 0;
         push_long(out, negative, whole, fraction, decimals);
+    } else {
+        push_fixed_by_std(out, x, decimals);
     }
 }
 
@@ -126,17 +129,35 @@ pub fn push_shortest(out: &mut Vec<u8>, x: f64) {
 /// finite is returned as it is, so that a measurement still shows it.
 #[must_use]
 pub fn round(x: f64, decimals: u8) -> f64 {
-    let Some(power) = power(decimals) else {
-        return round_by_std(x, decimals);
-    };
-    let steps = split(x, power)
-        .and_then(|(whole, fraction)| whole.checked_mul(power)?.checked_add(fraction));
-    match steps {
-        Some(0) => 0.0,
-        // Both operands are exact, 10^19 too, so the quotient is the nearest float.
-        Some(steps) if steps <= EXACT_STEPS => (steps as f64 / power as f64).copysign(x),
+    match Decimal::nearest(x, decimals) {
+        Some(number) if number.units == 0 => 0.0,
+        // Both operands of the quotient are exact, 10^19 too, so that it is the nearest float.
+        Some(number) if number.units.unsigned_abs() <= EXACT_STEPS => number.value(),
+        None if power(decimals).is_none() => round_by_std(x, decimals),
         // Decimals are closer together here than floats: x is the nearest to its own rounding.
         _ => x,
+    }
+}
+
+/// The sum of two decimals as a person would write it: 0.1 and 0.2 make 0.3.
+pub(crate) fn decimal_sum(a: f64, b: f64) -> f64 {
+    let decimals = decimals_of(a).max(decimals_of(b));
+    if decimals <= 15 {
+        round(a + b, decimals)
+    } else {
+        a + b
+    }
+}
+
+/// The number that a word spells. A whole number up to 2^53 over an exact power of ten is the nearest float (Clinger 1990); what is
+/// longer or has an exponent is left to the standard library.
+#[cfg(any(feature = "batch", feature = "document"))]
+#[inline]
+pub(crate) fn parse(word: &str) -> Option<f64> {
+    match Decimal::read(word) {
+        Some(number) if number.units != 0 => Some(number.value()),
+        // A zero may have a sign.
+        _ => word.parse().ok(),
     }
 }
 
@@ -183,8 +204,6 @@ const POWERS: [u64; 20] = {
 };
 /// Whole numbers up to here are floats, every one.
 const EXACT_STEPS: u64 = 1 << 53;
-/// Below this a sign, the whole part, the point and eight decimals fit 16 bytes.
-const SHORT_WHOLE: u64 = 1_000_000;
 /// Eight decimal digits to a block.
 const BLOCK: u64 = 100_000_000;
 
@@ -235,30 +254,6 @@ const fn leading_block(n: u64) -> (u64, u32) {
     ((digits | ZEROS) >> (8 * skip), 8 - skip)
 }
 
-/// The common case, without a branch: the text grows in two words and is stored at once.
-#[inline]
-fn push_short(out: &mut Vec<u8>, negative: bool, whole: u64, fraction: u64, decimals: u8) {
-    let (whole, count) = leading_block(whole);
-    let sign = u32::from(negative);
-    // At most 7 bytes stand before the point.
-    let point = sign + count;
-    let decimals = digits(fraction * POWERS[usize::from(8 - decimals.min(8))]);
-    let used = 8 - decimals.leading_zeros() / 8;
-    let ascii = decimals | ZEROS;
-
-    let minus = u64::from(b'-') * u64::from(sign);
-    let low = minus
-        | (whole << (8 * sign))
-        | (u64::from(b'.') << (8 * point))
-        | (ascii << (8 * point) << 8);
-    let high = ascii >> (56 - 8 * point);
-    let text = u128::from(low) | (u128::from(high) << 64);
-    let length = point + used + u32::from(used > 0);
-    let end = out.len() + length as usize;
-    out.extend_from_slice(&text.to_le_bytes());
-    out.truncate(end);
-}
-
 /// Any whole part, up to 19 decimals.
 fn push_long(out: &mut Vec<u8>, negative: bool, whole: u64, fraction: u64, decimals: u8) {
     if negative {
@@ -304,62 +299,6 @@ fn drop_zeros(out: &mut Vec<u8>) {
     }
     if out.last() == Some(&b'.') {
         out.pop();
-    }
-}
-
-/// Writes numbers of at most eight digits with a fixed number of decimals: the digits of [`push_fixed`] at a third of its cost.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct EightDigits {
-    decimals: u32,
-    scale: f64,
-}
-
-impl EightDigits {
-    /// A writer of so many decimals; `None` where they leave no digit before the point.
-    pub(crate) fn new(decimals: u8) -> Option<Self> {
-        (decimals <= 7).then(|| Self {
-            decimals: u32::from(decimals),
-            scale: POWERS[usize::from(decimals)] as f64,
-        })
-    }
-
-    /// Writes `x` at `text[at..]`, with a space before it if it is `separated` and has no sign, and tells where it ends.
-    ///
-    /// `None` where it has more digits, where the text has less than 17 bytes of room, and where the product with the power of ten is
-    /// so close to a tie that its own rounding might decide: every other product is on the right side, as it errs by 2^-27 at most.
-    #[inline]
-    pub(crate) fn write(
-        self,
-        text: &mut [u8],
-        at: usize,
-        x: f64,
-        separated: bool,
-    ) -> Option<usize> {
-        const CLOSE_TO_TIE: f64 = 0.5 - 1e-6;
-        let product = x.abs() * self.scale;
-        let shifted = product + ROUNDING;
-        let left = product - (shifted - ROUNDING);
-        if !(product < 99_999_999.5 && left.abs() < CLOSE_TO_TIE) {
-            return None;
-        }
-        let steps = shifted.to_bits() & 0xffff_ffff;
-        let digits = digits(steps);
-        let ascii = digits | ZEROS;
-        // The last digit before the point stays, whatever it is.
-        let last_whole = 7 - self.decimals;
-        let skip = (digits | 1 << (8 * last_whole)).trailing_zeros() / 8;
-        let whole = last_whole + 1 - skip;
-        let used = self.decimals.saturating_sub(digits.leading_zeros() / 8);
-        let fraction = u64::from(b'.') | (ascii >> (8 * last_whole) & !0xff);
-
-        let negative = x < 0.0 && steps != 0;
-        let text = text.get_mut(at..at + 17)?;
-        text[0] = if negative { b'-' } else { b' ' };
-        let before = usize::from(negative | separated);
-        let point = before + whole as usize;
-        text[before..before + 8].copy_from_slice(&(ascii >> (8 * skip)).to_le_bytes());
-        text[point..point + 8].copy_from_slice(&fraction.to_le_bytes());
-        Some(at + point + used as usize + usize::from(used > 0))
     }
 }
 

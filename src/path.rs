@@ -5,6 +5,7 @@ mod postscript;
 mod power;
 mod read;
 mod refusal;
+mod text;
 mod transform;
 mod write;
 
@@ -12,7 +13,9 @@ pub use postscript::postscript;
 #[cfg(feature = "serde")]
 pub use power::contours_of_power;
 pub use read::{contours, curve, curves, shortened};
+#[cfg(feature = "document")]
+pub(crate) use text::PathText;
 pub use transform::transform;
 #[cfg(feature = "batch")]
-pub(crate) use write::push_rounding;
+pub(crate) use write::push_rounded;
 pub use write::{data, data_of_courses, push_curve};

@@ -154,8 +154,10 @@ fn push_shape(
         }
         _ => {
             let sketch = sketch(shape, options)?;
-            if !path::push_rounding(out, &sketch.curve, sketch.precision, sketch.kept.is_some()) {
+            if sketch.kept.is_some() {
                 path::push_curve(out, &sketch.rounded(), false);
+            } else {
+                path::push_rounded(out, &sketch.curve, sketch.precision);
             }
             Ok(())
         }

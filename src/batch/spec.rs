@@ -118,10 +118,10 @@ fn arc(center: [f64; 2], radii: [f64; 2], rotation: f64, start: f64, sweep: f64)
 
 #[cfg(test)]
 mod tests {
-    use super::text::number;
     use super::*;
     use crate::error::Error;
     use crate::joints::Tolerance;
+    use crate::number::parse as number;
 
     #[test]
     fn both_forms_mean_the_same() {

@@ -11,14 +11,14 @@ use kurbo::{Point, Vec2};
 use super::bezier;
 use super::collapse;
 use super::curve_text::{absolute, relative};
-use super::decimal::{After, Decimal};
-use super::end::End;
 use super::path_data::{Segment, Segments};
 use super::position::{Position, Trail, is_nearly_whole};
 use super::scratch::Scratch;
 use super::style::property::Markers;
 use super::{Options, Reason};
 use crate::Angle;
+use crate::number::decimal::{After, Decimal, Form};
+use crate::path::PathText;
 use crate::shape::endpoint::SvgArc;
 
 /// What a path may not lose, and how it is drawn.
@@ -72,7 +72,7 @@ pub(super) fn rewrite(
         trail: Trail::new(text, span),
         collapses: false,
         previous: None,
-        end: End::default(),
+        end: PathText::new(Form::Short),
         respell: 0,
         outcome: Outcome::default(),
     };
@@ -94,6 +94,15 @@ pub(super) fn rewrite(
     writer.outcome
 }
 
+/// Writes the letter of what an arc becomes, where it is needed.
+fn lettered(end: &mut PathText, out: &mut Vec<u8>, arc: &Segment, small: u8) {
+    if arc.explicit {
+        end.letter = 0;
+    }
+    let large = if arc.is_relative() { 0 } else { 0x20 };
+    end.letter(out, small ^ large);
+}
+
 struct Writer<'a, 'b, S> {
     text: &'a str,
     context: Context<'a>,
@@ -108,7 +117,7 @@ struct Writer<'a, 'b, S> {
     /// Whether the precision would leave nothing of the subpath.
     collapses: bool,
     previous: Option<Segment>,
-    end: End,
+    end: PathText,
     /// The smooth command that would take up a control point of the Bézier that was an arc, if the output ends with one.
     respell: u8,
     outcome: Outcome,
@@ -199,8 +208,8 @@ impl<S: Sink> Writer<'_, '_, S> {
             _ => {
                 let size = self.at.point.x.abs().max(self.at.point.y.abs()).max(1e-9);
                 let decimals = (12 - libm::log10(size).ceil() as i32).max(0).unsigned_abs();
-                after.push(text, Decimal::round(self.at.point.x, decimals));
-                after.push(text, Decimal::round(self.at.point.y, decimals));
+                after.push(text, Decimal::round(self.at.point.x, decimals), Form::Short);
+                after.push(text, Decimal::round(self.at.point.y, decimals), Form::Short);
             }
         }
         after.push_text(text, &bytes[segment.arguments..=segment.arguments]);
@@ -269,7 +278,7 @@ impl<S: Sink> Writer<'_, '_, S> {
             (b'c', b's')
         };
         let out = self.sink.edit(self.text_start(segment)..segment.end);
-        self.end.letter(out, segment, letter);
+        lettered(&mut self.end, out, segment, letter);
         self.end.after.part(out, curve.text);
         out.extend_from_slice(curve.text);
         self.end.after = curve.after;
@@ -361,7 +370,7 @@ impl<S: Sink> Writer<'_, '_, S> {
     /// A zero radius: a straight line to the end point as the file spells it.
     fn line(&mut self, segment: &Segment) {
         let out = self.sink.edit(self.text_start(segment)..segment.end);
-        self.end.letter(out, segment, b'l');
+        lettered(&mut self.end, out, segment, b'l');
         let to = &self.text.as_bytes()[segment.tail..segment.end];
         self.end.after.push_text(out, to);
         self.respell = 0;

@@ -5,8 +5,7 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 
-use super::decimal::MAX_DECIMALS;
-use super::decimals::decimals;
+use super::decimals::{decimals, most};
 use super::memo::Memo;
 use super::segments::{Beziers, Joint};
 use super::{Options, Reason};
@@ -155,10 +154,7 @@ fn by_engine(
                 .map(|point| *point - from),
         );
     }
-    out.decimals = match drawing.precision {
-        Precision::Fixed(decimals) => u32::from(decimals).min(MAX_DECIMALS),
-        Precision::Full => MAX_DECIMALS,
-    };
+    out.decimals = most(drawing.precision);
     Ok(drawing.curve.start().unwrap_or_default() - from)
 }
 

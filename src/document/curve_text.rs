@@ -3,10 +3,10 @@
 use kurbo::Vec2;
 
 use super::Reason;
-use super::decimal::{After, Decimal};
-use super::number;
 use super::path_data::Segment;
 use super::segments::Beziers;
+use crate::number::decimal::{After, Decimal, Form};
+use crate::number::read as number;
 
 /// Coordinates beyond this are left alone.
 const FARTHEST: f64 = 1e15;
@@ -63,8 +63,8 @@ pub(super) fn absolute(
         if !(at.x.abs() < FARTHEST && at.y.abs() < FARTHEST) {
             return Err(Reason::TooLarge);
         }
-        after.push(out, Decimal::round(at.x, drawn.decimals));
-        after.push(out, Decimal::round(at.y, drawn.decimals));
+        after.push(out, Decimal::round(at.x, drawn.decimals), Form::Short);
+        after.push(out, Decimal::round(at.y, drawn.decimals), Form::Short);
     }
     after.push_text(out, &data.as_bytes()[segment.tail..segment.end]);
     Ok(after)
@@ -84,10 +84,7 @@ pub(super) fn relative(
         ]
     };
     let count = drawn.segments().len();
-    let mut joint = [Decimal {
-        units: 0,
-        decimals: 0,
-    }; 2];
+    let mut joint = [Decimal::ZERO; 2];
     let mut after = After::Letter;
     for (i, points) in drawn.segments().enumerate() {
         let mut at = joint;
@@ -96,8 +93,8 @@ pub(super) fn relative(
                 return Err(Reason::TooLarge);
             }
             at = grid(*point);
-            after.push(out, at[0].minus(joint[0]));
-            after.push(out, at[1].minus(joint[1]));
+            after.push(out, at[0].minus(joint[0]), Form::Short);
+            after.push(out, at[1].minus(joint[1]), Form::Short);
         }
         if i + 1 < count {
             joint = at;
@@ -108,8 +105,8 @@ pub(super) fn relative(
     } else {
         // The end point as spelled, counted from the last joint: exactly where the file put it.
         let [x, y] = end_point(data, segment);
-        after.push(out, x.minus(joint[0]));
-        after.push(out, y.minus(joint[1]));
+        after.push(out, x.minus(joint[0]), Form::Short);
+        after.push(out, y.minus(joint[1]), Form::Short);
     }
     Ok(after)
 }

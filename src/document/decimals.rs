@@ -3,9 +3,11 @@
 use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 
 use super::Options;
-use super::decimal::MAX_DECIMALS;
 use super::segments::Beziers;
+use crate::approximate::ROUNDING_SHARE;
 use crate::measure::radial;
+use crate::number::Precision;
+use crate::number::decimal::MAX_DECIMALS;
 use crate::shape::Truth;
 
 /// The decimals for the control points: those asked for, or the fewest d for which 10^-d/√2 is at most a tenth of the peak error.
@@ -19,7 +21,7 @@ pub(super) fn decimals(
     drawn: &Beziers,
 ) -> u32 {
     if let Some(decimals) = options.precision {
-        return u32::from(decimals).min(MAX_DECIMALS);
+        return most(Precision::Fixed(decimals));
     }
     let size = |p: &Vec2| (base.x + p.x).abs().max((base.y + p.y).abs());
     let largest = drawn
@@ -78,26 +80,15 @@ fn sampled_error(truth: &Truth, start: Vec2, base: Point, drawn: &Beziers) -> f6
         .fold(0.0, f64::max)
 }
 
-/// 10^-d/√2 for every d.
-const MOVED: [f64; MAX_DECIMALS as usize + 1] = {
-    let mut moved = [core::f64::consts::FRAC_1_SQRT_2; MAX_DECIMALS as usize + 1];
-    let mut d = 1;
-    while d < moved.len() {
-        moved[d] = moved[d - 1] / 10.0;
-        d += 1;
-    }
-    moved
-};
-
 /// The fewest decimals for this peak error; no more than coordinates up to `largest` have digits.
 fn fewest(peak: f64, largest: f64) -> u32 {
-    let needed = MOVED
-        .iter()
-        .position(|moved| *moved <= 0.1 * peak)
-        .unwrap_or(MAX_DECIMALS as usize) as u32;
-    // Only beyond ten decimals can the digits of a coordinate run out first, unless it is huge.
-    if needed < 5 && largest < 1e9 || needed < 10 && largest < 1e5 {
-        return needed;
+    most(Precision::moving_at_most(ROUNDING_SHARE * peak, largest))
+}
+
+/// The decimals of a precision, as many as a number is given.
+pub(super) fn most(precision: Precision) -> u32 {
+    match precision {
+        Precision::Fixed(decimals) => u32::from(decimals).min(MAX_DECIMALS),
+        Precision::Full => MAX_DECIMALS,
     }
-    needed.min((15.0 - libm::log10(largest).ceil()).clamp(0.0, f64::from(MAX_DECIMALS)) as u32)
 }

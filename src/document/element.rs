@@ -6,13 +6,13 @@ use kurbo::{Point, Vec2};
 
 use super::bezier;
 use super::collapse::is_too_small;
-use super::decimal::Decimal;
 use super::length::{self, Length, Reading};
 use super::pen::Pen;
 use super::scratch::Scratch;
 use super::style::property::Kind;
 use super::{Options, Reason};
 use crate::Angle;
+use crate::number::decimal::Decimal;
 use crate::shape::endpoint::SvgArc;
 
 /// A shape with its used values: `auto` resolved, radii clamped.
@@ -95,7 +95,7 @@ fn clamp(radius: Length, side: Length) -> Length {
     }
     let exact = side.exact;
     match exact.units.checked_mul(5) {
-        Some(units) if exact.decimals < super::decimal::MAX_DECIMALS => Length {
+        Some(units) if exact.decimals < crate::number::decimal::MAX_DECIMALS => Length {
             value: half,
             exact: Decimal {
                 units,

@@ -1,6 +1,6 @@
 //! What stands between the numbers of path data, and the arguments that are skipped unread.
 
-use super::number;
+use crate::number::read as number;
 
 /// The index behind white space.
 #[inline]

@@ -1,7 +1,7 @@
 //! Lengths of geometry attributes in user units.
 
-use super::decimal::Decimal;
-use super::number;
+use crate::number::decimal::Decimal;
+use crate::number::read as number;
 
 /// A length: its value, and its digits as the file spells them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,10 +44,7 @@ impl Length {
     pub(super) fn zero() -> Self {
         Self {
             value: 0.0,
-            exact: Decimal {
-                units: 0,
-                decimals: 0,
-            },
+            exact: Decimal::ZERO,
         }
     }
 }

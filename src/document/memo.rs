@@ -5,9 +5,9 @@
 
 use super::Options;
 use super::curve_text::Curve;
-use super::decimal::After;
 use crate::joints::Cut;
 use crate::method::{Piece, Rule, Span};
+use crate::number::decimal::After;
 
 /// The places of each table, a power of two; it is emptied when three quarters of them are taken.
 const PLACES: usize = 1 << 15;

@@ -7,7 +7,7 @@ use kurbo::Vec2;
 use super::grammar::{
     behind_arc_shape, behind_arguments, behind_numbers, behind_separator, behind_space,
 };
-use super::number;
+use crate::number::read as number;
 
 /// One command and one set of its arguments.
 #[derive(Debug, Clone, Copy, PartialEq)]

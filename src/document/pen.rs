@@ -2,9 +2,10 @@
 
 use kurbo::Vec2;
 
-use super::decimal::{After, Decimal};
 use super::length::Length;
 use super::segments::Beziers;
+use crate::number::decimal::{Decimal, Form};
+use crate::path::PathText;
 
 /// A point by its digits.
 type Place = [Decimal; 2];
@@ -12,7 +13,7 @@ type Place = [Decimal; 2];
 /// Writes the path data of one shape.
 pub(super) struct Pen<'a> {
     out: &'a mut Vec<u8>,
-    text: Text,
+    text: PathText,
     /// The decimals of control points.
     pub(super) decimals: u32,
     /// The precision asked for: then every number is rounded to it.
@@ -24,33 +25,14 @@ pub(super) struct Pen<'a> {
     current: Place,
 }
 
-/// What path data end with.
-#[derive(Debug, Clone, Copy)]
-struct Text {
-    after: After,
-    letter: u8,
-}
-
-impl Text {
-    /// Writes a command's letter, unless it is the one that numbers repeat.
-    fn letter(&mut self, out: &mut Vec<u8>, letter: u8) {
-        if self.letter != letter {
-            out.push(letter);
-            *self = Self {
-                after: After::Letter,
-                letter,
-            };
-        }
-    }
-
-    fn points(&mut self, out: &mut Vec<u8>, points: &[Place], origin: Option<Place>) {
-        for point in points {
-            for (axis, number) in point.iter().enumerate() {
-                self.after.push(
-                    out,
-                    origin.map_or(*number, |origin| number.minus(origin[axis])),
-                );
-            }
+/// Writes points, counted from the origin where there is one.
+fn push_points(text: &mut PathText, out: &mut Vec<u8>, points: &[Place], origin: Option<Place>) {
+    for point in points {
+        for (axis, number) in point.iter().enumerate() {
+            text.push(
+                out,
+                origin.map_or(*number, |origin| number.minus(origin[axis])),
+            );
         }
     }
 }
@@ -60,10 +42,7 @@ impl<'a> Pen<'a> {
     pub(super) fn new(asked: Option<u8>, decimals: u32, out: &'a mut Vec<u8>) -> Self {
         Self {
             out,
-            text: Text {
-                after: After::Letter,
-                letter: b' ',
-            },
+            text: PathText::new(Form::Short),
             decimals,
             asked: asked.map(u32::from),
             base: [Length::zero(); 2],
@@ -87,10 +66,7 @@ impl<'a> Pen<'a> {
             let rounded = if value == known.value {
                 known.exact
             } else if value == -known.value {
-                Decimal {
-                    units: -known.exact.units,
-                    ..known.exact
-                }
+                known.exact.negated()
             } else if let Some(decimals) = self.asked {
                 return Decimal::round(value + base.value, decimals);
             } else {
@@ -108,7 +84,7 @@ impl<'a> Pen<'a> {
     pub(super) fn move_to(&mut self, place: Place) {
         self.current = self.rounded(place);
         self.text.letter(self.out, b'M');
-        self.text.points(self.out, &[self.current], None);
+        push_points(&mut self.text, self.out, &[self.current], None);
     }
 
     /// A line along an axis.
@@ -116,7 +92,6 @@ impl<'a> Pen<'a> {
         self.current = self.rounded(place);
         self.text.letter(self.out, letter);
         self.text
-            .after
             .push(self.out, self.current[usize::from(letter == b'V')]);
     }
 
@@ -134,10 +109,15 @@ impl<'a> Pen<'a> {
             let (mut text_absolute, mut text_relative) = (self.text, self.text);
             absolute.clear();
             text_absolute.letter(&mut absolute, letter.to_ascii_uppercase());
-            text_absolute.points(&mut absolute, places, None);
+            push_points(&mut text_absolute, &mut absolute, places, None);
             relative.clear();
             text_relative.letter(&mut relative, letter);
-            text_relative.points(&mut relative, places, Some(self.current));
+            push_points(
+                &mut text_relative,
+                &mut relative,
+                places,
+                Some(self.current),
+            );
             let last = closes && i + 1 == count;
             let (chosen, text) = if last || absolute.len() <= relative.len() {
                 (&absolute, text_absolute)

@@ -4,9 +4,9 @@ use core::ops::Range;
 
 use kurbo::Vec2;
 
-use super::decimal::{After, Decimal};
 use super::path_data::Segment;
 use crate::arcs::recognize::Found;
+use crate::number::decimal::{After, Decimal, Form};
 use crate::number::decimals_of;
 
 /// A Bézier of path data.
@@ -107,6 +107,7 @@ fn arc(text: &str, links: &[Link], run: &Run) -> Option<Edit> {
         after.push(
             &mut out,
             Decimal::round(number, u32::from(decimals_of(number))),
+            Form::Short,
         );
     }
     for flag in [given.large_arc, given.sweep] {
@@ -116,7 +117,7 @@ fn arc(text: &str, links: &[Link], run: &Run) -> Option<Edit> {
         End::Spelled(range) => after.push_text(&mut out, text[range].as_bytes()),
         End::Sum(sum) => sum
             .into_iter()
-            .for_each(|number| after.push(&mut out, number)),
+            .for_each(|number| after.push(&mut out, number, Form::Short)),
     }
     Some(Edit {
         range: text_start(first)..last.segment.end,
@@ -140,10 +141,7 @@ fn end_point(text: &str, run: &[Link]) -> Option<(u8, End)> {
     if absolute == Some(run.len() - 1) || run.len() == 1 {
         return Some((letter, End::Spelled(last.segment.tail..last.segment.end)));
     }
-    let mut sum = [Decimal {
-        units: 0,
-        decimals: 0,
-    }; 2];
+    let mut sum = [Decimal::ZERO; 2];
     for link in &run[absolute.unwrap_or(0)..] {
         let [.., end] = points(text, link)?;
         sum = [sum[0].plus(end[0]), sum[1].plus(end[1])];
@@ -153,10 +151,7 @@ fn end_point(text: &str, run: &[Link]) -> Option<(u8, End)> {
 
 /// The last two points of a link as the file spells them; of a `t` or a `T`, which has one, that one twice.
 fn points(text: &str, link: &Link) -> Option<[[Decimal; 2]; 2]> {
-    let mut numbers = [Decimal {
-        units: 0,
-        decimals: 0,
-    }; 6];
+    let mut numbers = [Decimal::ZERO; 6];
     let mut count = 0;
     for (place, number) in numbers.iter_mut().zip(link.segment.numbers(text)) {
         *place = Decimal::read(number)?;
@@ -200,7 +195,7 @@ fn after(text: &str, links: &[Link], run: &Run, next_run: usize) -> Option<[Opti
         } else {
             end[axis].plus(way)
         };
-        after.push(&mut out, number);
+        after.push(&mut out, number, Form::Short);
     }
     after.part(&mut out, &text.as_bytes()[segment.arguments..]);
     let spelled = Edit {

@@ -4,13 +4,12 @@ use core::ops::Range;
 
 use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Rect, Shape as _, Vec2};
 
-use super::decimal::{After, Decimal};
 use super::runs::{decimals, rules};
 use super::style::property::Kind;
 use crate::arcs::recognize::{Rules, Turn, turned};
 use crate::contour::{Contour, Step};
 use crate::joints::Tolerance;
-use crate::number::{decimals_of, round};
+use crate::number::{push_shortest, round};
 use crate::path;
 
 /// Longer path data are no shape of few curves.
@@ -41,16 +40,8 @@ impl Whole {
             }
             out.extend_from_slice(name.as_bytes());
             out.extend([b'=', quote]);
-            let exact = Decimal::round(*number, u32::from(decimals_of(*number)));
-            let mut value = Vec::new();
-            exact.write(&mut value, After::Letter);
-            // Attributes are read by more programs than path data are: none of them minds a zero before the point.
-            let (sign, digits) = value.split_at(usize::from(value.first() == Some(&b'-')));
-            out.extend_from_slice(sign);
-            if digits.first() == Some(&b'.') {
-                out.push(b'0');
-            }
-            out.extend_from_slice(digits);
+            // With the zero before the point: attributes are read by more programs than path data are.
+            push_shortest(&mut out, *number);
         }
         out
     }

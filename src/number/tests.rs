@@ -73,30 +73,27 @@ fn check(x: f64, decimals: u8) {
         );
     }
     check_shortest(x);
-    check_eight_digits(x, decimals, &text);
+    check_short(x, decimals, &text);
 }
 
-/// The writer of few digits gives the same text, or none.
-fn check_eight_digits(x: f64, decimals: u8, text: &str) {
-    let Some(writer) = EightDigits::new(decimals) else {
+/// The short form leaves out the zero before the point, and a space stands where the number would run into another.
+fn check_short(x: f64, decimals: u8, text: &str) {
+    let Some(number) = Decimal::nearest(x, decimals) else {
         return;
     };
-    for separated in [false, true] {
-        let mut out = [b'#'; 20];
-        let Some(end) = writer.write(&mut out, 1, x, separated) else {
-            return;
+    let short = match text.split_once("0.") {
+        Some((sign @ ("" | "-"), digits)) => format!("{sign}.{digits}"),
+        _ => text.to_owned(),
+    };
+    for after in [After::Letter, After::Whole, After::Point] {
+        let mut out = b"#".to_vec();
+        let has_point = number.write(&mut out, after, Form::Short);
+        let parted = match (after, short.as_bytes()[0]) {
+            (After::Letter, _) | (_, b'-') | (After::Point, b'.') => short.clone(),
+            _ => format!(" {short}"),
         };
-        let sign = if separated && !text.starts_with('-') {
-            " "
-        } else {
-            ""
-        };
-        let written = String::from_utf8_lossy(&out[1..end]);
-        assert_eq!(
-            written,
-            format!("{sign}{text}"),
-            "{x:e} with {decimals} decimals"
-        );
+        assert_eq!(String::from_utf8_lossy(&out[1..]), parted, "{x:e}");
+        assert_eq!(has_point, text.contains('.'), "{x:e}");
     }
 }
 
@@ -234,25 +231,6 @@ fn decimals_are_counted_on_the_shortest_form() {
     for (x, decimals) in cases {
         assert_eq!(decimals_of(x), decimals, "{x}");
     }
-}
-
-#[test]
-fn few_digits_are_written_where_there_is_room_and_no_tie() {
-    let writes = |x: f64, decimals: u8| {
-        let writer = EightDigits::new(decimals)?;
-        writer.write(&mut [0; 17], 0, x, true)
-    };
-    assert_eq!(writes(12_345.678, 3), Some(10));
-    assert_eq!(writes(-12_345.678, 3), Some(10));
-    assert_eq!(writes(9.999_999_9, 7), Some(10));
-    assert_eq!(writes(0.0, 7), Some(2));
-    // Nine digits, a tie, no number, no digit before the point, no room.
-    assert_eq!(writes(123_456.789, 3), None);
-    assert_eq!(writes(0.125, 2), None);
-    assert_eq!(writes(f64::NAN, 2), None);
-    assert_eq!(writes(1.0, 8), None);
-    let writer = EightDigits::new(2).unwrap();
-    assert_eq!(writer.write(&mut [0; 17], 1, 1.0, true), None);
 }
 
 #[test]

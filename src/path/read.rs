@@ -7,7 +7,8 @@ use super::refusal::refusal;
 use crate::contour::{Contour, Step};
 use crate::curve::{CLOSING_GAP, Curve, size};
 use crate::error::{Error, Result, finite};
-use crate::shape::endpoint::{SvgArc, decimal_sum};
+use crate::number::decimal_sum;
+use crate::shape::endpoint::SvgArc;
 
 /// The contours of path data, one for each subpath that draws something. A closing line is a step of its own.
 ///

@@ -6,7 +6,7 @@ use svgtypes::{PathParser, PathSegment};
 use super::{Arc, Line, Shape, Truth, finite_point, positive_radii};
 use crate::angle::{Angle, quadrant_degrees};
 use crate::error::{Error, Result, finite, positive};
-use crate::number::{decimals_of, round};
+use crate::number::decimal_sum;
 use crate::numeric::double::Double;
 
 /// An arc as SVG path data gives it.
@@ -281,16 +281,6 @@ fn unexpected(text: &str, column: usize, why: String) -> Error {
         text: text.to_owned(),
         column,
         why,
-    }
-}
-
-/// The sum of two decimals as a person would write it: 0.1 and 0.2 make 0.3.
-pub(crate) fn decimal_sum(a: f64, b: f64) -> f64 {
-    let decimals = decimals_of(a).max(decimals_of(b));
-    if decimals <= 15 {
-        round(a + b, decimals)
-    } else {
-        a + b
     }
 }
 

@@ -64,6 +64,7 @@ mod pictures;
 mod pipeline;
 mod promises;
 mod renderers;
+mod same_numbers;
 mod schema;
 mod sphere;
 mod spline;

@@ -6,7 +6,7 @@ use super::{Subject, arc, ellipse, polyline};
 use crate::angle::Angle;
 use crate::contour::Contour;
 use crate::error::{Error, Result};
-use crate::number::digits::EXACT_POWERS;
+use crate::number::parse as number;
 use crate::path::contours;
 use crate::shape::endpoint::{SvgArc, from_bulge, through};
 use crate::shape::{Circle, Shape};
@@ -176,30 +176,4 @@ fn shape_from_text(mut words: Words, start: usize, word: &str) -> Result<Shape> 
         }
         _ => Err(words.wrong(start, format!("{form} is expected"))),
     }
-}
-
-/// A decimal number. Up to 19 digits make a whole number and a power of ten that are both floats, whose quotient is the nearest
-/// float (Clinger 1990); what is longer or has an exponent is left to the standard library.
-#[inline]
-pub(super) fn number(word: &str) -> Option<f64> {
-    let bytes = word.as_bytes();
-    let negative = bytes.first() == Some(&b'-');
-    let (mut whole, mut digits, mut point) = (0_u64, 0, None);
-    for &byte in &bytes[usize::from(negative)..] {
-        let digit = byte.wrapping_sub(b'0');
-        if digit < 10 {
-            whole = whole.wrapping_mul(10).wrapping_add(u64::from(digit));
-            digits += 1;
-        } else if byte == b'.' && point.is_none() {
-            point = Some(digits);
-        } else {
-            return word.parse().ok();
-        }
-    }
-    if digits == 0 || digits > 19 || whole > 1 << 53 {
-        return word.parse().ok();
-    }
-    let decimals = point.map_or(0, |point| digits - point);
-    let value = whole as f64 / EXACT_POWERS[decimals];
-    Some(if negative { -value } else { value })
 }

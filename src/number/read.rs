@@ -1,13 +1,14 @@
 //! Numbers as a file spells them: SVG 2's grammar and the exact byte span.
 
-use crate::number::digits::{EXACT_POWERS, ZEROS};
+use super::digits::{EXACT_POWERS, ZEROS};
+use super::parse;
 
 /// The index behind the number at `bytes[at..]`; `None` where none begins.
 ///
 /// The grammar is SVG 2's: `[+-]? ([0-9]+ | [0-9]* "." [0-9]+) ([eE] [+-]? [0-9]+)?`. An `e` without digits behind it belongs to
 /// what follows (`1em`).
 #[inline]
-pub(super) fn skip(bytes: &[u8], at: usize) -> Option<usize> {
+pub(crate) fn skip(bytes: &[u8], at: usize) -> Option<usize> {
     let whole = behind_sign(bytes, at);
     match Short::at(bytes, whole) {
         Some(short) => Some(whole + short.length()),
@@ -17,7 +18,7 @@ pub(super) fn skip(bytes: &[u8], at: usize) -> Option<usize> {
 
 /// The number at `bytes[at..]` and the index behind it; infinite where it is beyond `f64`, `None` where none begins.
 #[inline]
-pub(super) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
+pub(crate) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     let whole = behind_sign(bytes, at);
     let Some(short) = Short::at(bytes, whole) else {
         return read_long(bytes, at);
@@ -127,7 +128,7 @@ fn skip_digits(bytes: &[u8], mut at: usize) -> usize {
 #[cold]
 fn read_long(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     let end = skip_long(bytes, at)?;
-    let value = core::str::from_utf8(&bytes[at..end]).ok()?.parse().ok()?;
+    let value = parse(core::str::from_utf8(&bytes[at..end]).ok()?)?;
     Some((value, end))
 }
 

@@ -1,0 +1,176 @@
+//! One shape asked for in three ways, as a command, as a line of `batch` and as an element of a file, is one curve: the same numbers.
+//!
+//! With at least the decimals of the request: with fewer, a file rounds vertices from its own decimals, whose sums are exact, where a
+//! command rounds sums of floats; and ends of a path's arc, which other segments share, stay as the file has them.
+
+use curveto::batch;
+use curveto::batch::spec::{Spec, Subject};
+use curveto::document;
+use curveto::number::Precision;
+use curveto::path;
+use curveto::{Cut, Method, Options, Rule, Tolerance, approximate};
+use kurbo::{ParamCurve, PathSeg, Point};
+use proptest::prelude::*;
+
+/// A shape as a line of `batch` and as an element of SVG.
+#[derive(Debug, Clone)]
+struct Asked {
+    line: String,
+    element: String,
+}
+
+/// A number of at most two decimals.
+fn number(most: i32) -> impl Strategy<Value = f64> {
+    (-100 * most..=100 * most).prop_map(|n| f64::from(n) / 100.0)
+}
+
+fn length() -> impl Strategy<Value = f64> {
+    prop_oneof![1..400, 400..20_000].prop_map(|n| f64::from(n) / 100.0)
+}
+
+fn asked() -> impl Strategy<Value = Asked> {
+    let circle = (number(90), number(90), length()).prop_map(|(x, y, r)| Asked {
+        line: format!("circle {x} {y} {r}"),
+        element: format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>"),
+    });
+    let radii = (number(90), number(90), length(), length());
+    let ellipse = radii.prop_map(|(x, y, rx, ry)| Asked {
+        line: format!("ellipse {x} {y} {rx} {ry}"),
+        element: format!("<ellipse cx=\"{x}\" cy=\"{y}\" rx=\"{rx}\" ry=\"{ry}\"/>"),
+    });
+    let radius = prop_oneof![
+        (length(), length()),
+        length().prop_map(|radius| (radius, radius))
+    ];
+    let ends = [number(50), number(50), number(50), number(50)];
+    let arc = (ends, radius, number(180), any::<[bool; 2]>()).prop_map(
+        |([x1, y1, x2, y2], (rx, ry), rotation, flags)| {
+            let [large, sweep] = flags.map(u8::from);
+            Asked {
+                line: format!("svgarc {x1} {y1} {rx} {ry} {rotation} {large} {sweep} {x2} {y2}"),
+                element: format!(
+                    "<path d=\"M{x1} {y1}A{rx} {ry} {rotation} {large} {sweep} {x2} {y2}\"/>"
+                ),
+            }
+        },
+    );
+    prop_oneof![circle, ellipse, arc]
+}
+
+fn cut() -> impl Strategy<Value = Cut> {
+    prop_oneof![
+        Just(Cut::Quarters),
+        (1..40_usize).prop_map(Cut::Count),
+        (1..12_usize).prop_map(Cut::Adaptive),
+        (0..5_i32).prop_map(|n| Cut::Tolerance(Tolerance::Absolute(f64::powi(0.1, n)))),
+        (2..6_i32).prop_map(|n| Cut::Tolerance(Tolerance::Relative(f64::powi(0.1, n)))),
+    ]
+}
+
+/// The points that a reader of the path data gets.
+fn points(data: &str) -> Vec<Point> {
+    let curves = path::curves(data).unwrap();
+    curves
+        .iter()
+        .flat_map(|curve| of(&curve.segments))
+        .collect()
+}
+
+fn of(segments: &[PathSeg]) -> Vec<Point> {
+    let first = segments.first().map(ParamCurve::start);
+    let rest = segments.iter().flat_map(|segment| match *segment {
+        PathSeg::Line(l) => vec![l.p1],
+        PathSeg::Quad(q) => vec![q.p1, q.p2],
+        PathSeg::Cubic(c) => vec![c.p1, c.p2, c.p3],
+    });
+    first.into_iter().chain(rest).collect()
+}
+
+fn smallest_radius(asked: &Asked) -> f64 {
+    match Spec::parse(&asked.line).unwrap().subject {
+        Subject::Shape(shape) => shape.outline().map_or(0.0, |outline| {
+            outline.truth.radii.x.min(outline.truth.radii.y)
+        }),
+        Subject::Path(_) => 0.0,
+    }
+}
+
+fn single(asked: &Asked, options: &Options) -> Option<Vec<Point>> {
+    let Subject::Shape(shape) = Spec::parse(&asked.line).ok()?.subject else {
+        return None;
+    };
+    Some(of(&approximate(&shape, options).ok()?.curve.segments))
+}
+
+fn by_batch(asked: &Asked, options: &Options) -> Option<Vec<Point>> {
+    let options = batch::Options {
+        rule: options.rule,
+        cut: options.cut.clone(),
+        precision: options.precision,
+        on_error: batch::OnError::Blank,
+        ..batch::Options::default()
+    };
+    let (mut out, line) = (Vec::new(), asked.line.clone());
+    batch::run(std::io::Cursor::new(line), &mut out, &options, |_, _| ()).unwrap();
+    let text = String::from_utf8(out).unwrap();
+    (!text.trim().is_empty()).then(|| points(text.trim()))
+}
+
+fn by_convert(asked: &Asked, options: &Options) -> Option<Vec<Point>> {
+    let precision = match options.precision {
+        Some(Precision::Fixed(decimals)) => Some(decimals),
+        _ => None,
+    };
+    let options = document::Options {
+        rule: options.rule,
+        cut: options.cut.clone(),
+        precision,
+        ..document::Options::default()
+    };
+    let svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\">{}</svg>",
+        asked.element
+    );
+    let text = document::convert(&svg, &options).ok()?.text.into_owned();
+    let data = text.split(" d=\"").nth(1)?.split('"').next()?;
+    (!data.contains('A')).then(|| points(data))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn three_ways_to_ask_give_one_curve(
+        asked in asked(),
+        cut in cut(),
+        decimals in 2..7_u8,
+        method in proptest::sample::select(&Method::ALL[..]),
+    ) {
+        let options = Options {
+            rule: Rule::Method(method),
+            cut,
+            precision: Some(Precision::Fixed(decimals)),
+            ..Options::default()
+        };
+        let one = single(&asked, &options);
+        prop_assert_eq!(&one, &by_batch(&asked, &options), "batch");
+        // A file keeps what a coarse precision would make a dot.
+        if smallest_radius(&asked) * f64::powi(10.0, decimals.into()) > 0.5 {
+            prop_assert_eq!(&one, &by_convert(&asked, &options), "convert");
+        }
+    }
+
+    #[test]
+    fn a_line_of_batch_is_a_command(
+        asked in asked(),
+        cut in cut(),
+        precision in prop_oneof![
+            Just(None),
+            Just(Some(Precision::Full)),
+            (0..16_u8).prop_map(|decimals| Some(Precision::Fixed(decimals)))
+        ],
+    ) {
+        let options = Options { cut, precision, ..Options::default() };
+        prop_assert_eq!(single(&asked, &options), by_batch(&asked, &options));
+    }
+}
