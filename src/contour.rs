@@ -308,11 +308,8 @@ impl Finisher<'_> {
             segments: segments.split_off(before),
             closed: false,
         };
-        let kept = if self.options.precision.is_some() {
-            vec![]
-        } else {
-            kept
-        };
+        let given = self.options.precision.is_none().then_some(kept);
+        let kept = given.unwrap_or_default();
         let rounded = curve.rounded(self.precision, &kept);
         // A point of a Bézier moves no farther than its control points do.
         let rounding = largest_move(&curve, &rounded);

@@ -392,11 +392,8 @@ fn describe_spline(spline: &Spline) -> String {
         Ends::Natural => "natural",
         Ends::Fixed(_) => "fixed",
     };
-    let tangents = if spline.options.unit_tangents {
-        ", unit tangents"
-    } else {
-        ""
-    };
+    let unit = spline.options.unit_tangents.then_some(", unit tangents");
+    let tangents = unit.unwrap_or_default();
     let parametrization = spline.options.parametrization.name();
     format!("{parametrization} parametrization{settled}, {ends} ends{tangents}")
 }
