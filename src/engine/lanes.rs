@@ -56,14 +56,8 @@ fn fill_arcs(courses: &mut Courses, arcs: &[Arc], tolerance: Tolerance) {
 /// The columns of a block of arcs by their end points.
 #[inline(always)]
 fn fill_svg_arcs(courses: &mut Courses, arcs: &[SvgArc], tolerance: Tolerance) {
-    let [
-        mut rotation,
-        mut large,
-        mut positive,
-        mut size,
-        mut depth,
-        mut sweep,
-    ] = [COLUMN; 6];
+    let [mut rotation, mut large, mut positive] = [COLUMN; 3];
+    let [mut size, mut depth, mut sweep] = [COLUMN; 3];
     let [mut from, mut to, mut given, mut axis, mut along, mut radii] = [[COLUMN; 2]; 6];
     for (i, arc) in arcs.iter().take(LANES).enumerate() {
         courses.is_drawn[i] = arc.check().is_ok() && !arc.is_straight();
