@@ -231,6 +231,9 @@ impl<'a> Bench<'a> {
                 for side in [&mut joint.before, &mut joint.after] {
                     *side = side.map(|k| k.map(|x, _| x * self.sense()));
                 }
+                if let Some(parameters) = &mut joint.parameters {
+                    parameters.rest *= self.sense();
+                }
                 order = Some(order.map_or(found, |order| order.min(found)));
                 joint
             })

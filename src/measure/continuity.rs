@@ -27,11 +27,27 @@ pub struct Joint {
     pub before: Option<Curvature>,
     /// The curvature where the segment after it starts; `null` where it has none.
     pub after: Option<Curvature>,
+    /// How the derivatives by the segments' own parameters, each from 0 to 1, go on; `null` where one stands still or they turn.
+    pub parameters: Option<Parameters>,
     /// The order: `none` (they do not meet), `G0` (a corner), `G1` (tangent), `G2` (curvature), `G3` and `G4` (its first and
     /// second derivative by arc length too; higher orders are not looked at).
     pub continuity: String,
     /// The jumps that rounding explains.
     pub tolerance: JointTolerance,
+}
+
+/// Bias β and tension ν of a joint: p'(after) = β p'(before) and p''(after) = β² p''(before) + ν p'(before) + a rest along the
+/// normal, which is 0 where the curvature is continuous (Chen 1996, (23) and (27)).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Parameters {
+    /// β: how many times as long the derivative is after the joint.
+    pub bias: f64,
+    /// ν: what the second derivatives differ by along the tangent, in derivatives before the joint.
+    pub tension: f64,
+    /// What they differ by along the normal, positive towards the inside of the true shape.
+    pub rest: f64,
 }
 
 /// The largest jumps that a rounding of the coordinates explains.
@@ -80,10 +96,28 @@ pub(crate) fn joint(before: &PathSeg, after: &PathSeg, delta: f64) -> (Joint, Co
         turn,
         before: ending,
         after: starting,
+        parameters: parameters(before, after).filter(|_| order > Continuity::G0),
         continuity: order.to_string(),
         tolerance: slack,
     };
     (joint, order)
+}
+
+/// Bias, tension and the rest, positive along the normal that is a quarter turn from the tangent, from +x towards +y.
+fn parameters(before: &PathSeg, after: &PathSeg) -> Option<Parameters> {
+    let [p1, p2, _] = curvature::derivatives(&control_points(before), 1.0);
+    let [q1, q2, _] = curvature::derivatives(&control_points(after), 0.0);
+    let (bias, square) = (q1.hypot() / p1.hypot(), p1.hypot2());
+    let differ = q2 - p2 * (bias * bias);
+    let found = Parameters {
+        bias,
+        tension: differ.dot(p1) / square,
+        rest: p1.cross(differ) / square.sqrt(),
+    };
+    [found.bias, found.tension, found.rest]
+        .iter()
+        .all(|x| x.is_finite())
+        .then_some(found)
 }
 
 fn last_point(segment: &PathSeg) -> Point {

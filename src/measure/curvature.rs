@@ -70,7 +70,7 @@ pub fn at(segment: &PathSeg, t: f64) -> Option<Curvature> {
 }
 
 /// The first three derivatives by t, from the differences of the control points.
-fn derivatives(points: &[Point], t: f64) -> [Vec2; 3] {
+pub(super) fn derivatives(points: &[Point], t: f64) -> [Vec2; 3] {
     let mut differences: Vec<Vec2> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut factor = 1.0;
     [0, 1, 2].map(|_| {

@@ -203,6 +203,9 @@ impl Report {
                     .map(|k| k.map(per_length))
                     .filter(|k| k.to_array().iter().all(|x| x.is_finite()));
             }
+            if let Some(parameters) = &mut joint.parameters {
+                length(&mut parameters.rest);
+            }
             let t = &mut joint.tolerance;
             (t.value, t.d1, t.d2) = (
                 per_length(t.value, 1),

@@ -98,6 +98,8 @@ pub struct SegmentDocument {
     pub angles: Option<[f64; 2]>,
     /// Lancaster's equation space.
     pub power: PowerDocument,
+    /// The derivatives at its ends by its parameter from 0 to 1, which are with its end points Chen's form (1) of a cubic.
+    pub derivatives: [[f64; 2]; 2],
 }
 
 /// Lancaster's equation-space coefficients: x = At³+Bt²+Ct+D and y = Et³+Ft²+Gt+H.
@@ -212,27 +214,30 @@ pub fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
 #[must_use]
 pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentDocument {
     let points: Vec<[f64; 2]> = control_points(segment).into_iter().map(pair).collect();
-    let power = |axis: usize| {
+    let [x, y] = [0, 1].map(|axis| {
         let coordinates: Vec<f64> = points.iter().map(|p| p[axis]).collect();
         // Whole multiples of decimals are decimals: no noise in the last digits.
-        let decimals = coordinates
-            .iter()
-            .map(|&x| decimals_of(x))
-            .max()
-            .unwrap_or(0);
-        power::coefficients(&coordinates).map(|c| {
+        let decimals = coordinates.iter().map(|&x| decimals_of(x)).max();
+        let decimals = decimals.unwrap_or(0);
+        let tidy = |c| {
             if decimals <= 12 {
                 round(c, decimals)
             } else {
                 c
             }
-        })
-    };
+        };
+        let degree = coordinates.len().saturating_sub(1);
+        let slope = |i: usize| tidy(degree as f64 * (coordinates[i + 1] - coordinates[i]));
+        let slopes = if degree == 0 {
+            [0.0; 2]
+        } else {
+            [slope(0), slope(degree - 1)]
+        };
+        (power::coefficients(&coordinates).map(tidy), slopes)
+    });
     SegmentDocument {
-        power: PowerDocument {
-            x: power(0),
-            y: power(1),
-        },
+        power: PowerDocument { x: x.0, y: y.0 },
+        derivatives: [0, 1].map(|end| [x.1[end], y.1[end]]),
         points,
         angles,
     }

@@ -295,3 +295,95 @@ fn coefficients_that_are_none_are_refused() {
     let apart = r#"[{"x": [0,0,1,0], "y": [0,0,1,0]}, {"x": [0,0,1,5], "y": [0,0,1,5]}]"#;
     assert_eq!(printed(&["path", "--power", apart]), "M0 0L1 1M5 5L6 6\n");
 }
+
+#[test]
+fn an_arc_by_points_and_radius_is_chens_formula_26() {
+    for (from, to, radius) in [
+        ([2.0_f64, 1.0_f64], [1.0, 2.0], 1.0_f64),
+        ([3.0, -4.0], [-4.0, -3.0], 7.0),
+        ([0.0, 0.0], [10.0, 0.0], 5.01),
+    ] {
+        let words = [
+            "arc",
+            "--from",
+            &format!("{},{}", from[0], from[1]),
+            "--to",
+            &format!("{},{}", to[0], to[1]),
+            "--radius",
+            &radius.to_string(),
+            "-m",
+            "chen-3",
+            "-n",
+            "1",
+        ];
+        let found = json(&words);
+        let chord = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let alpha = 2.0 * (chord / 2.0 / radius).asin();
+        // (24): the length of the arc; (25): the tangents are at right angles to the radii.
+        let length = alpha * radius;
+        let center: Vec<f64> = found["shape"]["center"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(number)
+            .collect();
+        let segment = &found["segments"][0];
+        let point = |i: usize| {
+            [
+                number(&segment["points"][i][0]),
+                number(&segment["points"][i][1]),
+            ]
+        };
+        for (i, end) in [from, to].into_iter().enumerate() {
+            let d = [0, 1].map(|axis| number(&segment["derivatives"][i][axis]));
+            let expected = [
+                -(end[1] - center[1]) / radius * length,
+                (end[0] - center[0]) / radius * length,
+            ];
+            for axis in 0..2 {
+                assert!(
+                    (d[axis] - expected[axis]).abs() < 1e-9,
+                    "{words:?}: {d:?} {expected:?}"
+                );
+                // A third of it is the handle.
+                let handle = if i == 0 {
+                    point(1)[axis] - point(0)[axis]
+                } else {
+                    point(3)[axis] - point(2)[axis]
+                };
+                assert!((3.0 * handle - d[axis]).abs() < 1e-12);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_joint_of_uneven_arcs_has_the_bias_and_tension_of_chens_27() {
+    let joints = "0,30,90,120,180,210,270,300";
+    let of = |method: &str, radius: &str| {
+        let found = json(&[
+            "measure", "circle", radius, "-m", method, "--joints", joints,
+        ]);
+        found["continuity"]["joints"][0]["parameters"].clone()
+    };
+    // Where 60 degrees follow 30. The end curvatures are 1.0222250509 and 1.0816852721.
+    let found = of("chen-3", "1");
+    assert!((number(&found["bias"]) - 2.0).abs() < 1e-12);
+    assert!((number(&found["tension"]) + 0.0860).abs() < 5e-5, "{found}");
+    let after = core::f64::consts::FRAC_PI_3;
+    let rest = (1.081_685_272_1 - 1.022_225_050_9) * after * after;
+    assert!((number(&found["rest"]) - rest).abs() < 1e-9 && (rest - 0.0652).abs() < 5e-5);
+    // Lengths grow with the circle, and so does the rest.
+    let larger = of("chen-3", "50");
+    assert!((number(&larger["rest"]) - 50.0 * rest).abs() < 1e-7);
+    assert!((number(&larger["tension"]) - number(&found["tension"])).abs() < 1e-12);
+    // The circle's own curvature at both sides leaves nothing.
+    assert!(number(&of("curvature", "1")["rest"]).abs() < 1e-13);
+    // Equal segments: no bias, no tension, no rest.
+    let even = json(&["measure", "circle", "1", "-m", "chen-3"]);
+    let even = &even["continuity"]["joints"][0]["parameters"];
+    assert!((number(&even["bias"]) - 1.0).abs() < 1e-13 && number(&even["rest"]).abs() < 1e-13);
+    // A corner has neither.
+    let corner = json(&["measure", "circle", "1", "-m", "quadratic-area"]);
+    assert!(corner["continuity"]["joints"][0]["parameters"].is_null());
+}

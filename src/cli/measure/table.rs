@@ -206,12 +206,34 @@ fn joints(joints: &[Joint]) -> String {
     }
     close_up(&mut table, 2, &[0, 2, 3, 5, 6, 7]);
     let mut out = lines(&table);
+    out += &parameters(joints);
     if joints.len() > MOST_JOINTS {
         let more = joints.len() - MOST_JOINTS;
         // Writing to a string cannot fail.
         let _ = writeln!(out, "... and {more} more joints: -f json lists them all");
     }
     out
+}
+
+/// Bias and tension of the joints that have them.
+fn parameters(joints: &[Joint]) -> String {
+    let mut table = plain();
+    table.set_header(["joint at", "bias", "tension", "rest along the normal"]);
+    for joint in joints.iter().take(MOST_JOINTS) {
+        if let Some(found) = joint.parameters {
+            table.add_row([
+                significant(joint.angle, 6),
+                compact(found.bias, 6),
+                compact(found.tension, 6),
+                compact(found.rest, 6),
+            ]);
+        }
+    }
+    if table.is_empty() {
+        return String::new();
+    }
+    close_up(&mut table, 2, &[0, 1, 2, 3]);
+    "\n".to_owned() + &lines(&table)
 }
 
 /// The line of one side of a joint; what holds for both stands in the first.
