@@ -2,11 +2,8 @@
 
 use std::process::ExitCode;
 
-use curveto::Rule;
 use curveto::approximate::Options;
 use curveto::conic::{Conic, Drawing};
-use curveto::number::Precision;
-use kurbo::Affine;
 
 use super::Outcome;
 use super::args::{ApproximationArgs, ConicShape, Draw};
@@ -22,7 +19,13 @@ pub(super) fn run(args: &Draw<ConicShape>) -> Outcome {
     let format = args.output.format()?;
     let (precision, transform) = (args.output.rounding(format), args.output.transform());
     let rule = args.approximation.rule()?;
-    let drawing = drawing(&conic, &args.approximation, rule, precision, transform)?;
+    let options = Options {
+        rule,
+        cut: args.approximation.cut(),
+        precision,
+        transform,
+    };
+    let drawing = drawing(&conic, &args.approximation, &options)?;
     let manner = args.output.options(format)?;
     write_drawn(&drawing, format, &manner, &args.output)?;
     Ok(ExitCode::SUCCESS)
@@ -32,9 +35,7 @@ pub(super) fn run(args: &Draw<ConicShape>) -> Outcome {
 pub(super) fn drawing(
     conic: &Conic,
     approximation: &ApproximationArgs,
-    rule: Rule,
-    precision: Option<Precision>,
-    transform: Affine,
+    options: &Options,
 ) -> Result<Drawing, Failure> {
     if approximation.extremes {
         return Err(Failure::request_with_hint(
@@ -42,10 +43,5 @@ pub(super) fn drawing(
             "-n and -t cut them",
         ));
     }
-    Ok(conic.draw(&Options {
-        rule,
-        cut: approximation.cut(),
-        precision,
-        transform,
-    })?)
+    Ok(conic.draw(options)?)
 }

@@ -39,7 +39,7 @@ pub(super) fn draw(
     };
     let options = Options {
         rule: approximation.rule()?,
-        cut: cut(shape, approximation)?,
+        cut: started(shape, approximation.cut())?,
         precision: output.rounding(format),
         transform: output.transform(),
     };
@@ -71,11 +71,7 @@ pub(super) fn drawing(
 }
 
 /// The cut, in which joints that were asked for begin where the shape was asked to start.
-pub(super) fn cut(
-    shape: &impl ShapeWords,
-    approximation: &ApproximationArgs,
-) -> Result<Cut, Failure> {
-    let mut cut = approximation.cut();
+pub(super) fn started(shape: &impl ShapeWords, mut cut: Cut) -> Result<Cut, Failure> {
     if let (Cut::At(joints), Some(start)) = (&mut cut, shape.start()) {
         let same = |joint: &Angle| (joint.degrees() - start.degrees()).rem_euclid(360.0) == 0.0;
         let Some(first) = joints.iter().position(same) else {

@@ -48,6 +48,8 @@ struct Subject {
     curve: Curve,
     reference: Reference,
     measurement: Measurement,
+    /// The number of its panel in a plot.
+    panel: usize,
 }
 
 pub(super) fn run(args: &MeasureArgs) -> Outcome {
@@ -74,56 +76,54 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
     let precision = args
         .precision
         .map_or(Some(Precision::Full), super::args::PrecisionWord::precision);
+    let (rules, cuts) = (args.approximation.rules()?, args.approximation.cuts());
+    let counted = cuts.iter().map(|cut| match cut {
+        Cut::Count(count) | Cut::Adaptive(count) => *count,
+        _ => 0,
+    });
+    let counted = counted.fold(0, usize::saturating_add);
+    check_segments(rules.len().saturating_mul(counted))?;
     let mut subjects = Vec::new();
-    let rules = args.approximation.rules()?;
-    let counts = args.approximation.counts();
-    let planned = counts.iter().fold(0_usize, |sum, &n| sum.saturating_add(n));
-    check_segments(rules.len().saturating_mul(planned))?;
-    let cut = draw::cut(&args.shape, &args.approximation)?;
-    let cuts: Vec<Cut> = match cut {
-        Cut::Adaptive(_) => counts.iter().copied().map(Cut::Adaptive).collect(),
-        Cut::Count(_) => counts.iter().copied().map(Cut::Count).collect(),
-        other => vec![other],
-    };
-    let several = cuts.len() > 1;
-    let ways = rules
-        .iter()
-        .flat_map(|&rule| cuts.iter().map(move |cut| (rule, cut)));
     let mut segments = 0;
-    for (rule, cut) in ways {
-        let options = Options {
-            rule,
-            cut: cut.clone(),
-            precision,
-            transform: args.transform.unwrap_or_default(),
-        };
-        let drawing = draw::drawing(
-            &args.shape,
-            Direction::default(),
-            &options,
-            args.approximation.extremes,
-        )?;
-        segments += drawing.curve.segments.len();
-        check_segments(segments)?;
-        let measurement = Measurement::of_drawing(&drawing, args.report.coordinate_tolerance()?)?;
-        let (Some(measurement), Some(outline)) = (measurement, &drawing.outline) else {
-            return Err(Failure::request(
-                "there is nothing to measure: the shape is a straight line or nothing, and that is exact",
-            ));
-        };
-        subjects.push(Subject {
-            name: match cut {
-                Cut::Count(count) | Cut::Adaptive(count) if several => {
-                    format!("{}, {count} segments", rule.id())
-                }
-                _ => rule.id().to_owned(),
-            },
-            reference: Reference::from(outline),
-            curve: drawing.curve,
-            measurement,
-        });
+    for &rule in &rules {
+        for (panel, cut) in cuts.iter().enumerate() {
+            let options = Options {
+                rule,
+                cut: draw::started(&args.shape, cut.clone())?,
+                precision,
+                transform: args.transform.unwrap_or_default(),
+            };
+            let subject = drawn_subject(args, &options, panel, &mut segments)?;
+            subjects.push(subject);
+        }
     }
     tell(&subjects, &args.report, false)
+}
+
+/// Measures a shape as it would be drawn, of which there are so many segments before.
+fn drawn_subject<S: ShapeWords + clap::Args>(
+    args: &Measured<S>,
+    options: &Options,
+    panel: usize,
+    segments: &mut usize,
+) -> Result<Subject, Failure> {
+    let (default, extremes) = (Direction::default(), args.approximation.extremes);
+    let drawing = draw::drawing(&args.shape, default, options, extremes)?;
+    *segments += drawing.curve.segments.len();
+    check_segments(*segments)?;
+    let measurement = Measurement::of_drawing(&drawing, args.report.coordinate_tolerance()?)?;
+    let (Some(measurement), Some(outline)) = (measurement, &drawing.outline) else {
+        return Err(Failure::request(
+            "there is nothing to measure: the shape is a straight line or nothing, and that is exact",
+        ));
+    };
+    Ok(Subject {
+        name: options.rule.id().to_owned(),
+        reference: Reference::from(outline),
+        curve: drawing.curve,
+        measurement,
+        panel,
+    })
 }
 
 /// Writes the report, and the plot where one was asked for.
@@ -160,19 +160,34 @@ fn report_text(
     })
 }
 
-/// Draws the quantity along every subject.
+/// Draws each quantity along every subject, one below the other where there are several, or several numbers of segments.
 fn draw_plot(subjects: &[Subject], file: &Path, args: &ReportArgs) -> Result<(), Failure> {
     let image = of_plot(file)?;
-    let quantity = args.quantity.unwrap_or_default();
-    let curves: Vec<(&str, &Curve, &Reference)> = subjects
-        .iter()
-        .map(|s| (s.name.as_str(), &s.curve, &s.reference))
-        .collect();
-    let chart = Chart::along(&title(subjects, quantity), quantity, &curves);
+    let asked = args.quantity.as_slice();
+    let quantities = if asked.is_empty() {
+        &[Quantity::default()]
+    } else {
+        asked
+    };
+    let mut in_panels: Vec<&Subject> = subjects.iter().collect();
+    in_panels.sort_by_key(|subject| subject.panel);
+    let panels = in_panels.chunk_by(|a, b| a.panel == b.panel);
+    let charts = quantities.iter().flat_map(|&quantity| {
+        panels.clone().map(move |subjects| {
+            let curves: Vec<(&str, &Curve, &Reference)> = subjects
+                .iter()
+                .map(|s| (s.name.as_str(), &s.curve, &s.reference))
+                .collect();
+            Chart::along(&title(subjects, quantity), quantity, &curves)
+        })
+    });
+    let Some(chart) = charts.reduce(Chart::above) else {
+        return Ok(());
+    };
     Target::new(Some(file)).write(&plot(&chart, image, args.size)?)
 }
 
-fn title(subjects: &[Subject], quantity: Quantity) -> String {
+fn title(subjects: &[&Subject], quantity: Quantity) -> String {
     let what = match quantity {
         Quantity::Error => "Distance from the true shape",
         Quantity::Curvature => "Curvature",

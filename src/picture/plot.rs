@@ -4,10 +4,12 @@ mod lines;
 mod scale;
 mod sheet;
 
+use core::iter;
+
 use kurbo::{Rect, Vec2};
 
 use super::paint::Paint;
-use super::scene::{Pen, Scene};
+use super::scene::{Group, Pen, Scene};
 use super::size::Size;
 
 use crate::compare::Comparison;
@@ -18,6 +20,9 @@ use sheet::{DECIMALS, LABEL_STEP};
 
 /// The size at which a plot is laid out where none was asked for.
 const LAYOUT: [f64; 2] = [800.0, 500.0];
+
+/// The height of each of several charts.
+const PANEL: f64 = 280.0;
 
 /// More joints than this are not marked.
 const MOST_MARKED_JOINTS: usize = 36;
@@ -60,9 +65,18 @@ pub struct Chart {
     /// Marked x values: the joints.
     marks: Vec<f64>,
     names: Names,
+    /// What stands below it, each as high.
+    below: Vec<Self>,
 }
 
 impl Chart {
+    /// This chart, and the other below it and what stands there.
+    #[must_use]
+    pub fn above(mut self, other: Self) -> Self {
+        self.below.push(other);
+        self
+    }
+
     /// The quantity along curves, each named, over the angle about the centre.
     #[must_use]
     pub fn along(title: &str, quantity: Quantity, curves: &[(&str, &Curve, &Reference)]) -> Self {
@@ -99,6 +113,7 @@ impl Chart {
             series,
             marks,
             names: Names::Legend,
+            below: Vec::new(),
         }
     }
 
@@ -130,6 +145,7 @@ impl Chart {
             series: series.filter(|s| s.points().count() > 0).collect(),
             marks: Vec::new(),
             names: Names::AtEnds,
+            below: Vec::new(),
         }
     }
 
@@ -145,8 +161,23 @@ impl Chart {
             background: Some(Paint::WHITE),
             decimals: DECIMALS,
             upright: true,
-            groups: sheet::groups(self, Vec2::new(width, height)),
+            groups: self.groups(width, height),
         }
+    }
+
+    /// What it and those below it show.
+    fn groups(&self, width: f64, height: f64) -> Vec<Group> {
+        let each = (height / (1 + self.below.len()) as f64).floor();
+        let charts = iter::once(self).chain(&self.below).enumerate();
+        charts
+            .flat_map(|(i, chart)| {
+                let top = each * i as f64;
+                let groups = sheet::groups(chart, Vec2::new(width, each));
+                groups
+                    .into_iter()
+                    .map(move |group| sheet::lowered(group, top))
+            })
+            .collect()
     }
 
     /// The size of a sheet on which it reads well.
@@ -154,6 +185,9 @@ impl Chart {
     pub fn default_size(&self) -> [f64; 2] {
         let [width, height] = LAYOUT;
         match self.names {
+            Names::Legend if !self.below.is_empty() => {
+                [width, PANEL * (1 + self.below.len()) as f64]
+            }
             Names::Legend => LAYOUT,
             // Room for a line of words for each series.
             Names::AtEnds => [

@@ -387,3 +387,153 @@ fn a_joint_of_uneven_arcs_has_the_bias_and_tension_of_chens_27() {
     let corner = json(&["measure", "circle", "1", "-m", "quadratic-area"]);
     assert!(corner["continuity"]["joints"][0]["parameters"].is_null());
 }
+
+#[test]
+fn several_quantities_and_counts_stand_one_below_the_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let draw = |words: &[&str]| {
+        let file = folder.path().join("plot.svg");
+        printed(
+            &[
+                &["measure", "circle", "1"],
+                words,
+                &["--plot", file.to_str().unwrap()],
+            ]
+            .concat(),
+        );
+        std::fs::read_to_string(file).unwrap()
+    };
+    let figure = draw(&[
+        "-m",
+        "apprich",
+        "-n",
+        "4",
+        "--quantity",
+        "curvature,curvature-d1,curvature-d2",
+    ]);
+    for (words, places) in [
+        ("angle about the centre", 3),
+        ("First derivative", 1),
+        ("Second derivative", 1),
+    ] {
+        assert_eq!(figure.matches(words).count(), places, "{words}");
+    }
+    assert!(figure.contains("height=\"840\""), "{}", &figure[..300]);
+    let errors = draw(&["-m", "lancaster-best", "-n", "2,3,4,5,6,8"]);
+    assert_eq!(errors.matches("angle about the centre").count(), 6);
+    for count in [2, 3, 4, 5, 6, 8] {
+        assert!(
+            errors.contains(&format!("{count} segments by lancaster-best")),
+            "{count}"
+        );
+    }
+    // The size that was asked for holds all of them.
+    let small = draw(&[
+        "-n",
+        "2,4",
+        "--quantity",
+        "error,curvature",
+        "--size",
+        "400x800",
+    ]);
+    assert!(
+        small.contains("height=\"800\"") && small.matches("angle about the centre").count() == 4
+    );
+    let measured = json(&[
+        "measure",
+        "circle",
+        "1",
+        "-n",
+        "3,5",
+        "-m",
+        "midpoint,minimax",
+    ]);
+    let counts: Vec<f64> = measured
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|m| number(&m["segments"]))
+        .collect();
+    assert_eq!(counts, [3.0, 5.0, 3.0, 5.0]);
+    assert!(refused(&["circle", "1", "-n", "3,5"]).contains("hint: 'curveto measure'"));
+    assert!(
+        refused(&[
+            "measure",
+            "circle",
+            "1",
+            "--plot",
+            "x.svg",
+            "--quantity",
+            "error,beauty"
+        ])
+        .contains("angle-lag")
+    );
+}
+
+/// Lancaster's spline of n pieces at 91 points in single precision: the peak and the mean of |r - 1|.
+fn in_single_precision(n: u32, k: f32) -> [f32; 2] {
+    let a = core::f64::consts::TAU / f64::from(n);
+    let (s, c) = (a.sin() as f32, if n == 4 { 0.0 } else { a.cos() as f32 });
+    let (xs, ys) = ([1.0, 1.0, c + k * s, c], [0.0, k, s - k * c, s]);
+    let at = |p: [f32; 4], t: f32| {
+        let [a, b, d] = [
+            p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0],
+            3.0 * p[2] - 6.0 * p[1] + 3.0 * p[0],
+            3.0 * p[1] - 3.0 * p[0],
+        ];
+        ((a * t + b) * t + d) * t + p[0]
+    };
+    let errors = (0..=90_u8).map(|i| {
+        let t = f32::from(i) / 90.0;
+        ((at(xs, t).powi(2) + at(ys, t).powi(2)).sqrt() - 1.0).abs()
+    });
+    let all: Vec<f32> = errors.collect();
+    let sum: f32 = all.iter().sum();
+    [all.iter().copied().fold(0.0, f32::max), sum / 91.0]
+}
+
+#[test]
+fn lancasters_table_is_single_precision() {
+    // His peaks of 4, 5, 6 and 8 splines are whole multiples of 2^-24, to the digits that he prints.
+    for (peak, units) in [
+        (0.000_265_718, 4458.0),
+        (6.788_97e-5, 1139.0),
+        (2.384_19e-5, 400.0),
+        (4.053_12e-6, 68.0),
+    ] {
+        let found: f64 = peak * 2.0_f64.powi(24);
+        assert!((found - units).abs() < 0.01, "{found}");
+    }
+    // Two and three splines: the printed peak, and the printed mean to within 5e-3 of itself, at other numbers than the printed.
+    let [peak, mean] = in_single_precision(2, 1.307_103_3);
+    assert!(
+        (peak - 0.019_672_5).abs() < 6e-8 && (mean - 0.008_694_06).abs() < 1e-7,
+        "{peak} {mean}"
+    );
+    let [peak, mean] = in_single_precision(3, 0.767_48);
+    assert!(
+        (peak - 0.001_507_16).abs() < 6e-9 && (mean - 0.000_705_631).abs() < 5e-3 * mean,
+        "{peak} {mean}"
+    );
+    let [printed_number, _] = in_single_precision(2, 1.333_333);
+    assert!((printed_number - 0.019_672_5).abs() > 1e-3);
+    // Four splines at the printed number: one unit off the printed peak, and the printed mean.
+    let [peak, mean] = in_single_precision(4, 0.551_784);
+    assert!(
+        (peak - 0.000_265_718).abs() < 1.1 * 2.0_f32.powi(-24)
+            && (mean - 0.000_124_82).abs() < 1e-8,
+        "{peak} {mean}"
+    );
+    // The program tells the same.
+    let card = printed(&["methods", "lancaster-best"])
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    for words in [
+        "peak 0.0196725 (330050) mean 0.00869409",
+        "(4457) mean 0.000124811",
+        "peak 0.00150716",
+    ] {
+        assert!(card.contains(words), "{words}: {card}");
+    }
+}

@@ -31,7 +31,7 @@ pub(crate) struct ApproximationArgs {
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
     #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader, hide_possible_values = true, action = ArgAction::Set)]
     method: Vec<Method>,
-    /// Exactly N segments, of equal parametric angle
+    /// Exactly N segments, of equal parametric angle; measure takes several, as in 2,3,4
     #[arg(short = 'n', long, value_name = "N", value_delimiter = ',', value_parser = values::count, allow_hyphen_values = true, action = ArgAction::Set, conflicts_with_all = ["tolerance", "joints"])]
     segments: Vec<usize>,
     /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
@@ -68,12 +68,7 @@ const LARGEST_HANDLE: f64 = 1e9;
 impl ApproximationArgs {
     /// What gives the control points of a drawing.
     pub(crate) fn rule(&self) -> Result<Rule, Failure> {
-        if self.segments.len() > 1 {
-            return Err(Failure::request_with_hint(
-                "a drawing has one number of segments",
-                "'curveto measure' takes several, and so does 'curveto compare'",
-            ));
-        }
+        self.check_count()?;
         match self.rules()?.as_slice() {
             &[rule] => Ok(rule),
             _ => Err(Failure::request_with_hint(
@@ -85,10 +80,22 @@ impl ApproximationArgs {
 
     /// What gives the control points of a drawing, where it was asked for.
     pub(crate) fn named_rule(&self) -> Result<Option<Rule>, Failure> {
+        self.check_count()?;
         if self.method.is_empty() && self.handle.is_none() {
             return Ok(None);
         }
         self.rule().map(Some)
+    }
+
+    /// Refuses several numbers of segments.
+    fn check_count(&self) -> Result<(), Failure> {
+        if self.segments.len() <= 1 {
+            return Ok(());
+        }
+        Err(Failure::request_with_hint(
+            "a drawing has one number of segments",
+            "'curveto measure' takes several, and so does 'curveto compare'",
+        ))
     }
 
     /// What gives the control points, where several methods may be asked for.
@@ -139,19 +146,32 @@ impl ApproximationArgs {
             && self.cut() == Cut::Quarters
     }
 
-    /// How often a curve is measured: once for each of several numbers of segments.
-    pub(crate) fn counts(&self) -> &[usize] {
-        &self.segments
-    }
-
     /// Where the sweep is cut: by the first number of segments, where there are several.
     pub(crate) fn cut(&self) -> Cut {
         match (self.segments.first(), self.tolerance) {
-            (Some(&count), _) if self.adaptive => Cut::Adaptive(count),
-            (Some(&count), _) => Cut::Count(count),
+            (Some(&count), _) => self.count(count),
             (None, Some(tolerance)) => Cut::Tolerance(tolerance),
             (None, None) if self.joints.is_empty() => Cut::Quarters,
             (None, None) => Cut::At(self.joints.clone()),
+        }
+    }
+
+    /// Where the sweep is cut, once for each number of segments that was asked for.
+    pub(crate) fn cuts(&self) -> Vec<Cut> {
+        if self.segments.is_empty() {
+            return vec![self.cut()];
+        }
+        self.segments
+            .iter()
+            .map(|&count| self.count(count))
+            .collect()
+    }
+
+    fn count(&self, count: usize) -> Cut {
+        if self.adaptive {
+            Cut::Adaptive(count)
+        } else {
+            Cut::Count(count)
         }
     }
 }

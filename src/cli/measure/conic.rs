@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use curveto::approximate::Options;
 use curveto::conic::{Conic, Drawing};
 use curveto::number::{Precision, compact, rounded_up};
 use curveto::write::conic::{ConicMeasurement, conic_csv};
@@ -23,12 +24,18 @@ pub(super) fn run(conic: &Conic, args: &Measured<ConicShape>) -> Outcome {
         .precision
         .map_or(Some(Precision::Full), PrecisionWord::precision);
     let transform = args.transform.unwrap_or_default();
-    let drawings: Vec<Drawing> = args
-        .approximation
-        .rules()?
-        .into_iter()
-        .map(|rule| drawing(conic, &args.approximation, rule, precision, transform))
-        .collect::<Result<_, _>>()?;
+    let mut drawings: Vec<Drawing> = Vec::new();
+    for cut in args.approximation.cuts() {
+        for rule in args.approximation.rules()? {
+            let options = Options {
+                rule,
+                cut: cut.clone(),
+                precision,
+                transform,
+            };
+            drawings.push(drawing(conic, &args.approximation, &options)?);
+        }
+    }
     let all: Vec<ConicMeasurement> = drawings.iter().map(Into::into).collect();
     let output = args.report.output.as_deref();
     let text = match (choose(args.report.format, output)?, all.as_slice()) {

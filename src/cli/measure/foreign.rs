@@ -143,6 +143,7 @@ fn subject(
         curve,
         reference,
         measurement: Measurement::of_source(name, found),
+        panel: 0,
     })
 }
 

@@ -1,11 +1,11 @@
 //! The layout of a chart: axes, lines, names.
 
-use kurbo::{Circle, Line, PathSeg, Point, Rect, Vec2};
+use kurbo::{Affine, Circle, Line, PathSeg, Point, Rect, Vec2};
 
 use super::scale::{Axis, power_of_ten};
 use super::{Chart, Names, Series};
 use crate::curve::Curve;
-use crate::number::round;
+use crate::number::{Precision, round};
 use crate::picture::paint::Paint;
 use crate::picture::scene::{Group, Mark, Pen};
 use crate::picture::text::{Anchor, Text, width};
@@ -44,6 +44,26 @@ pub(super) fn groups(chart: &Chart, size: Vec2) -> Vec<Group> {
     };
     sheet.draw();
     sheet.finish()
+}
+
+/// A group that much farther down.
+pub(super) fn lowered(mut group: Group, by: f64) -> Group {
+    if by == 0.0 {
+        return group;
+    }
+    let down = Vec2::new(0.0, by);
+    for mark in &mut group.marks {
+        match mark {
+            Mark::Curve(curve) => {
+                let moved = curve.transformed(Affine::translate(down));
+                *curve = moved.rounded(Precision::Fixed(DECIMALS), &[]);
+            }
+            Mark::Dot(dot) => dot.center = tidy(dot.center + down),
+            Mark::Text(text) => text.at = tidy(text.at + down),
+            Mark::Truth(_) | Mark::Path(_) => {}
+        }
+    }
+    group
 }
 
 /// A chart while it is laid out.
@@ -225,10 +245,12 @@ impl Sheet<'_> {
             let times = format!("×{}", power_of_ten(self.y.exponent));
             self.text((frame.x0, frame.y0 - 7.0), &times, BODY, Anchor::End);
         }
+        // As high as the sheet has room for.
+        let room = (self.size.y - 24.0) / width(&self.chart.y_title, BODY).max(1.0);
         self.words.push(Mark::Text(Text {
             at: tidy(Point::new(20.0, frame.center().y)),
             words: self.chart.y_title.clone(),
-            size: BODY,
+            size: round(BODY * room.min(1.0), DECIMALS),
             anchor: Anchor::Middle,
             upwards: true,
         }));
