@@ -537,3 +537,58 @@ fn lancasters_table_is_single_precision() {
         assert!(card.contains(words), "{words}: {card}");
     }
 }
+
+/// The rows of the tables of docs/documents.md: what is shown, and the last column.
+fn rows(text: &str) -> Vec<(String, String)> {
+    let is_row = |line: &&str| {
+        line.starts_with("| ")
+            && !line.starts_with("| ---")
+            && !line.starts_with("| in the document")
+    };
+    let cells = |line: &str| -> Vec<String> {
+        line.trim_matches('|')
+            .split(" | ")
+            .map(|cell| cell.trim().to_owned())
+            .collect()
+    };
+    text.lines()
+        .filter(is_row)
+        .map(|line| {
+            let cells = cells(line);
+            assert_eq!(cells.len(), 3, "{line}");
+            (cells[1].clone(), cells[2].clone())
+        })
+        .collect()
+}
+
+#[test]
+fn every_row_of_the_documents_runs_or_says_why_not() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(root.join("docs/documents.md")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let program = std::path::Path::new(env!("CARGO_BIN_EXE_curveto"));
+    let (mut ran, mut reasons) = (0, 0);
+    for (what, shown) in rows(&text) {
+        if let Some(reason) = shown.strip_prefix("none: ") {
+            assert!(reason.len() > 10, "{what}");
+            reasons += 1;
+            continue;
+        }
+        let command = shown
+            .strip_prefix("`curveto ")
+            .and_then(|words| words.strip_suffix('`'));
+        let command =
+            command.unwrap_or_else(|| panic!("{what}: neither a command nor a reason: {shown}"));
+        let output = std::process::Command::new("sh")
+            .args(["-c", &format!("{} {command}", program.display())])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert!(
+            output.status.success() && !output.stdout.is_empty(),
+            "{what}: {command}"
+        );
+        ran += 1;
+    }
+    assert!(ran > 60 && reasons < 15, "{ran} {reasons}");
+}
