@@ -206,6 +206,8 @@ impl Report {
             if let Some(parameters) = &mut joint.parameters {
                 length(&mut parameters.rest);
             }
+            // As the curvatures: none where a figure leaves the range of numbers.
+            joint.parameters = joint.parameters.filter(|p| p.rest.is_finite());
             let t = &mut joint.tolerance;
             (t.value, t.d1, t.d2) = (
                 per_length(t.value, 1),
