@@ -60,7 +60,7 @@ fn wait_until(what: &str, holds: impl Fn() -> bool) {
     }
 }
 
-/// Kills so many runs at random moments; `make kills` asks for a hundred.
+/// Kills this many runs at random moments; `make kills` asks for a hundred.
 #[test]
 fn a_killed_run_leaves_every_file_whole_and_the_next_one_finishes() {
     let kills = std::env::var("CURVETO_KILLS")
@@ -69,6 +69,8 @@ fn a_killed_run_leaves_every_file_whole_and_the_next_one_finishes() {
     let old = drawing(3000);
     let mut random = 12345_u64;
     let mut running = 0;
+    // What the last run took that nobody killed: the moments are spread over it, on a slow machine and on a fast one.
+    let mut whole = Duration::from_millis(100);
     for round in 0..kills.unwrap_or(5) {
         let folder = tempfile::tempdir().unwrap();
         let names: Vec<String> = (0..12).map(|i| format!("{i}.svg")).collect();
@@ -88,7 +90,9 @@ fn a_killed_run_leaves_every_file_whole_and_the_next_one_finishes() {
         random = random
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1);
-        std::thread::sleep(Duration::from_micros((random >> 33) % 250_000));
+        std::thread::sleep(Duration::from_micros(
+            ((random >> 33) as f64 / f64::from(u32::MAX >> 1) * whole.as_micros() as f64) as u64,
+        ));
         running += usize::from(child.try_wait().unwrap().is_none());
         child.kill().unwrap();
         child.wait().unwrap();
@@ -109,7 +113,9 @@ fn a_killed_run_leaves_every_file_whole_and_the_next_one_finishes() {
                     .unwrap();
             }
         }
+        let start = Instant::now();
         let again = curveto(folder.path(), way);
+        whole = start.elapsed();
         assert!(again.status.success(), "{}", said(&again));
         assert!(
             names

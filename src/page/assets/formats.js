@@ -82,6 +82,7 @@ const FORMATS = {
       segments: segments.map((points, i) => ({
         points, angles: [joints[i], joints[i + 1]],
         power: { x: power(points.map(p => p[0])), y: power(points.map(p => p[1])) },
+        derivatives: derivatives(points),
       })),
       error: errorOf(step, drawing),
     };
@@ -91,12 +92,23 @@ const FORMATS = {
   },
 };
 
+/** The derivatives at both ends by the parameter from 0 to 1. */
+function derivatives(points) {
+  const degree = points.length - 1;
+  return [0, degree - 1].map(i => [0, 1].map(axis => tidy(degree * (points[i + 1][axis] - points[i][axis]), points.map(p => p[axis]))));
+}
+
+/** A value rounded to the decimals of these coordinates, where those are few. */
+function tidy(x, values) {
+  const decimals = Math.max(...values.map(value => (plain(value).split(".")[1] || "").length));
+  return decimals <= 12 ? Number(x.toFixed(decimals)) + 0 : x;
+}
+
 /** Lancaster's equation space: [A, B, C, D] of At³ + Bt² + Ct + D, rounded to the decimals of the points. */
 function power(values) {
-  const decimals = Math.max(...values.map(x => (plain(x).split(".")[1] || "").length));
   const [a, b, c, d] = values;
   const found = values.length === 4
     ? [d - a + 3 * (b - c), 3 * (c - b - (b - a)), 3 * (b - a), a]
     : [0, c - b - (b - a), 2 * (b - a), a];
-  return found.map(x => decimals <= 12 ? Number(x.toFixed(decimals)) + 0 : x);
+  return found.map(x => tidy(x, values));
 }
