@@ -55,7 +55,7 @@ impl<'a> Spec<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Syntax`] with the column where the line does not parse, and what the shape itself refuses.
+    /// [`crate::Error::Syntax`] with the column where the line does not parse, and what the shape itself refuses.
     ///
     /// ```
     /// use curveto::batch::spec::Spec;
