@@ -1,12 +1,12 @@
 //! Random input, good and damaged, to everything that reads: never a panic, and what is converted keeps every promise.
 //! `make test` runs a few cases, `make fuzz` as many times more as `CURVETO_FUZZ` says.
 
-use crate::judges::independent;
+use std::path::Path;
+
+use crate::judges::promises::{self, PROMISES, judge};
 use crate::judges::random;
 
-use curveto::batch::spec::Subject;
-use curveto::contour::{Target, draw};
-use curveto::document::{self, Kind, Note, Only, Options};
+use curveto::document::{Kind, Only, Options};
 use curveto::{Cut, Method, Rule, Tolerance};
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -52,58 +52,21 @@ fn ways() -> impl Strategy<Value = (Options, Option<f64>)> {
     ]
 }
 
-/// Converts bytes as the program would and checks all that was promised.
-fn judge(bytes: &[u8], options: &Options, tolerance: Option<f64>) -> Result<(), String> {
-    let Ok(before) = document::decode(bytes) else {
-        return Ok(());
-    };
-    let Ok(out) = document::convert(before, options) else {
-        return Ok(());
-    };
-    let again = document::convert(&out.text, options)
-        .map_err(|error| format!("the result is refused: {error}"))?;
-    if again.text != out.text || again.replaced.total() != 0 {
-        return Err("a second conversion changes it again".to_owned());
-    }
-    if out.replaced.total() == 0 && out.text != before {
-        return Err("nothing was replaced, but bytes changed".to_owned());
-    }
-    // What the judge cannot read itself it cannot judge; in path data it takes `3.` for a number, which is an error.
-    let lax = |pair: &[u8]| pair[0] == b'.' && !pair[1].is_ascii_digit();
-    if independent::remaining(before).is_err() || before.as_bytes().windows(2).any(lax) {
-        return Ok(());
-    }
-    independent::remaining(&out.text)?;
-    if options.only == Only::ALL {
-        noted(before, &out.text, &out.notes)?;
-    }
-    tolerance.map_or(Ok(()), |tolerance| {
-        independent::check(before, &out.text, tolerance)
-    })
-}
-
-/// Checks that there is a note for whatever was left.
-fn noted(before: &str, after: &str, notes: &[Note]) -> Result<(), String> {
-    let place = |at: usize| {
-        let text = &before[..at];
-        let line = text.rfind('\n').map_or(0, |end| end + 1);
-        let column = text[line..].chars().filter(|c| *c != '\u{feff}').count() + 1;
-        (text.matches('\n').count() + 1, column)
-    };
-    for tag in independent::left(before, after)? {
-        let (start, end) = (place(tag.start), place(tag.end));
-        if !notes
-            .iter()
-            .any(|note| (start..end).contains(&(note.line, note.column)))
-        {
-            return Err(format!("{} is left without a note", &before[tag]));
-        }
-    }
-    Ok(())
-}
-
 fn told(input: &[u8], outcome: Result<(), String>) -> Result<(), TestCaseError> {
     outcome.map_err(|why| TestCaseError::fail(format!("{why}\n{}", String::from_utf8_lossy(input))))
+}
+
+/// Inputs of every kind that is read.
+#[test]
+fn seeds_keep_every_promise() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (name, _) in PROMISES {
+        let seeds = root.join("fixtures/fuzz").join(name);
+        let files = std::fs::read_dir(&seeds).unwrap();
+        for file in files.map(|entry| entry.unwrap().path()) {
+            promises::hold(name, &std::fs::read(file).unwrap());
+        }
+    }
 }
 
 proptest! {
@@ -166,34 +129,6 @@ proptest! {
     }
 }
 
-/// Whatever reads words of the command line or lines of a file.
-fn read_all(text: &str) {
-    if let Ok(spec) = curveto::batch::spec::Spec::parse(text) {
-        let options = curveto::Options {
-            cut: spec.cut.unwrap_or_default(),
-            ..curveto::Options::default()
-        };
-        let data = match &spec.subject {
-            Subject::Shape(shape) => curveto::approximate(shape, &options)
-                .map(|drawing| curveto::path::data([&drawing.curve], false)),
-            Subject::Path(contours) => draw(contours, Target::Quadratics, &options)
-                .map(|drawing| curveto::path::data(drawing.curves(), false)),
-        };
-        let data = data.unwrap_or_default();
-        assert!(!data.contains("NaN") && !data.contains("inf"), "{data}");
-    }
-    let _ = curveto::shape::endpoint::parse_svg_arc(text);
-    let _ = curveto::spline::points::Points::parse(text);
-    let _ = curveto::path::curves(text);
-    let _ = curveto::document::svg_shapes(text);
-    let _ = curveto::path::postscript(text);
-    let _ = text.parse::<curveto::Angle>();
-    let _ = text.parse::<Tolerance>();
-    let _ = text.parse::<Method>();
-    let _ = text.parse::<curveto::picture::paint::Paint>();
-    let _ = text.parse::<curveto::picture::size::Size>();
-}
-
 /// Lines of each form, to be damaged.
 const LINES: [&str; 20] = [
     "bulge 0 0 10 0 1",
@@ -228,6 +163,7 @@ proptest! {
     ) {
         let (line, other) = (LINES[line.index(LINES.len())], LINES[other.index(LINES.len())]);
         let text = random::damaged(line.as_bytes(), other.as_bytes(), &damages);
-        read_all(&String::from_utf8_lossy(&text));
+        told(&text, promises::words(&text))?;
+        told(&text, promises::lines(&text))?;
     }
 }

@@ -4,8 +4,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use crate::judges::exact::{Exact, direction, exact_point};
 use crate::judges::oracle::{
-    Point, Real, ellipse_distance_extremes, int, radial_extremes, radians, real,
+    Point, Real, ellipse_distance_extremes, int, radial_extremes, real,
     real::{power_of_two, ratio},
     to_f64,
 };
@@ -16,13 +17,6 @@ use curveto::shape::endpoint::{SvgArc, from_bulge, through};
 use curveto::{Angle, Arc, Circle, Cut, Ellipse, Method, Options, Shape, approximate};
 use kurbo::{Affine, Vec2};
 use rayon::prelude::*;
-
-/// The true shape in the oracle's numbers: centre, radii and the cosine and sine of its rotation.
-struct Exact {
-    center: Point,
-    radii: Point,
-    axis: Point,
-}
 
 struct Case {
     shape: Shape,
@@ -51,17 +45,8 @@ impl Dice {
     }
 }
 
-fn exact_point(p: kurbo::Point) -> Point {
-    [real(p.x), real(p.y)]
-}
-
 fn level() -> Point {
     [int(1), int(0)]
-}
-
-fn direction(degrees: f64) -> Point {
-    let (sine, cosine) = radians(&real(degrees)).sin_cos();
-    [cosine, sine]
 }
 
 fn root_of(x: &Real) -> Real {
@@ -113,7 +98,6 @@ fn circles(dice: &mut Dice) -> Option<Case> {
     })
 }
 
-/// SVG 2, appendix B.2.4, in the oracle's numbers.
 fn svg_arcs(dice: &mut Dice, flattest: f64) -> Option<Case> {
     let from = dice.point(100.0);
     let chord = Vec2::from_angle(dice.within(-4.0, 4.0)) * dice.logarithmic(1e-2, 1e2);
@@ -134,34 +118,9 @@ fn svg_arcs(dice: &mut Dice, flattest: f64) -> Option<Case> {
         to,
     };
     let shape = arc.shape().ok()?;
-    let [c, s] = direction(rotation);
-    let [a, b] = [exact_point(from), exact_point(to)];
-    let half = [0, 1].map(|i| (&a[i] - &b[i]) * ratio(1, 2));
-    let (mut rx, mut ry) = (real(radii.x), real(radii.y));
-    let x = &c * &half[0] + &s * &half[1];
-    let y = &c * &half[1] - &s * &half[0];
-    let lambda = (&x / &rx) * (&x / &rx) + (&y / &ry) * (&y / &ry);
-    let mut depth = int(0);
-    if lambda > int(1) {
-        (rx, ry) = (&rx * root_of(&lambda), &ry * root_of(&lambda));
-    } else {
-        depth = root_of(&((int(1) - &lambda) / &lambda));
-    }
-    if arc.large_arc == arc.sweep {
-        depth = -depth;
-    }
-    let own = [&depth * (&rx * &y / &ry), -(&depth * (&ry * &x / &rx))];
-    let center = [
-        &c * &own[0] - &s * &own[1] + (&a[0] + &b[0]) * ratio(1, 2),
-        &s * &own[0] + &c * &own[1] + (&a[1] + &b[1]) * ratio(1, 2),
-    ];
     Some(Case {
         shape,
-        exact: Exact {
-            center,
-            radii: [rx, ry],
-            axis: [c, s],
-        },
+        exact: Exact::of_svg_arc(&arc),
         transform: Affine::IDENTITY,
     })
 }

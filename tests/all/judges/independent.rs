@@ -470,6 +470,12 @@ pub(crate) fn same_curve(old: &[Segment], new: &[Segment], tolerance: f64) -> Ch
         .map_or(Ok(()), |extra| Err(format!("{extra:?} came in")))
 }
 
+/// The largest coordinate of an outline, without its sign.
+pub(crate) fn largest(outline: &[Segment]) -> f64 {
+    let numbers = outline.iter().flat_map(points).flatten();
+    numbers.fold(0.0, |largest, x| largest.max(x.abs()))
+}
+
 fn points(segment: &Segment) -> Vec<P> {
     match *segment {
         Segment::Move(p) | Segment::Line(p) | Segment::Arc(.., p) => vec![p],
