@@ -29,13 +29,13 @@ impl Angle {
     /// A full turn in the positive direction.
     pub const TURN: Self = Self { degrees: 360.0 };
 
-    /// An angle of so many degrees.
+    /// An angle of this many degrees.
     #[must_use]
     pub const fn from_degrees(degrees: f64) -> Self {
         Self { degrees }
     }
 
-    /// An angle of so many radians.
+    /// An angle of this many radians.
     #[must_use]
     pub fn from_radians(radians: f64) -> Self {
         Self {

@@ -53,7 +53,7 @@ pub struct Drawing {
     pub shape: Shape,
     /// What gave the control points.
     pub rule: Rule,
-    /// The map that was applied behind the shape.
+    /// The map that was applied after the shape.
     pub transform: Affine,
     /// The true shape, transformed; `None` for a line and for nothing.
     pub outline: Option<Outline>,
@@ -256,7 +256,7 @@ impl<'a> Request<'a> {
         self.cut(Joints::equal(&self.outline.unit, count)?, tolerance)
     }
 
-    /// So many segments at joints that equalise the error, or at equal angles where those do better.
+    /// This many segments at joints that equalise the error, or at equal angles where those do better.
     fn adaptive(&self, count: usize) -> Result<Drawing> {
         let equal = self.equal(count, None).map(|sketch| self.finish(sketch));
         let Some(balance) = Balance::new(&self.outline, self.options.rule) else {

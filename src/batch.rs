@@ -30,7 +30,7 @@ const CHUNK: usize = 1 << 16;
 const LONGEST_LINE: usize = 1 << 22;
 /// Answers longer than this are written before the next line is answered: one may be a thousand times as long as its line.
 const LONGEST_ANSWERS: usize = 1 << 20;
-/// How many chunks wait before and behind each thread.
+/// How many chunks wait before and after each thread.
 const QUEUE: usize = 4;
 
 /// How lines are answered.

@@ -160,7 +160,7 @@ pub struct Counts {
     pub rect: usize,
     /// Arc commands in path data.
     pub path: usize,
-    /// Smooth commands behind an arc that had to be spelled out as `C`.
+    /// Smooth commands after an arc that had to be spelled out as `C`.
     pub smooth: usize,
 }
 

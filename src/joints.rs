@@ -25,9 +25,9 @@ pub enum Cut {
     /// One segment for every quarter turn, an excess of up to 5 % of a quarter not counted.
     #[default]
     Quarters,
-    /// So many segments of equal parametric angle.
+    /// This many segments of equal parametric angle.
     Count(usize),
-    /// So many segments whose joints equalise the error: on an ellipse they crowd where it is curved least, on a circle, and for
+    /// This many segments whose joints equalise the error: on an ellipse they crowd where it is curved least, on a circle, and for
     /// methods that need equal pieces, they lie at equal angles.
     Adaptive(usize),
     /// The fewest segments within this distance of the true shape: at equal angles on a circle, adaptive on an ellipse.
@@ -231,7 +231,7 @@ impl Joints {
             .collect()
     }
 
-    /// Joints so many degrees after the start, ascending, both ends included.
+    /// Joints this many degrees after the start, ascending, both ends included.
     fn after(arc: &UnitArc, ways: &[f64]) -> Self {
         let sign = 1.0_f64.copysign(arc.sweep.degrees());
         let angles: Vec<f64> = ways

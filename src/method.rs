@@ -125,7 +125,7 @@ impl Piece {
         }
     }
 
-    /// Whether it is a cubic that touches the circle at both ends, told by its handle alone.
+    /// Whether it is a cubic that touches the circle at both ends, described by its handle alone.
     #[must_use]
     pub(crate) fn is_tangent_cubic(&self) -> bool {
         self.degree == Degree::Cubic && self.end_radius == 1.0 && self.handle.x == 1.0

@@ -87,7 +87,7 @@ impl Precision {
 /// trailing zeros and the sign of a zero: `0.125` gives `0.12` with two decimals and `-0.001` gives `0`.
 ///
 /// A float that is not finite prints as `0`: no writer may emit `NaN` or `inf`, and it is the caller who
-/// has to refuse such a number where a user can still be told.
+/// has to refuse such a number where a user can still be informed.
 pub fn push_fixed(out: &mut Vec<u8>, x: f64, decimals: u8) {
     if let Some(number) = Decimal::nearest(x, decimals) {
         number.write(out, After::Letter, Form::Plain);

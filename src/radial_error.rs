@@ -35,7 +35,7 @@ impl RadialError {
         }
     }
 
-    /// The distances where everything is so many times as large.
+    /// The distances where everything is this many times as large.
     #[must_use]
     pub(crate) fn times(self, factor: f64) -> Self {
         Self {

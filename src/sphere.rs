@@ -52,7 +52,7 @@ pub struct View {
 pub struct Options {
     /// What gives the control points.
     pub rule: Rule,
-    /// Where a whole circle is cut; a half circle gets half of so many segments. Angles are longitudes on a parallel, counted from
+    /// Where a whole circle is cut; a half circle gets half of this many segments. Angles are longitudes on a parallel, counted from
     /// the north pole on a meridian, and as they are seen on the outline. An absolute tolerance is in radii.
     pub cut: Cut,
     /// How control points are rounded; `None` picks the fewest decimals that add no more than a tenth of the error.

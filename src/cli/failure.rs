@@ -191,7 +191,7 @@ fn with_hint(text: &str, hint: Option<String>) -> String {
         {
             out.extend(["hint: ", hint.as_str(), "\n\n"]);
         }
-        // A tip that went leaves two blank lines behind.
+        // A tip that was removed leaves two blank lines.
         if !(line.is_empty() && blank) {
             out += line;
             out += "\n";

@@ -1,6 +1,6 @@
 //! Path data: every arc command becomes cubics in place, all other bytes stay.
 //!
-//! What has to be minded: a smooth `S` behind an arc takes the current point for its first control point, but behind a cubic it
+//! What has to be minded: a smooth `S` after an arc takes the current point for its first control point, but after a cubic it
 //! would reflect; a repetition without a letter must not change its command; numbers are rounded on a grid that begins at
 //! the arc's own start, so nothing accumulates; the end point keeps the text that the file gave it.
 
@@ -46,7 +46,7 @@ pub(super) trait Sink {
     fn note(&mut self, at: usize, reason: Reason);
 }
 
-/// Rewrites the arcs of the path data in `text[span]`, behind which the text ends or goes on with a quote.
+/// Rewrites the arcs of the path data in `text[span]`, after which the text ends or goes on with a quote.
 pub(super) fn rewrite(
     text: &str,
     span: Range<usize>,
@@ -78,7 +78,7 @@ pub(super) fn rewrite(
     };
     while let Some((segment, known)) = writer.next(&mut segments) {
         writer.segment(&segment, known, &segments);
-        // Behind the last arc nothing changes but the command that follows it.
+        // After the last arc nothing changes but the command that follows it.
         if segment.start > last && segment.kind() != b'a' && writer.end.letter == segment.letter {
             break;
         }
@@ -137,15 +137,15 @@ impl<S: Sink> Writer<'_, '_, S> {
         }
     }
 
-    fn segment(&mut self, segment: &Segment, known: Option<usize>, behind: &Segments<'_>) {
+    fn segment(&mut self, segment: &Segment, known: Option<usize>, after: &Segments<'_>) {
         match segment.kind() {
             b'a' => {
                 if self.context.options.precision.is_some() && self.begins_subpath() {
                     let options = self.context.options;
                     self.collapses =
-                        collapse::collapses(options, self.text, segment, behind, self.at.point);
+                        collapse::collapses(options, self.text, segment, after, self.at.point);
                 }
-                self.arc(segment, known, behind);
+                self.arc(segment, known, after);
             }
             kind if kind == self.respell => self.smooth(segment),
             _ => self.keep(segment),
@@ -170,7 +170,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         self.respell = 0;
     }
 
-    /// Numbers behind the last arc that are too few for another one are not drawn, but behind the curve or the line that the arc
+    /// Numbers after the last arc that are too few for another one are not drawn, but after the curve or the line that the arc
     /// became they could be enough for a further one. The arc's own letter in front of them keeps them an error.
     fn stray_number(&mut self, at: usize) {
         if let Some(arc) = &self.previous
@@ -189,7 +189,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         }
     }
 
-    /// `S` behind what was an arc: its first control point is the current point, which only `C` can say now. (`T` and `Q` for a
+    /// `S` after what was an arc: its first control point is the current point, which only `C` can say now. (`T` and `Q` for a
     /// method that draws quadratics.)
     fn smooth(&mut self, segment: &Segment) {
         let bytes = self.text.as_bytes();
@@ -218,13 +218,13 @@ impl<S: Sink> Writer<'_, '_, S> {
         self.respell = 0;
     }
 
-    fn arc(&mut self, segment: &Segment, known: Option<usize>, behind: &Segments<'_>) {
-        let replaced = if behind.is_broken_smooth() {
+    fn arc(&mut self, segment: &Segment, known: Option<usize>, after: &Segments<'_>) {
+        let replaced = if after.is_broken_smooth() {
             Err(Reason::PathErrorBehindArc)
         } else if self.collapses {
             Err(Reason::Collapses)
         } else {
-            self.replace(segment, known, behind)
+            self.replace(segment, known, after)
         };
         match replaced {
             Ok(()) => self.outcome.arcs += 1,
@@ -240,7 +240,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         &mut self,
         segment: &Segment,
         known: Option<usize>,
-        behind: &Segments<'_>,
+        after: &Segments<'_>,
     ) -> Result<(), Reason> {
         // Only relative arcs depend on nothing but their text.
         let key = segment
@@ -250,7 +250,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         if known.is_none() {
             let arc = self.parameters(segment)?;
             if arc.to == arc.from {
-                return self.nothing(segment, behind);
+                return self.nothing(segment, after);
             }
             if arc.radii.x == 0.0 || arc.radii.y == 0.0 {
                 self.line(segment);
@@ -326,16 +326,16 @@ impl<S: Sink> Writer<'_, '_, S> {
     }
 
     /// Equal end points: the arc is left out, unless a zero-length subpath, a marker or a reflected control point could show it.
-    fn nothing(&mut self, segment: &Segment, behind: &Segments<'_>) -> Result<(), Reason> {
+    fn nothing(&mut self, segment: &Segment, after: &Segments<'_>) -> Result<(), Reason> {
         let smooth = matches!(
-            behind.clone().next().map(|segment| segment.kind()),
+            after.clone().next().map(|segment| segment.kind()),
             Some(b's' | b't')
         );
         // Of several such arcs in a row the first decides for all.
         let shows = || {
             self.begins_subpath()
                 && matches!(
-                    self.first_drawn(behind.clone()),
+                    self.first_drawn(after.clone()),
                     None | Some(b'm' | b'z' | b's' | b't')
                 )
         };
@@ -351,8 +351,8 @@ impl<S: Sink> Writer<'_, '_, S> {
         Ok(())
     }
 
-    /// The command behind an arc that draws nothing, further ones like it skipped.
-    fn first_drawn(&self, behind: Segments<'_>) -> Option<u8> {
+    /// The command after an arc that draws nothing, further ones like it skipped.
+    fn first_drawn(&self, after: Segments<'_>) -> Option<u8> {
         let is_empty = |segment: &Segment| {
             let here = if segment.is_relative() {
                 Vec2::ZERO
@@ -361,7 +361,7 @@ impl<S: Sink> Writer<'_, '_, S> {
             };
             segment.kind() == b'a' && segment.to == [here.x, here.y]
         };
-        behind
+        after
             .with_ends(true)
             .find(|segment| !is_empty(segment))
             .map(|segment| segment.kind())

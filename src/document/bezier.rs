@@ -1,4 +1,4 @@
-//! The one door to the engine: an arc or an ellipse as Béziers about its own origin, and the decimals that they deserve.
+//! The one door to the engine: an arc or an ellipse as Béziers about its own origin, and the decimals that they need.
 //!
 //! Icon sets hold tens of thousands of arcs, so what every file asks for, equal segments of a rule whose ends lie on the circle,
 //! is placed here without an allocation; a test holds it against [`approximate`], which serves everything else.
@@ -18,7 +18,7 @@ use crate::number::Precision;
 use crate::shape::endpoint::{Chord, SvgArc};
 use crate::shape::{Ellipse, Outline, Shape, Truth};
 
-/// From so many decimals on the last digits of every sum show, and they are to be those of the engine.
+/// From this many decimals on the last digits of every sum show, and they are to be those of the engine.
 const LAST_DIGITS: u32 = 12;
 
 /// What draws that which cannot be placed here.

@@ -13,13 +13,13 @@ pub(super) fn is_too_small(radius: f64, precision: u8) -> bool {
 }
 
 /// Whether the precision asked for would leave nothing of a subpath: it is one of arcs alone that lies within one unit of the last
-/// decimal, and each arc is too small. `first` is its first arc, `behind` what follows, `from` the current point, of which absolute
+/// decimal, and each arc is too small. `first` is its first arc, `after` what follows, `from` the current point, of which absolute
 /// arcs know.
 pub(super) fn collapses(
     options: &Options,
     text: &str,
     first: &Segment,
-    behind: &Segments<'_>,
+    after: &Segments<'_>,
     from: Vec2,
 ) -> bool {
     let Some(precision) = options.precision else {
@@ -27,7 +27,7 @@ pub(super) fn collapses(
     };
     // Relative arcs count from the start.
     let mut at = Position::at(from);
-    let segments = core::iter::once(*first).chain(behind.clone().with_ends(true));
+    let segments = core::iter::once(*first).chain(after.clone().with_ends(true));
     for segment in segments {
         match segment.kind() {
             b'm' | b'z' => return true,

@@ -2,18 +2,18 @@
 
 use crate::number::read as number;
 
-/// The index behind white space.
+/// The index after white space.
 #[inline]
-pub(super) fn behind_space(bytes: &[u8], mut at: usize) -> usize {
+pub(super) fn after_space(bytes: &[u8], mut at: usize) -> usize {
     while let Some(b' ' | b'\t' | b'\n' | b'\r' | 0x0c) = bytes.get(at) {
         at += 1;
     }
     at
 }
 
-/// The index behind white space with at most one comma.
+/// The index after white space with at most one comma.
 #[inline]
-pub(super) fn behind_separator(bytes: &[u8], at: usize) -> usize {
+pub(super) fn after_separator(bytes: &[u8], at: usize) -> usize {
     /// The bit of each byte that parts numbers.
     const SEPARATORS: u64 =
         1 << b' ' | 1 << b'\t' | 1 << b'\n' | 1 << b'\r' | 1 << 0x0c | 1 << b',';
@@ -22,35 +22,35 @@ pub(super) fn behind_separator(bytes: &[u8], at: usize) -> usize {
     let one = bytes.get(at).map_or(0, |byte| {
         u64::from(*byte < 64) & (SEPARATORS >> (byte & 63))
     });
-    let behind = at + (one & 1) as usize;
-    match bytes.get(behind) {
-        Some(b'-'..) => behind,
-        _ => behind_separators(bytes, at),
+    let after = at + (one & 1) as usize;
+    match bytes.get(after) {
+        Some(b'-'..) => after,
+        _ => after_separators(bytes, at),
     }
 }
 
-/// [`behind_separator`] for any white space.
-fn behind_separators(bytes: &[u8], at: usize) -> usize {
-    let at = behind_space(bytes, at);
+/// [`after_separator`] for any white space.
+fn after_separators(bytes: &[u8], at: usize) -> usize {
+    let at = after_space(bytes, at);
     if bytes.get(at) == Some(&b',') {
-        behind_space(bytes, at + 1)
+        after_space(bytes, at + 1)
     } else {
         at
     }
 }
 
-/// The index behind `COUNT` numbers and what parts them from the next one.
+/// The index after `COUNT` numbers and what parts them from the next one.
 #[inline]
-pub(super) fn behind_numbers<const COUNT: usize>(bytes: &[u8], mut at: usize) -> Option<usize> {
+pub(super) fn after_numbers<const COUNT: usize>(bytes: &[u8], mut at: usize) -> Option<usize> {
     for _ in 0..COUNT {
-        at = behind_separator(bytes, number::skip(bytes, at)?);
+        at = after_separator(bytes, number::skip(bytes, at)?);
     }
     Some(at)
 }
 
 /// The index of the first byte above the digits, such as a letter; the end of the text where there is none.
 #[inline]
-pub(super) fn behind_arguments(bytes: &[u8], mut at: usize) -> usize {
+pub(super) fn after_arguments(bytes: &[u8], mut at: usize) -> usize {
     const HIGH: u64 = 0x8080_8080_8080_8080;
     while let Some(chunk) = bytes.get(at..).and_then(<[u8]>::first_chunk) {
         let word = u64::from_le_bytes(*chunk);
@@ -66,16 +66,16 @@ pub(super) fn behind_arguments(bytes: &[u8], mut at: usize) -> usize {
     at + rest.iter().position(is_above).unwrap_or(rest.len())
 }
 
-/// The index behind a flag.
+/// The index after a flag.
 #[inline]
-fn behind_flag(bytes: &[u8], at: usize) -> Option<usize> {
+fn after_flag(bytes: &[u8], at: usize) -> Option<usize> {
     matches!(bytes.get(at), Some(b'0' | b'1')).then_some(at + 1)
 }
 
-/// The index behind the radii, the rotation and the flags of an arc.
+/// The index after the radii, the rotation and the flags of an arc.
 #[inline]
-pub(super) fn behind_arc_shape(bytes: &[u8], at: usize) -> Option<usize> {
-    let large = behind_numbers::<3>(bytes, at)?;
-    let sweep = behind_separator(bytes, behind_flag(bytes, large)?);
-    Some(behind_separator(bytes, behind_flag(bytes, sweep)?))
+pub(super) fn after_arc_shape(bytes: &[u8], at: usize) -> Option<usize> {
+    let large = after_numbers::<3>(bytes, at)?;
+    let sweep = after_separator(bytes, after_flag(bytes, large)?);
+    Some(after_separator(bytes, after_flag(bytes, sweep)?))
 }

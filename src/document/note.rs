@@ -1,4 +1,4 @@
-//! What is told about something that was left.
+//! What is said about something that was left.
 
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 

@@ -5,7 +5,7 @@ use core::ops::Range;
 use kurbo::Vec2;
 
 use super::grammar::{
-    behind_arc_shape, behind_arguments, behind_numbers, behind_separator, behind_space,
+    after_arc_shape, after_arguments, after_numbers, after_separator, after_space,
 };
 use crate::number::read as number;
 
@@ -22,7 +22,7 @@ pub(super) struct Segment {
     pub(super) arguments: usize,
     /// The first byte of the end point's text (of the last argument for `H` and `V`); the end where the arc is known.
     pub(super) tail: usize,
-    /// The index behind the last argument.
+    /// The index after the last argument.
     pub(super) end: usize,
     /// The end point's numbers, for `H` and `V` the one there is, if they are wanted; infinite where one is beyond `f64`.
     pub(super) to: [f64; 2],
@@ -50,9 +50,9 @@ impl Segment {
         core::iter::from_fn(move || {
             let bytes = text.as_bytes();
             let start = at;
-            let behind = (start < end).then(|| number::skip(bytes, start))??;
-            at = behind_separator(bytes, behind);
-            text.get(start..behind)
+            let after = (start < end).then(|| number::skip(bytes, start))??;
+            at = after_separator(bytes, after);
+            text.get(start..after)
         })
     }
 
@@ -65,8 +65,8 @@ impl Segment {
                 break;
             }
             (point.x, at) = number::read(bytes, at)?;
-            (point.y, at) = number::read(bytes, behind_separator(bytes, at))?;
-            at = behind_separator(bytes, at);
+            (point.y, at) = number::read(bytes, after_separator(bytes, at))?;
+            at = after_separator(bytes, at);
         }
         Some(points)
     }
@@ -83,7 +83,7 @@ impl Segment {
             } else {
                 (*value, at) = number::read(bytes, at)?;
             }
-            at = behind_separator(bytes, at);
+            at = after_separator(bytes, at);
         }
         Some(values)
     }
@@ -106,7 +106,7 @@ pub(super) struct Segments<'a> {
 }
 
 impl<'a> Segments<'a> {
-    /// The path data in `text[span]`. Behind them the text ends or goes on with a quote, which no number does.
+    /// The path data in `text[span]`. After them the text ends or goes on with a quote, which no number does.
     pub(super) const fn new(text: &'a str, span: Range<usize>) -> Self {
         Self {
             bytes: text.as_bytes(),
@@ -124,7 +124,7 @@ impl<'a> Segments<'a> {
         Self { wants_ends, ..self }
     }
 
-    /// The index at which the data stop being path data; what stands behind it is not drawn.
+    /// The index at which the data stop being path data; what stands after it is not drawn.
     pub(super) const fn error(&self) -> Option<usize> {
         self.error
     }
@@ -132,22 +132,22 @@ impl<'a> Segments<'a> {
     /// The index of the error, if it is a number too many or the first of too few.
     pub(super) fn number_at_error(&self) -> Option<usize> {
         self.error
-            .filter(|&at| number::skip(self.bytes, behind_separator(self.bytes, at)).is_some())
+            .filter(|&at| number::skip(self.bytes, after_separator(self.bytes, at)).is_some())
     }
 
-    /// The next segment, if it is a relative arc alone behind its letter and `known` knows the text of its arguments, with what that
+    /// The next segment, if it is a relative arc alone after its letter and `known` knows the text of its arguments, with what that
     /// gives: the index of the arc and its end point. Most arcs of icons have been met before, and are not read again.
     #[inline]
     pub(super) fn next_known(
         &mut self,
         known: impl FnOnce(&[u8]) -> Option<(usize, [f64; 2])>,
     ) -> Option<(Segment, usize)> {
-        let start = behind_space(self.bytes, self.at);
+        let start = after_space(self.bytes, self.at);
         if !self.begun || self.bytes.get(start) != Some(&b'a') {
             return None;
         }
         let arguments = start + 1;
-        let end = behind_arguments(self.bytes, arguments).min(self.end);
+        let end = after_arguments(self.bytes, arguments).min(self.end);
         // What ends in the middle of a number is another one.
         if let Some(b'e' | b'E') = self.bytes.get(end) {
             return None;
@@ -174,10 +174,10 @@ impl<'a> Segments<'a> {
         let next = rest
             .iter()
             .find(|byte| !matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | b','));
-        let mut behind = self.clone();
+        let mut after = self.clone();
         matches!(next, Some(b's' | b'S' | b't' | b'T'))
-            && behind.next().is_none()
-            && behind.error.is_some()
+            && after.next().is_none()
+            && after.error.is_some()
     }
 
     /// The arguments of a command whose letter has been read; `None` at an error.
@@ -195,9 +195,9 @@ impl<'a> Segments<'a> {
         let (bytes, at) = (self.bytes, self.at);
         segment.tail = match segment.kind() {
             b'm' | b'l' | b't' | b'h' | b'v' => at,
-            b's' | b'q' => behind_numbers::<2>(bytes, at)?,
-            b'c' => behind_numbers::<4>(bytes, at)?,
-            b'a' => behind_arc_shape(bytes, at)?,
+            b's' | b'q' => after_numbers::<2>(bytes, at)?,
+            b'c' => after_numbers::<4>(bytes, at)?,
+            b'a' => after_arc_shape(bytes, at)?,
             b'z' => return Some(segment),
             _ => return None,
         };
@@ -205,13 +205,13 @@ impl<'a> Segments<'a> {
         if self.wants_ends {
             (segment.to[0], segment.end) = number::read(bytes, segment.tail)?;
             if !single {
-                let second = behind_separator(bytes, segment.end);
+                let second = after_separator(bytes, segment.end);
                 (segment.to[1], segment.end) = number::read(bytes, second)?;
             }
         } else {
             segment.end = number::skip(bytes, segment.tail)?;
             if !single {
-                segment.end = number::skip(bytes, behind_separator(bytes, segment.end))?;
+                segment.end = number::skip(bytes, after_separator(bytes, segment.end))?;
             }
         }
         self.at = segment.end;
@@ -234,7 +234,7 @@ impl<'a> Segments<'a> {
             other => Some(other),
         };
         if self.repeated.is_some() {
-            self.at = behind_space(self.bytes, self.at);
+            self.at = after_space(self.bytes, self.at);
         }
         self.segment(letter, true, start)
     }
@@ -243,7 +243,7 @@ impl<'a> Segments<'a> {
     #[inline]
     fn repetition(&mut self) -> Option<Segment> {
         let letter = self.repeated?;
-        self.at = behind_separator(self.bytes, self.at);
+        self.at = after_separator(self.bytes, self.at);
         self.segment(letter, false, self.at)
     }
 
@@ -261,7 +261,7 @@ impl Iterator for Segments<'_> {
 
     #[inline]
     fn next(&mut self) -> Option<Segment> {
-        self.at = behind_space(self.bytes, self.at);
+        self.at = after_space(self.bytes, self.at);
         let start = self.at;
         if start >= self.end {
             return None;

@@ -26,7 +26,7 @@ impl Position {
         }
     }
 
-    /// Moves on behind a segment, which has been read with its end.
+    /// Moves on after a segment, which has been read with its end.
     pub(super) fn advance(&mut self, segment: &Segment) {
         let base = if segment.is_relative() {
             self.point
@@ -37,7 +37,7 @@ impl Position {
             self.point = self.subpath;
             return;
         }
-        // What is beyond numbers here is so for every arc behind it: they are left.
+        // What is beyond numbers here is so for every arc after it: they are left.
         let [x, y] = if segment.is_finite() {
             segment.to
         } else {

@@ -177,7 +177,7 @@ impl Reason {
             Self::NearlyWhole => {
                 "its ends are one point in single precision, so that some renderers draw nothing and others all of it"
             }
-            Self::PathError => "the path data have an error here; nothing behind it is drawn",
+            Self::PathError => "the path data have an error here; nothing after it is drawn",
             Self::PathErrorBehindArc => {
                 "the path data have an error between this arc and a smooth curve"
             }

@@ -53,7 +53,7 @@ impl Outcome {
     }
 }
 
-/// The rules for curves whose numbers have so many decimals.
+/// The rules for curves whose numbers have this many decimals.
 pub(super) fn rules(tolerance: Option<Tolerance>, decimals: u8) -> Rules {
     let (part, absolute) = match tolerance {
         Some(Tolerance::Absolute(distance)) => (0.0, distance),
@@ -71,15 +71,15 @@ pub(super) fn rules(tolerance: Option<Tolerance>, decimals: u8) -> Rules {
 
 /// The most decimals of the numbers in a text; `None` where one has an exponent.
 pub(super) fn decimals(text: &[u8]) -> Option<u8> {
-    let (mut most, mut behind, mut point) = (0_u8, 0_u8, false);
+    let (mut most, mut after, mut point) = (0_u8, 0_u8, false);
     for byte in text {
         match byte {
             b'0'..=b'9' => {
-                behind = behind.saturating_add(u8::from(point));
-                most = most.max(behind);
+                after = after.saturating_add(u8::from(point));
+                most = most.max(after);
             }
             b'e' | b'E' => return None,
-            byte => (behind, point) = (0, *byte == b'.'),
+            byte => (after, point) = (0, *byte == b'.'),
         }
     }
     Some(most.min(MOST_DECIMALS))

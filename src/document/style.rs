@@ -1,4 +1,4 @@
-//! What elements are told from elsewhere: style sheets, style attributes, animations, markers.
+//! What applies to elements from elsewhere: style sheets, style attributes, animations, markers.
 
 pub(super) mod css;
 pub(super) mod facts;

@@ -86,7 +86,7 @@ fn segments(contour: &Contour) -> Option<Vec<PathSeg>> {
     Some(all.into_iter().filter(leads).collect())
 }
 
-/// Numbers rounded to so many decimals.
+/// Numbers rounded to this many decimals.
 fn rounded<const N: usize>(numbers: [f64; N], decimals: u8) -> [f64; N] {
     numbers.map(|number| round(number, decimals))
 }

@@ -17,7 +17,7 @@ const DEGREES_6: f64 = 2_736_909_018_401_684.5;
 /// Half turns to a degree, less a trace that keeps rounding from adding a segment.
 const HALF_TURNS: f64 = (1.0 - 1e-12) / 180.0;
 
-/// The finest relative tolerance that is told from none at all.
+/// The finest relative tolerance that differs from none at all.
 const FINEST: f64 = 64.0 * f64::EPSILON;
 
 /// Equal steps along an arc.
@@ -33,7 +33,7 @@ pub(super) struct Steps {
 }
 
 impl Steps {
-    /// The fewest `minimax` segments of so many degrees within a tolerance relative to the larger radius.
+    /// The fewest `minimax` segments of this many degrees within a tolerance relative to the larger radius.
     #[inline(always)]
     pub(super) fn within(sweep: f64, tolerance: f64) -> Self {
         Self::of(sweep, Self::least(sweep, tolerance)).refined(sweep, tolerance)

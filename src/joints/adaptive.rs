@@ -35,7 +35,7 @@ const NARROWINGS: u32 = 7;
 /// The most steps for the length of one segment, and for the error that makes the count whole.
 const MOST_STEPS: usize = 40;
 
-/// Beyond this count joints stay at equal angles: the error of so many segments is below the digits of a coordinate.
+/// Beyond this count joints stay at equal angles: the error of this many segments is below the digits of a coordinate.
 const MOST: usize = 4096;
 
 /// Whether the rule's pieces join at uneven angles, each one on its own.
@@ -77,7 +77,7 @@ impl Balance {
         })
     }
 
-    /// So many degrees after the start, counted upwards from the short axis: that leaves every distance as it is.
+    /// This many degrees after the start, counted upwards from the short axis: that leaves every distance as it is.
     fn past_axis(&self, way: f64) -> f64 {
         let sign = 1.0_f64.copysign(self.arc.sweep.degrees());
         sign * (self.arc.start.degrees() - self.axis) + way
@@ -131,7 +131,7 @@ impl Balance {
         size
     }
 
-    /// A segment's length for so many times its error, by the method's order.
+    /// A segment's length for this many times its error, by the method's order.
     fn resized(&self, size: f64, times: f64) -> f64 {
         let factor = libm::pow(times, 1.0 / self.order);
         (size * factor.clamp(0.25, 4.0)).min(self.largest_angle)
@@ -219,7 +219,7 @@ impl Balance {
         }
     }
 
-    /// Joints that equalise the error of so many segments; an even number of a closed shape's mirror in both axes.
+    /// Joints that equalise the error of this many segments; an even number of a closed shape's mirror in both axes.
     ///
     /// # Errors
     ///
@@ -260,7 +260,7 @@ impl Balance {
         Ok(Joints::after(&self.arc, &ways))
     }
 
-    /// The ways of so many segments of equal error, both ends included; `None` where the method's largest angle forbids it.
+    /// The lengths of this many segments of equal error, both ends included; `None` where the method's largest angle forbids it.
     fn equalised(&self, whole: f64, pieces: usize) -> Option<Vec<f64>> {
         let count = pieces as f64;
         let mut joints = Vec::with_capacity(pieces + 1);

@@ -266,7 +266,7 @@ impl<'a> Bench<'a> {
     }
 }
 
-/// Values that differ by less than this part are alike, so that the first of several equal places is told and rounding picks none.
+/// Values that differ by less than this part are alike, so that the first of several equal places is named and rounding picks none.
 const ALIKE: f64 = 1e-9;
 
 /// The largest of some values and the first place, as (segment from 0, t), where it is taken.

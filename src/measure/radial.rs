@@ -2,7 +2,7 @@
 //!
 //! In the frame where the true shape is a unit circle about the origin, |p(t)|² - 1 is a polynomial of degree 6 (4 for a
 //! quadratic). Its coefficients are formed in twice the digits of `f64`, from the centre or, where an arc was given by its ends,
-//! from those; so errors far below 1e-16 of the radius are told as what they are. On a circle the extremes of the distance are
+//! from those; so errors far below 1e-16 of the radius are stated as what they are. On a circle the extremes of the distance are
 //! the roots of its derivative. On an ellipse the true distance along the normal is taken, from the nearest point.
 
 mod ellipse;

@@ -173,7 +173,7 @@ static CARDS: [Card; 28] = [
         largest_angle: 180.0,
         criterion: "the least peak error with both ends and tangents on the circle",
         origin: "Mortenson",
-        source: "Mortenson's second, as told by Da-Pan Chen, \"Formulations of composite parametric cubic curves and circle approximations\", 1996; the number .551915024494 of Mortensen's web page is its quarter, the page not read here",
+        source: "Mortenson's second, as given by Da-Pan Chen, \"Formulations of composite parametric cubic curves and circle approximations\", 1996; the number .551915024494 of Mortensen's web page is its quarter, the page not read here",
         formula: "k with r_out + r_mid = 2: k(a, w0), 4 w0³ = 27 ρ (1-w0), ρ = (3 - r_mid)/(1 + r_mid)",
         advice: "by default: the least peak error of all cubics with smooth joints and both ends on the circle",
     },

@@ -142,7 +142,7 @@ pub(super) fn formulation_3_error(span: &Span) -> RadialError {
 }
 
 /// Formulation I on points of the circle that may be spaced unevenly: cyclic ends where `closed`, else fixed ends with the
-/// circle's own derivatives, a T. Each piece is told from both its ends.
+/// circle's own derivatives, a T. Each piece is described from both its ends.
 pub(super) fn chain(spans: &[Span], closed: bool) -> Vec<[Piece; 2]> {
     let mut angle = 0.0;
     let mut frames = vec![Vec2::new(1.0, 0.0)];

@@ -14,7 +14,7 @@
 //! ```
 //!
 //! Two terms of d by powers of γ err by at most 4e-8, and one step of Newton's method from there by at most 1e-15, which the handle
-//! heeds by an eighth. Nothing here takes a branch, so that a processor works at several arcs at once.
+//! moves by an eighth. Nothing here takes a branch, so that a processor works at several arcs at once.
 
 use crate::radial_error::RadialError;
 

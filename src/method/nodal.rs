@@ -37,7 +37,7 @@ impl Ends {
         }
     }
 
-    /// The number of segments through so many points.
+    /// The number of segments through this many points.
     pub(crate) const fn segments(self, points: usize) -> usize {
         match self {
             Self::Cyclic => points,

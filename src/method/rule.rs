@@ -42,7 +42,7 @@ impl Rule {
         self.method().map_or("handle", Method::id)
     }
 
-    /// The method of the catalogue behind it, if any.
+    /// The method of the catalogue that it is, if any.
     #[must_use]
     pub const fn method(self) -> Option<Method> {
         match self {

@@ -39,7 +39,7 @@ impl Span {
         }
     }
 
-    /// Four times so many degrees, from 0 to 45 and in this direction, at less cost: all from their sine and cosine, right but for the
+    /// Four times this many degrees, from 0 to 45 and in this direction, at less cost: all from their sine and cosine, right but for the
     /// last digit.
     #[inline(always)]
     pub(crate) fn of_quarter(degrees: f64, quarter: Vec2) -> Self {
@@ -58,7 +58,7 @@ impl Span {
         }
     }
 
-    /// A span of so many degrees.
+    /// A span of this many degrees.
     #[must_use]
     pub fn from_degrees(degrees: f64) -> Self {
         Self::new(Angle::from_degrees(degrees))

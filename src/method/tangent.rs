@@ -65,7 +65,7 @@ pub(super) fn error(span: &Span, k: f64) -> RadialError {
     error_of(h, 4.0 * power(3.0 * k * span.ch - 2.0 * span.sh, 2))
 }
 
-/// The error of the handle k that is told by its y too, of which H keeps its digits at small angles; at large ones it has no need.
+/// The error of the handle k that its y describes too, of which H keeps its digits at small angles; at large ones it has no need.
 pub(super) fn error_by_y(span: &Span, k: f64, y: f64) -> RadialError {
     if span.a > 1.0 {
         return error(span, k);

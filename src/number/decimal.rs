@@ -149,8 +149,8 @@ impl Decimal {
         let trailing = (digits.leading_zeros() / 8).min(self.decimals);
         let (before, decimals) = (whole - leading, self.decimals - trailing);
         let text = u128::from((digits | ZEROS) >> (8 * leading));
-        let behind = u128::MAX << (8 * before);
-        let text = (text & !behind) | u128::from(b'.') << (8 * before) | (text & behind) << 8;
+        let tail = u128::MAX << (8 * before);
+        let text = (text & !tail) | u128::from(b'.') << (8 * before) | (text & tail) << 8;
 
         let negative = self.units < 0;
         let first = if negative { b'-' } else { text as u8 };

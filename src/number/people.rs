@@ -3,7 +3,7 @@
 use super::push_fixed;
 use crate::numeric::functions;
 
-/// The text of a number with so many significant digits, for prose.
+/// The text of a number with this many significant digits, for prose.
 #[must_use]
 pub fn significant(x: f64, digits: u8) -> String {
     let magnitude = if x == 0.0 || !x.is_finite() {
@@ -17,7 +17,7 @@ pub fn significant(x: f64, digits: u8) -> String {
     String::from_utf8_lossy(&out).into_owned()
 }
 
-/// The least number of so many significant digits that is not below `x`: what a bound is rounded to for people.
+/// The least number of this many significant digits that is not below `x`: what a bound is rounded to for people.
 #[must_use]
 pub fn rounded_up(x: f64, digits: u8) -> f64 {
     let text = format!("{x:.*e}", usize::from(digits.max(1)) - 1);
@@ -55,7 +55,7 @@ pub fn round_one_two_five(x: f64) -> f64 {
         .unwrap_or(1.0)
 }
 
-/// The text of a number for tables: so many significant digits, trailing zeros kept so that columns align; as `1.96076e-4` below
+/// The text of a number for tables: this many significant digits, trailing zeros kept so that columns align; as `1.96076e-4` below
 /// a thousandth and from ten millions on. A number that is not finite gives `-`.
 #[must_use]
 pub fn compact(x: f64, digits: u8) -> String {

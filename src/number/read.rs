@@ -3,23 +3,23 @@
 use super::digits::{EXACT_POWERS, ZEROS};
 use super::parse;
 
-/// The index behind the number at `bytes[at..]`; `None` where none begins.
+/// The index after the number at `bytes[at..]`; `None` where none begins.
 ///
-/// The grammar is SVG 2's: `[+-]? ([0-9]+ | [0-9]* "." [0-9]+) ([eE] [+-]? [0-9]+)?`. An `e` without digits behind it belongs to
+/// The grammar is SVG 2's: `[+-]? ([0-9]+ | [0-9]* "." [0-9]+) ([eE] [+-]? [0-9]+)?`. An `e` without digits after it belongs to
 /// what follows (`1em`).
 #[inline]
 pub(crate) fn skip(bytes: &[u8], at: usize) -> Option<usize> {
-    let whole = behind_sign(bytes, at);
+    let whole = after_sign(bytes, at);
     match Short::at(bytes, whole) {
         Some(short) => Some(whole + short.length()),
         None => skip_long(bytes, at),
     }
 }
 
-/// The number at `bytes[at..]` and the index behind it; infinite where it is beyond `f64`, `None` where none begins.
+/// The number at `bytes[at..]` and the index after it; infinite where it is beyond `f64`, `None` where none begins.
 #[inline]
 pub(crate) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
-    let whole = behind_sign(bytes, at);
+    let whole = after_sign(bytes, at);
     let Some(short) = Short::at(bytes, whole) else {
         return read_long(bytes, at);
     };
@@ -29,7 +29,7 @@ pub(crate) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
 }
 
 #[inline]
-fn behind_sign(bytes: &[u8], at: usize) -> usize {
+fn after_sign(bytes: &[u8], at: usize) -> usize {
     at + usize::from(matches!(bytes.get(at), Some(b'-' | b'+')))
 }
 
@@ -59,8 +59,8 @@ impl Short {
         // What is no digit has the highest bit, or gets it by adding 0x76 to its difference from '0'.
         let digits = word ^ ZEROS;
         let others = (((digits & !Self::HIGH) + 0x7676_7676_7676_7676) | digits) & Self::HIGH;
-        let behind = others & others.wrapping_sub(1);
-        let (first, second) = (others.trailing_zeros() & !7, behind.trailing_zeros() & !7);
+        let after = others & others.wrapping_sub(1);
+        let (first, second) = (others.trailing_zeros() & !7, after.trailing_zeros() & !7);
         // A point belongs to the number where digits follow it.
         let is_point = (word >> (first & 63)) as u8 == b'.';
         let has_point = (u64::from(is_point) & u64::from(second > first + 8)).wrapping_neg();
@@ -82,11 +82,11 @@ impl Short {
     /// The value: a mantissa below 2^53 by an exact power of ten is the correctly rounded quotient.
     #[inline]
     fn value(self) -> f64 {
-        // The digits behind the point close up.
-        let behind = u64::MAX << self.whole;
-        let text = self.word ^ ((self.word ^ (self.word >> 8)) & behind & self.has_point);
+        // The digits after the point close up.
+        let after = u64::MAX << self.whole;
+        let text = self.word ^ ((self.word ^ (self.word >> 8)) & after & self.has_point);
         let bits = self.end - (self.has_point as u32 & 8);
-        // The last digit comes to the highest byte, what is behind it falls off, and zeros come before the first.
+        // The last digit comes to the highest byte, what is after it falls off, and zeros come before the first.
         let digits = (text ^ ZEROS) << (64 - bits);
         let decimals = (bits - self.whole) / 8;
         eight_digits(digits) as f64 / EXACT_POWERS[decimals as usize & 7]
@@ -106,7 +106,7 @@ const fn eight_digits(digits: u64) -> u64 {
 /// [`skip`] for any number.
 #[cold]
 fn skip_long(bytes: &[u8], at: usize) -> Option<usize> {
-    let whole = behind_sign(bytes, at);
+    let whole = after_sign(bytes, at);
     let mut end = skip_digits(bytes, whole);
     if let Some(b'.') = bytes.get(end)
         && let fraction = skip_digits(bytes, end + 1)
@@ -114,7 +114,7 @@ fn skip_long(bytes: &[u8], at: usize) -> Option<usize> {
     {
         end = fraction;
     }
-    (end > whole).then(|| behind_exponent(bytes, end))
+    (end > whole).then(|| after_exponent(bytes, end))
 }
 
 fn skip_digits(bytes: &[u8], mut at: usize) -> usize {
@@ -132,8 +132,8 @@ fn read_long(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((value, end))
 }
 
-/// The index behind the exponent at `bytes[at..]`; `at` itself where there is none.
-fn behind_exponent(bytes: &[u8], at: usize) -> usize {
+/// The index after the exponent at `bytes[at..]`; `at` itself where there is none.
+fn after_exponent(bytes: &[u8], at: usize) -> usize {
     if !matches!(bytes.get(at), Some(b'e' | b'E')) {
         return at;
     }
@@ -170,7 +170,7 @@ mod tests {
             ("0.1234567890123456789012", 0.123_456_789_012_345_68, 24),
         ] {
             assert_eq!(read(text.as_bytes(), 0), Some((value, end)), "{text}");
-            // A whole word of text behind it changes nothing.
+            // A whole word of text after it changes nothing.
             let followed = format!("{text}\" fill=\"none\"/>");
             assert_eq!(read(followed.as_bytes(), 0), Some((value, end)), "{text}");
             assert_eq!(skip(followed.as_bytes(), 0), Some(end), "{text}");

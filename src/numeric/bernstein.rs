@@ -27,7 +27,7 @@ const BINOMIALS: [[f64; MOST]; MOST] = {
     rows
 };
 
-/// A polynomial on [0, 1] in Bernstein form, with room for so many coefficients.
+/// A polynomial on [0, 1] in Bernstein form, with room for this many coefficients.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Bernstein<const ROOM: usize> {
     coefficients: [f64; ROOM],
@@ -188,7 +188,7 @@ impl<const ROOM: usize> Bernstein<ROOM> {
         changes
     }
 
-    /// The parts before and behind a parameter near the middle that is no root.
+    /// The parts before and after a parameter near the middle that is no root.
     fn cut(&self) -> (f64, [Self; 2]) {
         let places = (0..ROOM).map(|i| 0.5 - i as f64 / 64.0);
         let mut cut = (0.5, [*self; 2]);
@@ -201,7 +201,7 @@ impl<const ROOM: usize> Bernstein<ROOM> {
         cut
     }
 
-    /// The parts before and behind t, by de Casteljau's algorithm.
+    /// The parts before and after t, by de Casteljau's algorithm.
     fn cut_at(&self, t: f64) -> [Self; 2] {
         let (mut left, mut right) = (*self, *self);
         for k in 1..=self.degree {

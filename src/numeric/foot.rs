@@ -2,7 +2,7 @@
 
 use kurbo::Vec2;
 
-/// The nearest point of an ellipse, told by what is needed of it.
+/// The nearest point of an ellipse, described by what is needed of it.
 pub(crate) struct Foot {
     /// From there to the point, positive outside.
     pub(crate) distance: f64,

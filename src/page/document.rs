@@ -90,7 +90,7 @@ pub struct Step {
     pub title: String,
     /// The words of the command line that ask for it.
     pub words: String,
-    /// The same for PostScript, whose writer starts elsewhere and runs the other way round unless told.
+    /// The same for PostScript, whose writer starts elsewhere and runs the other way round unless asked to.
     pub words_ps: String,
     /// The shape.
     pub shape: ShapeDocument,
@@ -103,7 +103,7 @@ pub struct Step {
 }
 
 impl Step {
-    /// The drawing by a method with so many segments.
+    /// The drawing by a method with this many segments.
     #[must_use]
     pub fn drawing(&self, method: &str, segments: usize) -> Option<&DrawingEntry> {
         let mut drawings = self.drawings.iter();

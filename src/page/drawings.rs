@@ -17,10 +17,10 @@ use crate::radial_error::RadialError;
 use crate::shape::{Outline, Shape, Truth};
 use crate::write::json::{DrawingDocument, shape_document};
 
-/// The distance is told at the ends and extremes of the Chebyshev polynomial of this degree, through which the page draws a polynomial.
+/// The distance is given at the ends and extremes of the Chebyshev polynomial of this degree, through which the page draws a polynomial.
 const STEPS: u32 = 24;
 
-/// In how many parts of the peak the distance is told.
+/// In how many parts of the peak the distance is given.
 const PARTS: f64 = 1000.0;
 
 /// The part of the peak error that rounding may add, before the share that every drawing leaves to it: two decimals more than the
@@ -191,7 +191,7 @@ fn figures(full: &Drawing, outline: &Outline) -> [f64; 6] {
     Criterion::ALL.map(|by| rounded_up(figure(by), 6))
 }
 
-/// The kinds of profiles, and which each segment has: one that is another run backwards is not told again, nor is the second half of one
+/// The kinds of profiles, and which each segment has: one that is another run backwards is not stored again, nor is the second half of one
 /// that mirrors itself.
 fn profiles(full: &Drawing, truth: &Truth, peak: f64) -> (Vec<Vec<i16>>, Vec<i16>) {
     let unit = (peak * full.larger_radius()).max(f64::MIN_POSITIVE);

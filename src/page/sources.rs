@@ -23,7 +23,7 @@ const LANCASTER: [(usize, &str, &str, &str); 6] = [
     (8, "0.2652031", "4.05312e-06", "1.89818e-06"),
 ];
 
-/// Chen's Table 1: the formulations at a quarter. The second is told with the quadrature that he prints.
+/// Chen's Table 1: the formulations at a quarter. The second is given with the quadrature that he prints.
 const CHEN_1: [(&str, &str, Rule, &str); 4] = [
     (
         "Formulation I",

@@ -171,7 +171,7 @@ fn graph(equation: &Equation) -> Result<Vec<Point>> {
     Ok(x.into_iter().zip(y).map(Point::from).collect())
 }
 
-/// The number with so many decimals, where it is that one but for rounding: points with few decimals have coefficients with as few.
+/// The number with this many decimals, where it is that one but for rounding: points with few decimals have coefficients with as few.
 fn decimal(x: f64, decimals: u8, slack: f64) -> f64 {
     let rounded = round(x, decimals.min(MOST_DECIMALS));
     if decimals <= MOST_DECIMALS && (x - rounded).abs() <= slack {

@@ -64,7 +64,7 @@ pub struct Show {
     pub handles: bool,
     /// The true shape, beneath the curve.
     pub truth: bool,
-    /// The deviation from the true shape, drawn so many times as large.
+    /// The deviation from the true shape, drawn this many times as large.
     pub error: Option<f64>,
 }
 
@@ -112,7 +112,7 @@ impl FromStr for Shown {
             "truth" => return Ok(Self::Truth),
             "error" => {
                 return Err(Error::Picture(
-                    "error needs its factor, like error=500: the deviation is drawn so many times as large".to_owned(),
+                    "error needs its factor, like error=500: the deviation is drawn this many times as large".to_owned(),
                 ));
             }
             _ => {}

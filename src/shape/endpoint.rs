@@ -255,7 +255,7 @@ pub fn parse_svg_arc(text: &str) -> Result<SvgArc> {
         })?;
     match next("the end")? {
         None => Ok(arc),
-        Some(_) => Err(wrong("expected one arc and nothing behind it")),
+        Some(_) => Err(wrong("expected one arc and nothing after it")),
     }
 }
 

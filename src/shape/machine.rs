@@ -1,4 +1,4 @@
-//! Circular arcs as machines are told them: two ends with the radius or the centre, as G2 and G3.
+//! Circular arcs as machines take them: two ends with the radius or the centre, as G2 and G3.
 
 use kurbo::{Point, Vec2};
 

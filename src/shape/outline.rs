@@ -46,7 +46,7 @@ pub struct Truth {
     pub rounding: f64,
 }
 
-/// The ellipse through two points, told without its centre.
+/// The ellipse through two points, described without its centre.
 ///
 /// In the frame where the ellipse is the unit circle, the circles through A and B are the pencil
 /// (p - A)·(p - B) + κ (p - A)×(B - A) = 0, and the left side is |p|² - 1 about the centre of each. Nothing of it grows with the
@@ -99,7 +99,7 @@ impl Truth {
         }
     }
 
-    /// The same ellipse, told by the chord of an arc of it that runs so many degrees between these ends.
+    /// The same ellipse, described by the chord of an arc of it that runs this many degrees between these ends.
     #[must_use]
     pub(crate) fn through(self, ends: [Point; 2], sweep: f64) -> Self {
         self.through_about(ends, sweep, 0.0)

@@ -183,7 +183,7 @@ impl Format {
         matches!(self, Self::Path | Self::Image(Image::Svg))
     }
 
-    /// How control points are rounded where nothing was asked for; `None` for what the error of the drawing deserves.
+    /// How control points are rounded where nothing was asked for; `None` for the precision that the error of the drawing needs.
     #[must_use]
     pub const fn precision(self) -> Option<Precision> {
         match self {

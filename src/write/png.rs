@@ -19,7 +19,7 @@ const MOST_PIXELS: f64 = 1e8;
 const LONGEST_SIDE: f64 = 32_767.0;
 /// The most segments in a picture.
 const MOST_SEGMENTS: usize = 100_000;
-/// tiny-skia flattens a long curve so coarsely that it strays by a quarter of a pixel; it gets pieces about so many pixels long.
+/// tiny-skia flattens a long curve so coarsely that it strays by a quarter of a pixel; it gets pieces about this many pixels long.
 const PIECE: f64 = 16.0;
 /// Strokes narrower than this many pixels are left to tiny-skia's hairlines, which do not break up; its hairlines up to a whole
 /// pixel, which it would take by itself, stray by half a pixel.

@@ -120,7 +120,7 @@ impl CompareArgs {
         Comparison::by_span(&rules, &spans, by)
     }
 
-    /// The rules behind the methods.
+    /// The rules of the methods.
     pub(crate) fn rules(&self) -> Vec<Rule> {
         let rule = |&method: &Method| match (method, self.quadrature) {
             (Method::Chen2, Quadrature::Gauss2) => Rule::Chen2Gauss2,

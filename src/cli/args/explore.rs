@@ -57,7 +57,7 @@ pub(crate) struct Explored<S: Args> {
 }
 
 impl<S: Args> Explored<S> {
-    /// The rules behind the methods.
+    /// The rules of the methods.
     pub(crate) fn rules(&self) -> Vec<Rule> {
         self.method
             .iter()

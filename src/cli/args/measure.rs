@@ -46,7 +46,7 @@ pub(crate) enum MeasuredShape {
     Conic(Measured<ConicShape>),
 }
 
-/// A shape, how it is approximated, and what is told of it. Several methods may be named.
+/// A shape, how it is approximated, and what is stated of it. Several methods may be named.
 #[derive(Debug, Args)]
 #[command(
     mut_arg("method", |method| method.action(ArgAction::Append)),

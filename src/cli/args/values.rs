@@ -158,7 +158,7 @@ pub(super) fn tolerance(text: &str) -> Read<Tolerance> {
 pub(crate) enum PrecisionWord {
     /// With the fewest decimals that add no more than a tenth of the error.
     Auto,
-    /// With so many decimals.
+    /// With this many decimals.
     Decimals(u8),
 }
 

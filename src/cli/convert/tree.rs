@@ -248,7 +248,7 @@ impl Walk {
         Ok(entries)
     }
 
-    /// Whether a name leads to a plain file of the folder. A link that leads nowhere is kept, to be told as what cannot be read.
+    /// Whether a name leads to a plain file of the folder. A link that leads nowhere is kept, to be reported as what cannot be read.
     fn is_ours(&self, path: &Path, root: &Path) -> bool {
         let Ok(data) = fs::metadata(path) else {
             return true;

@@ -259,7 +259,7 @@ fn side(joint: &Joint, name: &str, side: Option<Curvature>) -> [String; 8] {
     ]
 }
 
-/// Sets so many blanks between columns, and these columns to the right.
+/// Sets this many blanks between columns, and these columns to the right.
 pub(super) fn close_up(table: &mut Table, gap: u16, right: &[usize]) {
     for (i, column) in table.column_iter_mut().enumerate() {
         column.set_padding((0, gap));

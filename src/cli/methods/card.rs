@@ -145,7 +145,7 @@ fn counts(method: Method) -> Result<Table> {
     table.add_row(header);
     for count in COUNTS {
         let span = Span::from_degrees(360.0 / f64::from(count));
-        // What a method does not serve is told by its largest angle and by its formula.
+        // What a method does not serve is said by its largest angle and by its formula.
         let (Ok(piece), Ok(error)) = (method.piece(&span), method.radial_error(&span)) else {
             continue;
         };

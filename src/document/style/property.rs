@@ -159,7 +159,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All kinds, in the order in which they are told.
+    /// All kinds, in the order in which they are reported.
     pub const ALL: [Self; 4] = [Self::Circle, Self::Ellipse, Self::Rect, Self::Path];
 
     /// The name of the element.

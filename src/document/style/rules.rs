@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use super::property::{Effect, Kind};
 use super::selector::Compound;
 
-/// So many classes, ids or names are kept apart; what more rules ask for counts as met.
+/// This many classes, ids or names are kept apart; what more rules ask for counts as met.
 const MOST_KEYS: usize = 1 << 16;
-/// So many selectors of one class or id are kept apart; of more only the class or the id is asked for.
+/// This many selectors of one class or id are kept apart; of more only the class or the id is asked for.
 const MOST_ITEMS: usize = 64;
 
 /// What a selector is held against.
@@ -190,7 +190,7 @@ mod tests {
     use super::super::selector;
     use super::*;
 
-    /// A rule for each of so many classes, `more` behind each.
+    /// A rule for each of this many classes, `more` after each.
     fn many(count: usize, more: &str) -> String {
         let numbers = (0..count).map(|i| i.to_string());
         numbers

@@ -14,7 +14,7 @@ pub(in crate::document) struct Attribute<'a> {
     pub(in crate::document) value: &'a str,
     /// Whether there is a reference in it.
     pub(in crate::document) has_references: bool,
-    /// From the white space before the name to behind the closing quote.
+    /// From the white space before the name to after the closing quote.
     pub(in crate::document) span: Range<usize>,
     /// Where the name begins.
     pub(in crate::document) start: usize,
@@ -25,16 +25,16 @@ pub(in crate::document) struct Attribute<'a> {
 /// Up to this many attributes are compared pair by pair.
 const FEW: usize = 12;
 
-/// The index behind the white space at `bytes[at..]`.
+/// The index after the white space at `bytes[at..]`.
 #[inline]
-pub(in crate::document) fn behind_space(bytes: &[u8], mut at: usize) -> usize {
+pub(in crate::document) fn after_space(bytes: &[u8], mut at: usize) -> usize {
     while let Some(b' ' | b'\t' | b'\n' | b'\r') = bytes.get(at) {
         at += 1;
     }
     at
 }
 
-/// Reads the attributes behind the name of a tag, from `source[at..]` on; gives the index of what stands behind the last one and
+/// Reads the attributes after the name of a tag, from `source[at..]` on; gives the index of what stands after the last one and
 /// white space: mostly the end of the tag.
 pub(in crate::document) fn read<'a>(
     source: &'a str,
@@ -43,23 +43,23 @@ pub(in crate::document) fn read<'a>(
 ) -> Result<usize> {
     out.clear();
     let bytes = source.as_bytes();
-    let mut behind = at;
+    let mut after = at;
     loop {
-        let start = behind_space(bytes, behind);
+        let start = after_space(bytes, after);
         if let None | Some(b'>' | b'/' | b'?') = bytes.get(start) {
             return unique(out).map(|()| start);
         }
         let name = name(source, start)
-            .filter(|_| start > behind)
+            .filter(|_| start > after)
             .ok_or_else(|| Fault::new(start, "this is not an attribute"))?;
-        let equals = behind_space(bytes, start + name.len());
+        let equals = after_space(bytes, start + name.len());
         if bytes.get(equals) != Some(&b'=') {
             return Err(Fault::new(
                 start,
                 format!("the attribute `{name}` has no value"),
             ));
         }
-        let opening = behind_space(bytes, equals + 1);
+        let opening = after_space(bytes, equals + 1);
         let (value, has_references) = value(source, opening, name)?;
         let value_span = opening + 1..opening + 1 + value.len();
         let end = value_span.end + 1;
@@ -67,11 +67,11 @@ pub(in crate::document) fn read<'a>(
             name,
             value,
             has_references,
-            span: behind..end,
+            span: after..end,
             start,
             value_span,
         });
-        behind = end;
+        after = end;
     }
 }
 

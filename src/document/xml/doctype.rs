@@ -170,13 +170,13 @@ impl Doctype {
         let mut text = text.as_str();
         while let Some((before, rest)) = text.split_once('&') {
             out.push_str(before);
-            let Some((inner, behind)) = rest.split_once(';') else {
+            let Some((inner, after)) = rest.split_once(';') else {
                 return false;
             };
             if !self.expand(inner, depth + 1, out) {
                 return false;
             }
-            text = behind;
+            text = after;
         }
         out.push_str(text);
         true
@@ -237,18 +237,18 @@ fn with_default(definitions: &str) -> Vec<&str> {
 fn with_characters(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
-    while let Some((before, behind)) = rest.split_once("&#") {
+    while let Some((before, after)) = rest.split_once("&#") {
         out.push_str(before);
-        let found = behind.split_once(';').and_then(|(code, behind)| {
+        let found = after.split_once(';').and_then(|(code, after)| {
             let character = predefined(&format!("#{code}"))?;
-            Some((character, behind))
+            Some((character, after))
         });
-        if let Some((character, behind)) = found {
+        if let Some((character, after)) = found {
             out.push(character);
-            rest = behind;
+            rest = after;
         } else {
             out.push_str("&#");
-            rest = behind;
+            rest = after;
         }
     }
     out.push_str(rest);

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
-use super::attributes::{self, Attribute, behind_space};
+use super::attributes::{self, Attribute, after_space};
 use super::characters::{self, BYTE_ORDER_MARK, first_forbidden};
 use super::doctype::{Doctype, Resolved};
 use super::encoding::Source;
@@ -196,7 +196,7 @@ impl<'a> Scanner<'a> {
         let open = self.open.pop();
         let close = open
             .filter(|open| rest.starts_with(open.name))
-            .map(|open| behind_space(bytes, start + 2 + open.name.len()))
+            .map(|open| after_space(bytes, start + 2 + open.name.len()))
             .filter(|close| bytes.get(*close) == Some(&b'>'));
         let (Some(open), Some(close)) = (open, close) else {
             let name = &rest[..rest.find('>').unwrap_or(rest.len())];
@@ -217,7 +217,7 @@ impl<'a> Scanner<'a> {
 
     fn text(&mut self, start: usize) -> Result<Node<'a>> {
         // Mostly white space alone stands between tags.
-        let blank = behind_space(self.source.as_bytes(), start);
+        let blank = after_space(self.source.as_bytes(), start);
         if let None | Some(b'<') = self.source.as_bytes().get(blank) {
             self.at = blank;
             return Ok(Node::Text(&self.source[start..blank]));
@@ -350,7 +350,7 @@ impl<'a> Scanner<'a> {
         if self.seen_root {
             return Err(Fault::new(
                 start,
-                "a DOCTYPE behind the root element's start",
+                "a DOCTYPE after the root element's start",
             ));
         }
         let inner = span

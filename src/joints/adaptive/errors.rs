@@ -91,7 +91,7 @@ impl Errors {
         peak(&errors).max(tip)
     }
 
-    /// w at so many degrees, over the larger radius.
+    /// w at this many degrees, over the larger radius.
     fn weight(&self, degrees: f64) -> f64 {
         let cos = libm::cos(degrees.to_radians());
         (1.0 + self.swing * cos * cos).sqrt().recip()
