@@ -52,13 +52,7 @@ pub struct Fit {
 ///
 /// Where the points are one point or lie on a line, so that no circle is nearest.
 pub fn circle(curve: &Curve, to: Option<FitTo>) -> Result<(Truth, Fit)> {
-    let joints = || fitted(&joints(curve), FitTo::Joints);
-    let along = || fitted(&along(curve), FitTo::Curve);
-    match to {
-        Some(FitTo::Joints) => joints(),
-        Some(FitTo::Curve) => along(),
-        None => joints().or_else(|_| along()),
-    }
+    fitted(curve, to, fitted_circle)
 }
 
 /// The ellipse fitted to a curve: to what `to` says, or to the joints where five of them determine an ellipse and else to the curve.
@@ -67,13 +61,7 @@ pub fn circle(curve: &Curve, to: Option<FitTo>) -> Result<(Truth, Fit)> {
 ///
 /// Where no ellipse is nearest, as of points on a line.
 pub fn ellipse(curve: &Curve, to: Option<FitTo>) -> Result<(Truth, Fit)> {
-    let joints = || fitted_ellipse(&joints(curve), FitTo::Joints);
-    let along = || fitted_ellipse(&along(curve), FitTo::Curve);
-    match to {
-        Some(FitTo::Joints) => joints(),
-        Some(FitTo::Curve) => along(),
-        None => joints().or_else(|_| along()),
-    }
+    fitted(curve, to, fitted_ellipse)
 }
 
 /// How many times nearer to a curve an ellipse has to be than a circle to be what was meant.
@@ -123,33 +111,46 @@ fn along(curve: &Curve) -> Vec<Point> {
         .collect()
 }
 
-fn fitted(points: &[Point], to: FitTo) -> Result<(Truth, Fit)> {
+/// What a way to fit points makes of a curve, with the sum of the squared distances that it leaves.
+fn fitted(
+    curve: &Curve,
+    to: Option<FitTo>,
+    nearest: fn(&[Point]) -> Result<(Truth, f64)>,
+) -> Result<(Truth, Fit)> {
+    let fit = |points: &[Point], to| {
+        let (truth, squares) = nearest(points)?;
+        let rms = (squares / points.len() as f64).sqrt();
+        let fit = Fit {
+            to,
+            points: points.len(),
+            rms,
+            relative_rms: rms / truth.larger_radius(),
+        };
+        Ok((truth, fit))
+    };
+    let at_joints = || fit(&joints(curve), FitTo::Joints);
+    let along_it = || fit(&along(curve), FitTo::Curve);
+    match to {
+        Some(FitTo::Joints) => at_joints(),
+        Some(FitTo::Curve) => along_it(),
+        None => at_joints().or_else(|_| along_it()),
+    }
+}
+
+fn fitted_circle(points: &[Point]) -> Result<(Truth, f64)> {
     let (center, radius) = nearest_circle(points).ok_or_else(|| {
         Error::Shape("no circle fits: the points lie on a line, or are one point".to_owned())
     })?;
     let squares = points.iter().map(|p| power(p.distance(center) - radius, 2));
-    let rms = (squares.sum::<f64>() / points.len() as f64).sqrt();
-    let fit = Fit {
-        to,
-        points: points.len(),
-        rms,
-        relative_rms: rms / radius,
-    };
-    Ok((Truth::circle(center, radius), fit))
+    Ok((Truth::circle(center, radius), squares.sum()))
 }
 
-fn fitted_ellipse(points: &[Point], to: FitTo) -> Result<(Truth, Fit)> {
+fn fitted_ellipse(points: &[Point]) -> Result<(Truth, f64)> {
     let truth = ellipse::nearest_ellipse(points).ok_or_else(|| {
         Error::Shape("no ellipse fits: fewer than five points determine none, nor do points of another curve".to_owned())
     })?;
-    let rms = (ellipse::squares(points, &truth) / points.len() as f64).sqrt();
-    let fit = Fit {
-        to,
-        points: points.len(),
-        rms,
-        relative_rms: rms / truth.larger_radius(),
-    };
-    Ok((truth, fit))
+    let squares = ellipse::squares(points, &truth);
+    Ok((truth, squares))
 }
 
 /// The centre and radius of the circle nearest to these points.

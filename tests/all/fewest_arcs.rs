@@ -210,15 +210,7 @@ fn text(steps: &[Step], start: [f64; 2], closed: bool) -> String {
 }
 
 fn ends(path: &[Segment]) -> Vec<P> {
-    let end = |segment: &Segment| match *segment {
-        Segment::Move(p)
-        | Segment::Line(p)
-        | Segment::Quad(_, p)
-        | Segment::Cubic(.., p)
-        | Segment::Arc(.., p) => Some(p),
-        Segment::Close => None,
-    };
-    path.iter().filter_map(end).collect()
+    path.iter().filter_map(Segment::end).collect()
 }
 
 /// Lines and arcs of G-code as path data, each arc about its I J to where it ends, its radius that of its start.

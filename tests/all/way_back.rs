@@ -290,19 +290,11 @@ impl Tally {
 
     /// Holds arcs against those that they were: both outlines have the same lines and Béziers, and the arcs end at the same points.
     fn hold(&mut self, old: &[Segment], new: &[Segment]) {
-        let end = |segment: &Segment| match *segment {
-            Segment::Move(p)
-            | Segment::Line(p)
-            | Segment::Quad(_, p)
-            | Segment::Cubic(.., p)
-            | Segment::Arc(.., p) => Some(p),
-            Segment::Close => None,
-        };
         let near = |a: P, b: P| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-6;
         let (mut at, mut new_at, mut start, mut rest): (P, P, P, &[Segment]) =
             ([0.0; 2], [0.0; 2], [0.0; 2], new);
         for segment in old {
-            let to = end(segment).unwrap_or(start);
+            let to = segment.end().unwrap_or(start);
             if let Segment::Move(p) = *segment {
                 start = p;
             }
@@ -330,7 +322,7 @@ impl Tally {
                             rest.first()
                         {
                             rest = &rest[1..];
-                            new_at = end(next).unwrap_or(new_at);
+                            new_at = next.end().unwrap_or(new_at);
                             if near(new_at, to) {
                                 break;
                             }

@@ -275,6 +275,20 @@ pub(crate) enum Segment {
     Close,
 }
 
+impl Segment {
+    /// Where it ends; a closing segment does where its subpath starts, which it does not know.
+    pub(crate) const fn end(&self) -> Option<P> {
+        match *self {
+            Self::Move(p)
+            | Self::Line(p)
+            | Self::Quad(_, p)
+            | Self::Cubic(.., p)
+            | Self::Arc(.., p) => Some(p),
+            Self::Close => None,
+        }
+    }
+}
+
 /// The path data up to their first error.
 pub(crate) fn segments(d: &str) -> Vec<Segment> {
     let mut out = Vec::new();
