@@ -10,7 +10,7 @@ ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall dist deb wheel clean
-.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz mutants truth numbers lint
+.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz fuzz-random mutants truth numbers lint
 .PHONY: golden gallery
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
@@ -102,9 +102,21 @@ KILLS ?= 100
 kills: ## Kill convert a hundred times at random moments; every file has to be whole
 	CURVETO_KILLS=$(KILLS) $(CARGO) test --locked --test all faults::a_killed_run
 
+T ?= 60
+TARGETS = $(notdir $(basename $(wildcard fuzz/fuzz_targets/*.rs)))
+
+# Inputs that were found go to fuzz/corpus and come back on the next run; what breaks a promise is in fuzz/artifacts.
+fuzz: ## Look for inputs that break a promise, by their coverage, T=60 seconds a target (TARGETS='arcs lines': only these; needs nightly)
+	command -v cargo-fuzz > /dev/null || $(CARGO) install --locked cargo-fuzz
+	for target in $(TARGETS); do \
+		mkdir -p fuzz/corpus/$$target; \
+		$(CARGO) +nightly fuzz run -s none $$target fuzz/corpus/$$target fixtures/fuzz/$$target -- \
+			-max_total_time=$(T) -timeout=20 -rss_limit_mb=2048 || exit 1; \
+	done
+
 FUZZ ?= 50
 
-fuzz: ## Feed random and damaged input to all that reads, 50 times as many cases as make test (FUZZ=1000: for hours)
+fuzz-random: ## Feed random and damaged input to all that reads, 50 times as many cases as make test (FUZZ=1000: for hours)
 	CURVETO_FUZZ=$(FUZZ) $(CARGO) test --locked --test all fuzz::
 
 truth: ## Hold the stated errors of a hundred thousand shapes off the beaten track against 256-bit arithmetic (CURVETO_CASES: of each class)
