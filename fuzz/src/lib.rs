@@ -1,6 +1,6 @@
 //! The promises of tests/all/judges/promises.rs, for the fuzz targets: a target is broken where a promise is.
 
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
 
 #[path = "../../tests/all/judges"]
 pub mod judges {

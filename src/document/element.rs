@@ -31,14 +31,24 @@ pub(super) fn read<'v>(
     kind: Kind,
     attribute: impl Fn(&str) -> Option<Cow<'v, str>>,
 ) -> Result<Shape, Reason> {
+    let stands = |name| {
+        attribute(name).is_some_and(|text| match length::read(&text) {
+            Reading::Length(length) => length.value > 0.0,
+            Reading::Auto => false,
+            Reading::Unknown => true,
+        })
+    };
     let get = |name: &'static str| -> Result<Option<Length>, Reason> {
         let Some(text) = attribute(name) else {
             return Ok(None);
         };
         match length::read(&text) {
             Reading::Length(length) => Ok(Some(length)),
-            // `auto` is a value of rx and ry alone, and of width and height, where it is zero.
-            Reading::Auto if !matches!(name, "cx" | "cy" | "r" | "x" | "y") => Ok(None),
+            // `auto` is a value of rx and ry alone, and of width and height, where it is zero. SVG 2 takes the other radius for it,
+            // Chromium zero.
+            Reading::Auto if matches!(name, "width" | "height") => Ok(None),
+            Reading::Auto if name == "rx" && !stands("ry") => Ok(None),
+            Reading::Auto if name == "ry" && !stands("rx") => Ok(None),
             _ => Err(Reason::Length {
                 attribute: name,
                 value: text.chars().take(40).collect(),
@@ -285,6 +295,9 @@ mod tests {
             (Kind::Circle, &[("r", "50%")], "length"),
             (Kind::Circle, &[("r", "auto")], "length"),
             (Kind::Ellipse, &[("rx", "auto")], "not-drawn"),
+            (Kind::Ellipse, &[("rx", "auto"), ("ry", "auto")], "not-drawn"),
+            (Kind::Ellipse, &[("rx", "auto"), ("ry", "3")], "length"),
+            (Kind::Rect, &[("rx", "3"), ("ry", "auto")], "length"),
             (Kind::Ellipse, &[("rx", "-2"), ("ry", "-1")], "not-drawn"),
             (Kind::Ellipse, &[("rx", "-2"), ("ry", "0")], "not-drawn"),
             (Kind::Rect, &[("rx", "2"), ("width", "3")], "not-drawn"),
@@ -296,7 +309,7 @@ mod tests {
             );
         }
         assert!(
-            path(Kind::Ellipse, &[("rx", "auto"), ("ry", "3")])
+            path(Kind::Ellipse, &[("ry", "3")])
                 .unwrap()
                 .starts_with("M3 0C")
         );
