@@ -10,7 +10,7 @@ ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall dist deb wheel clean
-.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz fuzz-random mutants truth numbers lint
+.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz fuzz-random coverage mutants truth numbers lint
 .PHONY: golden gallery
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
@@ -138,6 +138,9 @@ lint: ## Check formatting, lints, each feature alone, and the documentation of t
 	if command -v cargo-deny >/dev/null; then $(CARGO) deny --offline check licenses bans sources; fi
 
 MUTANTS = src/shape src/joints src/joints.rs src/method src/measure src/approximate src/document src/batch src/batch.rs src/cli/output.rs src/cli/convert
+
+coverage: ## List the lines that no test runs (cargo install cargo-llvm-cov)
+	$(CARGO) llvm-cov --locked --all-features --ignore-filename-regex '(tests|benches)/' --show-missing-lines
 
 mutants: ## Change the source in every small way and see whether a test notices (cargo install cargo-mutants; takes days)
 	$(CARGO) mutants $(foreach file,$(MUTANTS),-f '$(file)$(if $(filter %.rs,$(file)),,/**)')

@@ -295,7 +295,11 @@ mod tests {
             (Kind::Circle, &[("r", "50%")], "length"),
             (Kind::Circle, &[("r", "auto")], "length"),
             (Kind::Ellipse, &[("rx", "auto")], "not-drawn"),
-            (Kind::Ellipse, &[("rx", "auto"), ("ry", "auto")], "not-drawn"),
+            (
+                Kind::Ellipse,
+                &[("rx", "auto"), ("ry", "auto")],
+                "not-drawn",
+            ),
             (Kind::Ellipse, &[("rx", "auto"), ("ry", "3")], "length"),
             (Kind::Rect, &[("rx", "3"), ("ry", "auto")], "length"),
             (Kind::Ellipse, &[("rx", "-2"), ("ry", "-1")], "not-drawn"),

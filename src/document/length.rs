@@ -107,4 +107,17 @@ mod tests {
         }
         assert_eq!(read("auto"), Reading::Auto);
     }
+
+    #[test]
+    fn what_is_computed_has_at_most_fifteen_digits() {
+        for text in ["1mm", "7.3cm", "1000pt", "12345678.9mm", ".0001q"] {
+            let Reading::Length(length) = read(text) else {
+                panic!("{text}")
+            };
+            assert!(
+                length.exact.units.unsigned_abs() < 1_000_000_000_000_000,
+                "{text}"
+            );
+        }
+    }
 }

@@ -181,3 +181,45 @@ fn reach(segment: &PathSeg, delta: f64) -> [f64; 4] {
     }
     reach
 }
+
+#[cfg(test)]
+mod tests {
+    use kurbo::{CubicBez, Line, ParamCurve};
+
+    use super::*;
+
+    fn order(before: impl Into<PathSeg>, after: impl Into<PathSeg>, delta: f64) -> Continuity {
+        joint(&before.into(), &after.into(), delta).1
+    }
+
+    #[test]
+    fn ends_may_be_apart_by_the_rounding_of_both() {
+        let line = |to, from| (Line::new((0.0, 0.0), to), Line::new(from, (40.0, 40.0)));
+        let apart = |by| {
+            let (before, after) = line((20.0, 20.0), (20.0 + by, 20.0 + by));
+            order(before, after, 0.25)
+        };
+        assert!(apart(0.499) > Continuity::Apart);
+        assert_eq!(apart(0.501), Continuity::Apart);
+    }
+
+    #[test]
+    fn what_nothing_explains_is_no_jump_where_nothing_jumps() {
+        let (before, after) = (
+            Line::new((0.0, 0.0), (1.0, 2.0)),
+            Line::new((1.0, 2.0), (2.0, 4.0)),
+        );
+        assert_eq!(order(before, after, 0.0), Continuity::G4);
+    }
+
+    #[test]
+    fn a_cubic_that_was_cut_is_smooth_though_its_measure_rounds() {
+        // Multiples of 64, so that the quarters are exact.
+        for k in 0..40_i32 {
+            let at = |x: i32, y: i32| Point::new(f64::from(64 * x), f64::from(64 * y));
+            let whole = CubicBez::new(at(0, 0), at(3, 7 + k), at(11 + 2 * k, 9), at(20, 1 - k));
+            let (before, after) = (whole.subsegment(0.0..0.25), whole.subsegment(0.25..1.0));
+            assert_eq!(order(before, after, 0.0), Continuity::G4, "{k}");
+        }
+    }
+}

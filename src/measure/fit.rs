@@ -10,7 +10,7 @@ use kurbo::{ParamCurve, Point, Vec2};
 
 use crate::curve::Curve;
 use crate::error::{Error, Result};
-use crate::numeric::functions::power;
+use crate::numeric::functions::{angle_of, power, unit_vector};
 use crate::shape::Truth;
 
 /// How many points of each segment stand for the curve.
@@ -212,23 +212,25 @@ fn gauss_newton(offsets: &[Vec2], center: Vec2) -> Option<Vec2> {
     solve(&centred, right)
 }
 
-/// The solution of Σ v vᵀ x = `right`; `None` where the vectors lie on a line.
+/// The solution of Σ v vᵀ x = `right`; `None` where the vectors lie on a line. It is found along the axes of the sum, where the products
+/// do not cancel.
 fn solve(vectors: &[Vec2], right: Vec2) -> Option<Vec2> {
-    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-    for v in vectors {
-        xx += v.x * v.x;
-        xy += v.x * v.y;
-        yy += v.y * v.y;
-    }
-    let determinant = xx * yy - xy * xy;
-    let trace = xx + yy;
+    let sums = |vectors: &mut dyn Iterator<Item = Vec2>| {
+        vectors.fold([0.0; 3], |[xx, xy, yy], v| {
+            [xx + v.x * v.x, xy + v.x * v.y, yy + v.y * v.y]
+        })
+    };
+    let [xx, xy, yy] = sums(&mut vectors.iter().copied());
+    let axis = unit_vector(angle_of(Vec2::new(xx - yy, 2.0 * xy)) / 2.0);
+    let turned = |v: Vec2| Vec2::new(v.dot(axis), axis.cross(v));
+    let [xx, xy, yy] = sums(&mut vectors.iter().map(|&v| turned(v)));
+    let (determinant, trace, right) = (xx * yy - xy * xy, xx + yy, turned(right));
     if determinant <= 1e-20 * trace * trace || !determinant.is_finite() {
         return None;
     }
-    Some(Vec2::new(
-        (yy * right.x - xy * right.y) / determinant,
-        (xx * right.y - xy * right.x) / determinant,
-    ))
+    let along = (yy * right.x - xy * right.y) / determinant;
+    let across = (xx * right.y - xy * right.x) / determinant;
+    Some(axis * along + axis.turn_90() * across)
 }
 
 #[cfg(test)]
@@ -275,5 +277,38 @@ mod tests {
             .collect();
         assert_eq!(nearest_circle(&points), None);
         assert_eq!(nearest_circle(&[Point::new(1.0, 1.0); 9]), None);
+    }
+    #[test]
+    fn lines_in_any_direction_have_no_circle() {
+        for degree in 0..180 {
+            let direction = Vec2::from_angle(f64::from(degree).to_radians());
+            let points: Vec<Point> = (0..9)
+                .map(|i| Point::new(3.0, 1.0) + direction * (0.1 * f64::from(i)))
+                .collect();
+            assert_eq!(nearest_circle(&points), None, "{degree}");
+        }
+    }
+
+    fn curve(data: &str) -> Curve {
+        Curve {
+            segments: kurbo::BezPath::from_svg(data).unwrap().segments().collect(),
+            closed: false,
+        }
+    }
+
+    #[test]
+    fn ends_that_differ_by_rounding_are_one_joint() {
+        let closed = curve(
+            "M1 0C1 .55 .55 1 0 1C-.55 1 -1 .55 -1 0C-1 -.55 -.55 -1 0 -1C.55 -1 1 -.55 1.0000001 0",
+        );
+        let (_, fit) = circle(&closed, None).unwrap();
+        assert_eq!((fit.to, fit.points), (FitTo::Joints, 4));
+    }
+
+    #[test]
+    fn the_points_along_a_symmetric_arc_are_symmetric() {
+        let (truth, fit) = circle(&curve("M-3 0C-2 2 2 2 3 0"), Some(FitTo::Curve)).unwrap();
+        assert_eq!(fit.points, 64);
+        assert!(truth.center.x.abs() < 1e-12, "{:?}", truth.center);
     }
 }
