@@ -217,9 +217,10 @@ fn with_default(definitions: &str) -> Vec<&str> {
             }
             [b'(', ..] => ("(", rest.find(')').map_or(rest.len(), |end| end + 1)),
             _ => {
-                let end = rest[1..].find(|c| SPACE.contains(&c) || matches!(c, '"' | '\'' | '('));
-                let length = end.map_or(rest.len(), |end| end + 1);
-                (rest.get(..length).unwrap_or(rest), length)
+                let ends = |c| SPACE.contains(&c) || matches!(c, '"' | '\'' | '(');
+                let end = rest.char_indices().skip(1).find(|&(_, c)| ends(c));
+                let length = end.map_or(rest.len(), |(end, _)| end);
+                (&rest[..length], length)
             }
         };
         match token {
