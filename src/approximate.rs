@@ -2,16 +2,18 @@
 
 mod extremes;
 mod fewest;
+mod sketch;
 
 pub use extremes::approximate_at_extremes;
+pub(crate) use sketch::Sketch;
 
-use kurbo::{Affine, PathSeg, Point};
+use kurbo::{Affine, PathSeg};
 
 use crate::curve::{Curve, largest_coordinate, turn};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, quarters};
-use crate::measure::radial;
+use crate::measure::radial::{self, nearly::peak_between};
 use crate::method::{Method, Piece, Rule, ellipse};
 use crate::number::Precision;
 use crate::numeric::functions::power;
@@ -149,13 +151,7 @@ pub(crate) fn sketch(shape: &Shape, options: &Options) -> Result<Sketch> {
         return request.sketch();
     }
     let drawing = straight(shape, options);
-    Ok(Sketch {
-        joints: None,
-        curve: drawing.curve,
-        kept: None,
-        precision: drawing.precision,
-        peak: None,
-    })
+    Ok(Sketch::plain(drawing.curve, drawing.precision))
 }
 
 /// A line, or nothing: both are exact.
@@ -181,25 +177,6 @@ fn straight(shape: &Shape, options: &Options) -> Drawing {
         angles: Vec::new(),
         error: RadialError::default(),
         precision,
-    }
-}
-
-/// A curve before rounding, and how it is to be rounded.
-pub(crate) struct Sketch {
-    joints: Option<Joints>,
-    pub(crate) curve: Curve,
-    /// Points that are not rounded.
-    pub(crate) kept: Option<[Point; 2]>,
-    pub(crate) precision: Precision,
-    /// The peak error before rounding, where a formula tells it.
-    peak: Option<f64>,
-}
-
-impl Sketch {
-    /// The curve as it is written.
-    pub(crate) fn rounded(&self) -> Curve {
-        let kept = self.kept.as_ref().map_or(&[][..], |ends| &ends[..]);
-        self.curve.rounded(self.precision, kept)
     }
 }
 
@@ -239,13 +216,7 @@ impl<'a> Request<'a> {
             Cut::Adaptive(count) => {
                 // Which of the two ways to place joints is better, only the measured errors tell.
                 let drawing = self.adaptive(*count)?;
-                Ok(Sketch {
-                    joints: None,
-                    curve: drawing.curve,
-                    kept: None,
-                    precision: Precision::Full,
-                    peak: None,
-                })
+                Ok(Sketch::plain(drawing.curve, Precision::Full))
             }
             Cut::At(angles) => self.cut(Joints::at(&self.outline.unit, angles)?, None),
             Cut::Tolerance(tolerance) => self.fewest(*tolerance),
@@ -275,12 +246,8 @@ impl<'a> Request<'a> {
         let curve = place(&self.outline, &joints, &pieces);
         let peak = self.peak_by_formula(&joints);
         let precision = self.options.precision.unwrap_or_else(|| {
-            let peak =
-                peak.unwrap_or_else(|| radial::error(&curve.segments, &self.outline.truth).peak());
-            automatic_precision(
-                peak.min(tolerance.unwrap_or(f64::INFINITY)),
-                &curve.segments,
-            )
+            let most = tolerance.unwrap_or(f64::INFINITY);
+            self.automatic(peak, most, &curve.segments)
         });
         let sketch = Sketch {
             joints: Some(joints),
@@ -292,9 +259,26 @@ impl<'a> Request<'a> {
                 .filter(|_| self.keeps_ends || self.options.precision.is_none()),
             precision,
             peak,
+            measured: None,
         };
         self.check_extent(&sketch)?;
         Ok(sketch)
+    }
+
+    /// The precision for a peak error of at most `most`. Mostly samples ask for as many decimals as the exact peak.
+    fn automatic(&self, peak: Option<f64>, most: f64, segments: &[PathSeg]) -> Precision {
+        let for_peak = |peak: f64| automatic_precision(peak.min(most), segments);
+        if let Some(peak) = peak {
+            return for_peak(peak);
+        }
+        let truth = &self.outline.truth;
+        if let Some([low, high]) = peak_between(segments.iter().copied(), truth) {
+            let precision = for_peak(low);
+            if precision == for_peak(high) {
+                return precision;
+            }
+        }
+        for_peak(radial::error(segments, truth).peak())
     }
 
     /// The pieces between these joints: the only methods that see an ellipse are those that are best on it.
@@ -358,7 +342,9 @@ impl<'a> Request<'a> {
     /// The drawing, measured as it is written.
     fn finish(&self, sketch: Sketch) -> Drawing {
         let curve = sketch.rounded();
-        let error = radial::error(&curve.segments, &self.outline.truth);
+        let error = sketch
+            .measured
+            .unwrap_or_else(|| radial::error(&curve.segments, &self.outline.truth));
         Drawing {
             shape: *self.shape,
             rule: self.options.rule,
@@ -372,7 +358,7 @@ impl<'a> Request<'a> {
     }
 
     /// Whether the curve as it is written is within the tolerance; measured only where rounding decides.
-    fn is_within(&self, sketch: &Sketch, tolerance: f64) -> bool {
+    fn is_within(&self, sketch: &mut Sketch, tolerance: f64) -> bool {
         let truth = &self.outline.truth;
         if let (Some(peak), Precision::Fixed(_)) = (sketch.peak, sketch.precision) {
             let moved = sketch.precision.farthest_moved() + 8.0 * f64::EPSILON * self.reach();
@@ -383,7 +369,14 @@ impl<'a> Request<'a> {
                 return false;
             }
         }
-        radial::error(&sketch.rounded().segments, truth).peak() <= tolerance
+        let curve = sketch.rounded();
+        let between = peak_between(curve.segments.iter().copied(), truth);
+        if between.is_some_and(|[low, _]| low > tolerance) {
+            return false;
+        }
+        let error = radial::error(&curve.segments, truth);
+        sketch.measured = Some(error);
+        error.peak() <= tolerance
     }
 }
 

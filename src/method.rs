@@ -131,6 +131,14 @@ impl Piece {
         self.degree == Degree::Cubic && self.end_radius == 1.0 && self.handle.x == 1.0
     }
 
+    /// H and G of r² - 1 = -u² (H + G u), u = t(1-t), where it is a cubic that touches the circle at both ends.
+    #[must_use]
+    pub(crate) fn excess(&self, span: &Span) -> Option<[f64; 2]> {
+        let k = self.handle.y;
+        let y = 3.0 * k * span.ch - 2.0 * span.sh;
+        self.is_tangent_cubic().then(|| tangent::excess(span, k, y))
+    }
+
     /// The length of the handle: how far the first inner control point lies from the end.
     #[must_use]
     pub fn handle_length(&self) -> f64 {

@@ -1,6 +1,6 @@
 //! The fewest segments within a tolerance.
 
-use core::iter;
+use core::cell::OnceCell;
 use core::ops::RangeInclusive;
 
 use kurbo::Point;
@@ -83,8 +83,8 @@ impl Request<'_> {
         if self.has_joint_beyond(&joints, tolerance) {
             return Ok(None);
         }
-        let sketch = self.cut(joints, Some(tolerance))?;
-        Ok(self.is_within(&sketch, tolerance).then_some(sketch))
+        let mut sketch = self.cut(joints, Some(tolerance))?;
+        Ok(self.is_within(&mut sketch, tolerance).then_some(sketch))
     }
 
     /// Whether rounding alone moves a joint of the true shape beyond the tolerance: then nothing else needs to be looked at.
@@ -159,22 +159,32 @@ impl Request<'_> {
     /// The fewest segments at joints that equalise the error, at equal angles where those are fewer, or each as long as it can be.
     fn fewest_adaptive(&self, balance: &Balance, tolerance: f64) -> Option<Sketch> {
         let within = |joints: Joints| self.within(joints, tolerance).ok().flatten();
-        let allowed = (tolerance + self.rounding(tolerance)) / self.outline.truth.larger_radius();
-        // The weights know the error to first order, and rounding moves it either way.
-        let marched: Vec<Joints> = NEARLY
-            .iter()
-            .flat_map(|part| balance.greedy(part * allowed))
-            .collect();
-        let first = marched.iter().map(Joints::count).min()?;
+        let radius = self.outline.truth.larger_radius();
+        let allowed = (tolerance + self.rounding(tolerance)) / radius;
+        // Rounding moves the error either way, and where the lobes do not tell it the weights know it to first order only.
+        let marched = OnceCell::new();
+        let march = || -> &Vec<Joints> {
+            marched.get_or_init(|| {
+                let parts = NEARLY.iter();
+                parts
+                    .flat_map(|part| balance.greedy(part * allowed))
+                    .collect()
+            })
+        };
+        let least = balance.least_count(allowed);
+        let first = least.or_else(|| march().iter().map(Joints::count).min())?;
         (first..=MOST_SEGMENTS).take(MOST_BEYOND).find_map(|count| {
-            let adaptive = iter::once_with(|| balance.joints(count).ok());
-            let equal = iter::once_with(|| Joints::equal(&self.outline.unit, count).ok());
-            let greedy = marched.iter().filter(|joints| joints.count() == count);
-            adaptive
-                .chain(equal)
-                .flatten()
-                .chain(greedy.cloned())
-                .find_map(within)
+            let adaptive = balance.joints(count).ok().and_then(within);
+            let equal = || within(Joints::equal(&self.outline.unit, count).ok()?);
+            let greedy = || {
+                // What only rounding could bring within is not worth a march.
+                if least.is_some() && balance.least_count(tolerance / radius) > Some(count) {
+                    return None;
+                }
+                let mut of_count = march().iter().filter(|joints| joints.count() == count);
+                of_count.find_map(|joints| within(joints.clone()))
+            };
+            adaptive.or_else(equal).or_else(greedy)
         })
     }
 

@@ -5,7 +5,7 @@ use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 use super::Options;
 use super::segments::Beziers;
 use crate::approximate::ROUNDING_SHARE;
-use crate::measure::radial;
+use crate::measure::radial::{self, nearly::peak_between};
 use crate::number::Precision;
 use crate::number::decimal::MAX_DECIMALS;
 use crate::shape::Truth;
@@ -32,11 +32,9 @@ pub(super) fn decimals(
     if truth.is_circle() {
         return fewest(error * truth.radii.x, largest);
     }
-    // Mostly a rough measure asks for as many decimals as the exact one; on a flat ellipse it is too rough.
-    if truth.radii.x.max(truth.radii.y) < 10.0 * truth.radii.x.min(truth.radii.y) {
-        let about = sampled_error(truth, start, base, drawn);
-        let (most, least) = (fewest(about * 0.99, largest), fewest(about * 1.03, largest));
-        if most == least {
+    if let Some([low, high]) = peak_between(path_segments(start, base, drawn), truth) {
+        let most = fewest(low, largest);
+        if most == fewest(high, largest) {
             return most;
         }
     }
@@ -60,24 +58,6 @@ fn path_segments(start: Vec2, base: Point, drawn: &Beziers) -> impl Iterator<Ite
         from = segment.end();
         segment
     })
-}
-
-/// The largest distance from an ellipse at 24 points of each segment, to first order: a radial distance δ on the unit circle at
-/// (c, s) is δ/√((c/rx)² + (s/ry)²) along the normal.
-fn sampled_error(truth: &Truth, start: Vec2, base: Point, drawn: &Beziers) -> f64 {
-    const SAMPLES: u32 = 24;
-    let to_unit = truth.placement().inverse();
-    let radii = truth.radii;
-    path_segments(start, base, drawn)
-        .flat_map(|segment| {
-            let segment = to_unit * segment;
-            (1..SAMPLES).map(move |i| {
-                let p = segment.eval(f64::from(i) / f64::from(SAMPLES)).to_vec2();
-                let length = p.hypot();
-                (length - 1.0).abs() * length / libm::hypot(p.x / radii.x, p.y / radii.y)
-            })
-        })
-        .fold(0.0, f64::max)
 }
 
 /// The fewest decimals for this peak error; no more than coordinates up to `largest` have digits.

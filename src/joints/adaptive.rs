@@ -12,22 +12,19 @@
 //! a longer segment errs more; f falls with T as T^(-1/order), so that the T of a whole count is found in a few steps.
 
 mod errors;
-
-use core::iter;
+mod level;
+mod lobes;
+mod march;
 
 use super::Joints;
-use crate::angle::Angle;
 use crate::error::Result;
 use crate::method::{Ends, Method, Rule};
 use crate::shape::{Outline, UnitArc};
 use errors::Errors;
+use lobes::Lobes;
 
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
 const GRID: f64 = 1.0 / (1 << 30) as f64;
-
-/// How many lengths are tried then, evenly by their ratio, and how often what lies between two of them is halved.
-const LONGER: u32 = 12;
-const HALVINGS: u32 = 10;
 
 /// How often the error is halved, by its ratio, that equalises such segments.
 const NARROWINGS: u32 = 7;
@@ -54,6 +51,7 @@ pub(crate) fn serves(rule: Rule) -> bool {
 pub(crate) struct Balance {
     arc: UnitArc,
     errors: Errors,
+    lobes: Lobes,
     /// The parametric angle of an end of the short axis, in degrees.
     axis: f64,
     order: f64,
@@ -71,6 +69,7 @@ impl Balance {
         Some(Self {
             arc: outline.unit,
             errors: Errors::new(rule, axes.short),
+            lobes: Lobes::new(rule, f64::from(card.order), axes.short),
             axis: axes.angle,
             order: f64::from(card.order),
             largest_angle: card.largest_angle,
@@ -88,87 +87,6 @@ impl Balance {
         self.errors.of(self.past_axis(way), size)
     }
 
-    /// The longest segment from `way`, up to `most`, whose error is `allowed`, starting the search from `guess`.
-    fn longest(&self, way: f64, allowed: f64, guess: f64, most: f64) -> f64 {
-        if !self.errors.is_rough(allowed) {
-            return self.settled(way, allowed, guess);
-        }
-        // The sharp ends of a flat ellipse are harmless at a joint, so that a longer segment may err less than a shorter one.
-        let least = self.safe(allowed).min(most);
-        let step = libm::pow(most / least, 1.0 / f64::from(LONGER));
-        let within = |size: f64| size <= most && self.error(way, size) <= allowed;
-        let sizes = (0..=LONGER).map(|i| (least * libm::pow(step, f64::from(i))).min(most));
-        let longest = sizes.filter(|&size| within(size)).fold(least, f64::max);
-        let (mut low, mut high) = (longest, (longest * step).min(most));
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(low, high);
-            if within(middle) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        let quarters = (self.past_axis(way) + low) / 90.0;
-        let to_axis = low + 90.0 * (quarters.ceil() - quarters);
-        let axes = [to_axis, to_axis + 90.0].into_iter();
-        axes.filter(|&size| within(size)).fold(low, f64::max)
-    }
-
-    /// The length of a segment whose error is `allowed` on the circle, and so no larger anywhere.
-    fn safe(&self, allowed: f64) -> f64 {
-        let mut size = 45.0_f64.min(self.largest_angle);
-        for _ in 0..MOST_STEPS {
-            let error = self.errors.on_circle(size);
-            if error <= allowed && error > 0.9 * allowed {
-                break;
-            }
-            let next = self.resized(size, 0.95 * allowed / error);
-            if next == size {
-                break;
-            }
-            size = next;
-        }
-        size
-    }
-
-    /// A segment's length for this many times its error, by the method's order.
-    fn resized(&self, size: f64, times: f64) -> f64 {
-        let factor = libm::pow(times, 1.0 / self.order);
-        (size * factor.clamp(0.25, 4.0)).min(self.largest_angle)
-    }
-
-    /// The length at which the error is `allowed`, near `guess`.
-    fn settled(&self, way: f64, allowed: f64, guess: f64) -> f64 {
-        let mut size = guess.min(self.largest_angle);
-        for _ in 0..MOST_STEPS {
-            let next = self.resized(size, allowed / self.error(way, size));
-            let settled = (next - size).abs() <= 1e-7 * size;
-            size = next;
-            if settled {
-                break;
-            }
-        }
-        size
-    }
-
-    /// How many segments of this error the way takes, the last one counted by its part, or more than `most`; their joints.
-    fn march(&self, whole: f64, allowed: f64, most: usize, joints: &mut Vec<f64>) -> f64 {
-        joints.clear();
-        joints.push(0.0);
-        let (mut way, mut size) = (0.0, whole.min(30.0));
-        loop {
-            size = self
-                .longest(way, allowed, size, self.largest_angle.min(whole - way))
-                .max(whole / (4 * MOST) as f64);
-            let left = whole - way;
-            if size >= left || joints.len() > most {
-                return (joints.len() - 1) as f64 + left / size;
-            }
-            way += size;
-            joints.push(way);
-        }
-    }
-
     /// Whether a closed shape starts on an axis, so that its halves mirror one another.
     fn mirrors(&self) -> bool {
         self.arc.closed && self.on_axis(self.arc.start.degrees())
@@ -182,41 +100,6 @@ impl Balance {
     /// The part of the sweep that is computed: half of it where the other half is its mirror image.
     fn computed(&self, mirrored: bool) -> f64 {
         self.arc.sweep.degrees().abs() / if mirrored { 2.0 } else { 1.0 }
-    }
-
-    /// The segments that are as long as `allowed` lets them be, over the larger radius, from the start or from the end on; the
-    /// last one may be shorter.
-    pub(crate) fn greedy(&self, allowed: f64) -> impl Iterator<Item = Joints> {
-        let whole = self.computed(false);
-        let longest = |balance: &Self| {
-            let mut ways = Vec::new();
-            balance.march(whole, allowed, MOST, &mut ways);
-            ways.push(whole);
-            ways
-        };
-        let forth = longest(self);
-        let back = (!self.arc.closed).then(|| {
-            let ways = longest(&self.reversed());
-            ways.iter().rev().map(|way| whole - way).collect()
-        });
-        let joints = |ways: Vec<f64>| Joints::after(&self.arc, &ways);
-        iter::once(forth)
-            .chain(back)
-            .filter(|ways| ways.len() <= MOST)
-            .map(joints)
-    }
-
-    /// The arc from its end to its start.
-    fn reversed(&self) -> Self {
-        let (start, sweep) = (self.arc.start.degrees(), self.arc.sweep.degrees());
-        Self {
-            arc: UnitArc {
-                start: Angle::from_degrees(start + sweep),
-                sweep: Angle::from_degrees(-sweep),
-                ..self.arc
-            },
-            ..*self
-        }
     }
 
     /// Joints that equalise the error of this many segments; an even number of a closed shape's mirror in both axes.
@@ -262,6 +145,9 @@ impl Balance {
 
     /// The lengths of this many segments of equal error, both ends included; `None` where the method's largest angle forbids it.
     fn equalised(&self, whole: f64, pieces: usize) -> Option<Vec<f64>> {
+        if let Some(level) = self.level(whole, pieces, f64::INFINITY) {
+            return Some(level.ways);
+        }
         let count = pieces as f64;
         let mut joints = Vec::with_capacity(pieces + 1);
         let mut allowed = self.error(0.0, whole / count);
@@ -305,7 +191,7 @@ impl Balance {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Cut, Ellipse, Options, Shape, Tolerance, approximate};
+    use crate::{Angle, Cut, Ellipse, Options, Shape, Tolerance, approximate};
 
     fn ellipse(flatness: f64) -> Shape {
         Shape::Ellipse(Ellipse::new((0.0, 0.0), (3.0, 3.0 * flatness), Angle::ZERO).unwrap())

@@ -6,6 +6,7 @@
 //! the roots of its derivative. On an ellipse the true distance along the normal is taken, from the nearest point.
 
 mod ellipse;
+pub(crate) mod nearly;
 mod search;
 
 pub(crate) use search::visit_between;

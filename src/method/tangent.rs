@@ -67,12 +67,19 @@ pub(super) fn error(span: &Span, k: f64) -> RadialError {
 
 /// The error of the handle k that its y describes too, of which H keeps its digits at small angles; at large ones it has no need.
 pub(super) fn error_by_y(span: &Span, k: f64, y: f64) -> RadialError {
+    let [h, g] = excess(span, k, y);
+    error_of(h, g)
+}
+
+/// H and G of the handle k and its y.
+pub(super) fn excess(span: &Span, k: f64, y: f64) -> [f64; 2] {
+    let g = 4.0 * y * y;
     if span.a > 1.0 {
-        return error(span, k);
+        return [6.0 * span.versine() - 6.0 * k * span.s - 9.0 * k * k, g];
     }
     let square = span.ch * span.ch;
     let h = -(4.0 * power(span.sh, 4) + 4.0 * y * span.sh * (1.0 + square) + y * y) / square;
-    error_of(h, 4.0 * y * y)
+    [h, g]
 }
 
 /// The extremes of r² - 1 = -u² (H + G u), at u = 1/4 and u = -2H/(3G).

@@ -51,6 +51,16 @@ impl Errors {
         }
     }
 
+    /// The smaller radius over the larger one.
+    pub(super) const fn short(&self) -> f64 {
+        self.short
+    }
+
+    /// Whether a piece costs no search.
+    pub(super) const fn is_quick(&self) -> bool {
+        self.is_quick
+    }
+
     /// The error of a segment of `size` degrees on the unit circle.
     pub(super) fn on_circle(&self, size: f64) -> f64 {
         let error = self.rule.radial_error(&Span::from_degrees(size));

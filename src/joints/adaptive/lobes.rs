@@ -1,0 +1,277 @@
+//! The peak distance of a segment from an ellipse, where cubics touch it at both ends: from the extremes of their excess, without a search.
+//!
+//! Seen from the middle of its angle a = 2h, with v = 2t - 1 and u = t(1-t) = (1-v²)/4, such a cubic of the unit circle is
+//!
+//! ```text
+//! x = cos h + 3u k sin h,   y = v (sin h + u (2 sin h - 3k cos h)),   F = x² + y² - 1 = -u² (H + G u)
+//! ```
+//!
+//! and F is extreme in the middle and where u = -2H/(3G), at most three lobes. On the ellipse of half axes b and 1 the distance is, with
+//! Q = (x/b)² + y² along the axes and K = ((x/b²)² + y²)/Q the bend of F along the normal,
+//!
+//! ```text
+//! D = F/(2√Q) (1 + F K/(4Q)),   (log D)' ≈ F'/F - Q'/(2Q)
+//! ```
+//!
+//! and its extremes lie a step or two of Newton's method from the lobes, or from the sharp end of a flat ellipse (derived). The peak that is
+//! told is attained, so that it is not more than the true one by more than the terms of third order.
+
+use kurbo::Vec2;
+
+use crate::angle::Angle;
+use crate::method::{Rule, Span};
+use crate::numeric::foot::foot;
+
+/// The largest size of a segment, in units of the sharp end's size (as an angle, the ratio of the radii) or of the way to it: the weight
+/// then varies so little along it that a longer segment errs more.
+const LARGEST: f64 = 14.0;
+
+/// The largest product of the distance with the curvature of the ellipse beside it, for the same reason.
+const ROUGHEST: f64 = 0.1;
+
+/// Beyond this product the nearest point is taken.
+const ROUGH: f64 = 0.01;
+
+/// Lobes that may turn out the highest, by what is known of them before the first step.
+const RIVAL: f64 = 0.9;
+
+/// The most steps, the largest of them, and what a step must promise, as a part of the distance.
+const MOST_STEPS: usize = 4;
+const STEP: f64 = 0.2;
+const GAIN: f64 = 1e-4;
+
+/// The peak of a segment.
+#[derive(Clone, Copy)]
+pub(super) struct Peak {
+    /// The distance, over the larger radius.
+    pub(super) size: f64,
+    /// How its logarithm changes with the start and the end of the segment, by degree and nearly.
+    pub(super) slopes: [f64; 2],
+}
+
+/// What gives the peaks.
+#[derive(Clone, Copy)]
+pub(super) struct Lobes {
+    rule: Rule,
+    order: f64,
+    /// The smaller radius over the larger one, and the square of its reciprocal.
+    short: f64,
+    flat: f64,
+}
+
+impl Lobes {
+    /// Of a rule whose every piece is a cubic along the tangents with a handle in closed form.
+    pub(super) fn new(rule: Rule, order: f64, short: f64) -> Self {
+        Self {
+            rule,
+            order,
+            short,
+            flat: 1.0 / (short * short),
+        }
+    }
+
+    /// The peak of the segment of `size` degrees that begins `from` degrees after the short axis; `None` where it is too long.
+    pub(super) fn of(&self, from: f64, size: f64) -> Option<Peak> {
+        if !self.is_tame(from, size) {
+            return None;
+        }
+        let span = Span::from_degrees(size);
+        let segment = Segment::new(self, from, &span)?;
+        let lobes = segment.lobes(size, after_sharp_end(from));
+        let highest = lobes
+            .iter()
+            .fold(0.0, |most, lobe| f64::max(most, lobe.top()));
+        let mut peak: Option<Lobe> = None;
+        for lobe in lobes {
+            if lobe.top() < RIVAL * highest {
+                continue;
+            }
+            let lobe = segment.climbed(lobe);
+            if peak
+                .as_ref()
+                .is_none_or(|peak| lobe.distance > peak.distance)
+            {
+                peak = Some(lobe);
+            }
+        }
+        let lobe = peak.filter(|lobe| lobe.roughness <= ROUGHEST)?;
+        let (length, turn) = (self.order / span.a, lobe.turn / 2.0);
+        let slopes = [
+            turn * (1.0 - lobe.v) - length,
+            turn * (1.0 + lobe.v) + length,
+        ];
+        Some(Peak {
+            size: lobe.distance,
+            slopes: slopes.map(f64::to_radians),
+        })
+    }
+
+    /// Joints that lie as dense as the sixth root of the weight asks for, nearly, both ends included.
+    pub(super) fn spread(&self, from: f64, whole: f64, pieces: usize) -> Vec<f64> {
+        let root = libm::pow(self.short, 1.0 / self.order);
+        let wave = 0.5 * (1.0 - root) / (1.0 + root);
+        let lead = |degrees: f64| {
+            let Vec2 { x, y } = Angle::from_degrees(from + degrees).direction();
+            (2.0 * wave * x * y).to_degrees()
+        };
+        let (first, last) = (lead(0.0), lead(whole));
+        let joint = |i: usize| {
+            let part = i as f64 / pieces as f64;
+            let evenly = whole * part - (first + (last - first) * part);
+            evenly + lead(evenly + lead(evenly))
+        };
+        let mut ways = vec![0.0; pieces + 1];
+        for (i, way) in ways.iter_mut().enumerate().skip(1) {
+            *way = joint(i);
+        }
+        ways[pieces] = whole;
+        ways
+    }
+
+    /// Whether a segment is short beside what it passes.
+    fn is_tame(&self, from: f64, size: f64) -> bool {
+        let after = after_sharp_end(from);
+        let way = after.min(180.0 - after - size).max(0.0).to_radians();
+        let size = size.to_radians();
+        size * size <= LARGEST * LARGEST * (self.short * self.short + way * way)
+    }
+}
+
+/// How many degrees after a sharp end this angle lies, the last one before it.
+fn after_sharp_end(from: f64) -> f64 {
+    (from - 90.0).rem_euclid(180.0)
+}
+
+/// A segment, seen from the middle of its angle.
+struct Segment {
+    /// x = `cos` + 3u `bulge`, y = v (`sin` + u `lean`).
+    cos: f64,
+    sin: f64,
+    bulge: f64,
+    lean: f64,
+    /// H and G.
+    excess: [f64; 2],
+    /// The direction of the middle from the short axis.
+    middle: Vec2,
+    short: f64,
+    flat: f64,
+}
+
+impl Segment {
+    fn new(lobes: &Lobes, from: f64, span: &Span) -> Option<Self> {
+        let piece = lobes.rule.piece(span).ok()?;
+        let (sin, cos, k) = (span.sh, span.ch, piece.handle.y);
+        Some(Self {
+            cos,
+            sin,
+            bulge: k * sin,
+            lean: 2.0 * sin - 3.0 * k * cos,
+            excess: piece.excess(span)?,
+            middle: Angle::from_degrees(from + span.degrees() / 2.0).direction(),
+            short: lobes.short,
+            flat: lobes.flat,
+        })
+    }
+
+    /// The extremes of the excess, and the sharp end of the ellipse, where the segment of this size passes it.
+    fn lobes(&self, size: f64, after_sharp_end: f64) -> [Lobe; 4] {
+        let [h, g] = self.excess;
+        let outer = (1.0 + 8.0 * h / (3.0 * g)).max(0.0).sqrt();
+        let sharp = 2.0 * (180.0 - after_sharp_end) / size - 1.0;
+        let sharp = if sharp < 1.0 { sharp } else { 0.0 };
+        [-outer, 0.0, outer, sharp].map(|v| self.at(v))
+    }
+
+    /// The extreme of the distance beside a lobe.
+    fn climbed(&self, mut lobe: Lobe) -> Lobe {
+        for _ in 0..MOST_STEPS {
+            if lobe.gain() < GAIN {
+                break;
+            }
+            let next = self.at(lobe.next());
+            if next.distance <= lobe.distance {
+                break;
+            }
+            lobe = next;
+        }
+        lobe
+    }
+
+    /// The distance at v, and what is known of it there.
+    fn at(&self, v: f64) -> Lobe {
+        let [h, g] = self.excess;
+        let u = (1.0 - v * v) / 4.0;
+        let turned = |p: Vec2| {
+            let Vec2 { x, y } = self.middle;
+            Vec2::new(p.x * x - p.y * y, p.x * y + p.y * x)
+        };
+        let y = v * (self.sin + u * self.lean);
+        let p = turned(Vec2::new(self.cos + 3.0 * u * self.bulge, y));
+        let y = self.sin + (u - 0.5 * v * v) * self.lean;
+        let along = turned(Vec2::new(-1.5 * v * self.bulge, y));
+        let steep = self.flat * p.x;
+        let square = steep * p.x + p.y * p.y;
+        let root = square.sqrt();
+        let excess = -u * u * (h + g * u);
+        let second = excess * (steep * steep + p.y * p.y) / (4.0 * square * square);
+        let mut distance = (excess / (2.0 * root) * (1.0 + second)).abs();
+        let roughness = distance * self.flat / (square * root);
+        if roughness > ROUGH {
+            let radii = Vec2::new(self.short, 1.0);
+            distance = foot(radii, Vec2::new(self.short * p.x, p.y)).distance.abs();
+        }
+        let rise = 0.5 * v * u * (2.0 * h + 3.0 * g * u) / excess;
+        let bend = (0.5 * u * (2.0 * h + 3.0 * g * u) - 0.5 * v * v * (h + 3.0 * g * u)) / excess;
+        let swing = self.flat - 1.0;
+        let turn = p.x * p.y * swing / square;
+        // The second derivative of the weight's logarithm by the angle.
+        let weight = swing * (p.x * p.x - p.y * p.y) / square + 2.0 * turn * turn;
+        Lobe {
+            v,
+            distance,
+            roughness,
+            slope: rise - (steep * along.x + p.y * along.y) / square,
+            bend: bend - rise * rise + weight * along.hypot2(),
+            turn,
+        }
+    }
+}
+
+/// A place on a segment beside an extreme of its distance.
+struct Lobe {
+    v: f64,
+    /// Its distance, and the product of that with the curvature of the ellipse there.
+    distance: f64,
+    roughness: f64,
+    /// The derivatives of its logarithm by v, the second nearly.
+    slope: f64,
+    bend: f64,
+    /// The derivative of the weight's logarithm by the angle.
+    turn: f64,
+}
+
+impl Lobe {
+    /// What the extreme promises more, as a part of the distance.
+    fn gain(&self) -> f64 {
+        if self.bend < 0.0 {
+            -0.5 * self.slope * self.slope / self.bend
+        } else {
+            STEP * self.slope.abs()
+        }
+    }
+
+    /// The extreme, by what is known here.
+    fn top(&self) -> f64 {
+        self.distance * (1.0 + self.gain().min(1.0))
+    }
+
+    /// Where it lies.
+    fn next(&self) -> f64 {
+        let step = if self.bend < 0.0 {
+            (-self.slope / self.bend).clamp(-STEP, STEP)
+        } else {
+            STEP.copysign(self.slope)
+        };
+        (self.v + step).clamp(-1.0, 1.0)
+    }
+}

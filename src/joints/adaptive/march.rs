@@ -1,0 +1,159 @@
+//! Segments as long as an error lets them be, one after the other.
+
+use core::iter;
+
+use super::{Balance, Joints, MOST, MOST_STEPS};
+use crate::angle::Angle;
+use crate::shape::UnitArc;
+
+/// How many lengths are tried where a longer segment may err less, evenly by their ratio, and how often what lies between two of them is halved.
+const LONGER: u32 = 12;
+const HALVINGS: u32 = 10;
+
+impl Balance {
+    /// The longest segment from `way`, up to `most`, whose error is `allowed`, starting the search from `guess`.
+    fn longest(&self, way: f64, allowed: f64, guess: f64, most: f64) -> f64 {
+        let is_rough = self.errors.is_rough(allowed);
+        let largest = if is_rough { most } else { self.largest_angle };
+        if let Some(size) = self.longest_by_lobes(way, allowed, guess, largest) {
+            return size;
+        }
+        if !is_rough {
+            return self.settled(way, allowed, guess);
+        }
+        // The sharp ends of a flat ellipse are harmless at a joint, so that a longer segment may err less than a shorter one.
+        let least = self.safe(allowed).min(most);
+        let step = libm::pow(most / least, 1.0 / f64::from(LONGER));
+        let within = |size: f64| size <= most && self.error(way, size) <= allowed;
+        let sizes = (0..=LONGER).map(|i| (least * libm::pow(step, f64::from(i))).min(most));
+        let longest = sizes.filter(|&size| within(size)).fold(least, f64::max);
+        let (mut low, mut high) = (longest, (longest * step).min(most));
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(low, high);
+            if within(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let quarters = (self.past_axis(way) + low) / 90.0;
+        let to_axis = low + 90.0 * (quarters.ceil() - quarters);
+        let axes = [to_axis, to_axis + 90.0].into_iter();
+        axes.filter(|&size| within(size)).fold(low, f64::max)
+    }
+
+    /// The length of a segment whose error is `allowed` on the circle, and so no larger anywhere.
+    fn safe(&self, allowed: f64) -> f64 {
+        let mut size = 45.0_f64.min(self.largest_angle);
+        for _ in 0..MOST_STEPS {
+            let error = self.errors.on_circle(size);
+            if error <= allowed && error > 0.9 * allowed {
+                break;
+            }
+            let next = self.resized(size, 0.95 * allowed / error);
+            if next == size {
+                break;
+            }
+            size = next;
+        }
+        size
+    }
+
+    /// A segment's length for this many times its error, by the method's order.
+    fn resized(&self, size: f64, times: f64) -> f64 {
+        let factor = libm::pow(times, 1.0 / self.order);
+        (size * factor.clamp(0.25, 4.0)).min(self.largest_angle)
+    }
+
+    /// The length at which the error is `allowed`, near `guess`.
+    pub(super) fn settled(&self, way: f64, allowed: f64, guess: f64) -> f64 {
+        let mut size = guess.min(self.largest_angle);
+        for _ in 0..MOST_STEPS {
+            let next = self.resized(size, allowed / self.error(way, size));
+            let settled = (next - size).abs() <= 1e-7 * size;
+            size = next;
+            if settled {
+                break;
+            }
+        }
+        size
+    }
+
+    /// How many segments of this error the way takes, the last one counted by its part, or more than `most`; their joints.
+    pub(super) fn march(
+        &self,
+        whole: f64,
+        allowed: f64,
+        most: usize,
+        joints: &mut Vec<f64>,
+    ) -> f64 {
+        joints.clear();
+        joints.push(0.0);
+        let (mut way, mut size) = (0.0, whole.min(30.0));
+        loop {
+            size = self
+                .longest(way, allowed, size, self.largest_angle.min(whole - way))
+                .max(whole / (4 * MOST) as f64);
+            let left = whole - way;
+            if size >= left || joints.len() > most {
+                return (joints.len() - 1) as f64 + left / size;
+            }
+            way += size;
+            joints.push(way);
+        }
+    }
+
+    /// The longest segment from `way` whose error is `allowed`, by Newton's method from a guess, where the lobes tell it.
+    fn longest_by_lobes(&self, way: f64, allowed: f64, guess: f64, most: f64) -> Option<f64> {
+        let from = self.past_axis(way);
+        let mut size = guess.min(most);
+        for _ in 0..MOST_STEPS {
+            let peak = self
+                .errors
+                .is_quick()
+                .then(|| self.lobes.of(from, size))??;
+            let step = libm::log(allowed / peak.size) / peak.slopes[1];
+            let next = (size + step.clamp(-0.5 * size, size)).min(most);
+            if (next - size).abs() <= 1e-6 * size {
+                return Some(next);
+            }
+            size = next;
+        }
+        None
+    }
+
+    /// The segments that are as long as `allowed` lets them be, over the larger radius, from the start or from the end on; the
+    /// last one may be shorter.
+    pub(crate) fn greedy(&self, allowed: f64) -> impl Iterator<Item = Joints> {
+        let whole = self.computed(false);
+        let longest = |balance: &Self| {
+            let mut ways = Vec::new();
+            balance.march(whole, allowed, MOST, &mut ways);
+            ways.push(whole);
+            ways
+        };
+        let forth = longest(self);
+        let back = (!self.arc.closed).then(|| {
+            let ways = longest(&self.reversed());
+            ways.iter().rev().map(|way| whole - way).collect()
+        });
+        let joints = |ways: Vec<f64>| Joints::after(&self.arc, &ways);
+        iter::once(forth)
+            .chain(back)
+            .filter(|ways| ways.len() <= MOST)
+            .map(joints)
+    }
+
+    /// The arc from its end to its start.
+    fn reversed(&self) -> Self {
+        let (start, sweep) = (self.arc.start.degrees(), self.arc.sweep.degrees());
+        Self {
+            arc: UnitArc {
+                start: Angle::from_degrees(start + sweep),
+                sweep: Angle::from_degrees(-sweep),
+                ..self.arc
+            },
+            ..*self
+        }
+    }
+}
