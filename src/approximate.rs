@@ -2,6 +2,7 @@
 
 mod extremes;
 mod fewest;
+mod rounds;
 mod sketch;
 
 pub use extremes::approximate_at_extremes;

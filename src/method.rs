@@ -21,6 +21,7 @@ mod span;
 mod tangent;
 
 pub use catalogue::{Card, Degree, Ends};
+pub use chen::{Iteration, Quadrature};
 pub use rule::Rule;
 pub use span::Span;
 
@@ -174,7 +175,7 @@ impl Method {
             Self::MeanAngle => Piece::tangent(integral::mean_angle(span)),
             Self::Rms => Piece::tangent(integral::rms(span)),
             Self::Chen1 => Piece::tangent(chen::formulation_1(span)),
-            Self::Chen2 => Piece::tangent(chen::formulation_2(span)),
+            Self::Chen2 => Piece::tangent(chen::formulation_2(span, Iteration::default())),
             Self::Chen3 => Piece::tangent(chen::formulation_3(span)),
             Self::LancasterBest => Piece::tangent(lancaster::best(span)?),
             Self::LancasterDrawellipse => Piece::tangent(lancaster::DRAWELLIPSE),
@@ -217,7 +218,7 @@ impl Method {
                 tangent::error(span, self.piece(span)?.handle.y)
             }
             Self::Chen1 => chen::formulation_1_error(span),
-            Self::Chen2 => chen::formulation_2_error(span),
+            Self::Chen2 => chen::formulation_2_error(span, Iteration::default()),
             Self::Chen3 => chen::formulation_3_error(span),
             Self::CurvatureScaled => tangent::curvature_scaled_error(span),
             Self::MinimaxFree | Self::MinimaxEllipseFree => tangent::minimax_free_error(span),

@@ -11,6 +11,7 @@ use kurbo::{Affine, CubicBez, ParamCurveArclen, PathSeg, Point, Vec2};
 
 use crate::curve::Curve;
 use crate::error::{Error, Result, finite};
+pub use crate::method::Quadrature;
 use crate::method::nodal;
 pub use crate::method::nodal::Ends;
 use crate::number::Precision;
@@ -65,17 +66,6 @@ impl Parametrization {
             Self::Chord | Self::ArcLength(_) => chord,
         }
     }
-}
-
-/// How arc length is integrated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Quadrature {
-    /// Until it no longer changes.
-    #[default]
-    Adaptive,
-    /// Two-point Gauss quadrature of Chen's (16), which reproduces the value of Formulation II that he printed.
-    Gauss2,
 }
 
 impl Quadrature {

@@ -78,7 +78,7 @@ fn page(args: &CompareArgs) -> Result<String, Failure> {
         words.extend(["--ellipse".to_owned(), text(ratio)]);
     }
     let rules = args.rules();
-    if rules.contains(&Rule::Chen2Gauss2) {
+    if rules.contains(&Rule::CHEN_2_GAUSS_2) {
         words.push("--quadrature gauss2".to_owned());
     }
     let document = PageDocument::new(&Request {

@@ -42,7 +42,7 @@ pub(crate) fn serves(rule: Rule) -> bool {
         | Rule::Method(Method::Chen1 | Method::LancasterBest | Method::LancasterDrawellipse) => {
             false
         }
-        Rule::Chen2Gauss2 => true,
+        Rule::Chen2(_) => true,
         Rule::Method(method) => method.card().ends == Ends::OnCircle,
     }
 }

@@ -33,26 +33,43 @@ pub(super) fn formulation_1_error(span: &Span) -> RadialError {
     }
 }
 
-/// t/3 with t = L(t/3), arc length integrated until it no longer changes.
-pub(super) fn formulation_2(span: &Span) -> f64 {
-    SelfMeasured::new(span, adaptive).handle()
+/// How arc length is integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Quadrature {
+    /// Until it no longer changes.
+    #[default]
+    Adaptive,
+    /// Two-point Gauss quadrature of Chen's (16), which reproduces the value of Formulation II that he printed.
+    Gauss2,
 }
 
-pub(super) fn formulation_2_error(span: &Span) -> RadialError {
-    SelfMeasured::new(span, adaptive).error()
+/// How Formulation II finds the length of a segment of the circle: his Figure 8.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Iteration {
+    /// How arc length is integrated.
+    pub quadrature: Quadrature,
+    /// It ends when the length changes by less than this part of itself; at 0, the default, when it no longer changes.
+    pub stop: f64,
 }
 
-/// The same with his two-point Gauss quadrature, which reproduces the value that he printed.
-pub(super) fn formulation_2_gauss(span: &Span) -> f64 {
-    SelfMeasured::new(span, gauss2).handle()
+impl Iteration {
+    /// The length of a segment of the unit circle round by round, the first the chord.
+    pub(crate) fn lengths(self, span: &Span) -> Vec<f64> {
+        let mut lengths = Vec::new();
+        SelfMeasured::settled(span, self, |t| lengths.push(t));
+        lengths
+    }
 }
 
-pub(super) fn formulation_2_gauss_error(span: &Span) -> RadialError {
-    SelfMeasured::new(span, gauss2).error()
+/// t/3 with t = L(t/3).
+pub(super) fn formulation_2(span: &Span, iteration: Iteration) -> f64 {
+    SelfMeasured::new(span, iteration).handle()
 }
 
-/// A way to integrate over τ from 0 to 1.
-type Quadrature = fn(&dyn Fn(f64) -> f64) -> f64;
+pub(super) fn formulation_2_error(span: &Span, iteration: Iteration) -> RadialError {
+    SelfMeasured::new(span, iteration).error()
+}
 
 /// The integral, in parts that are halved until it no longer changes.
 fn adaptive(f: &dyn Fn(f64) -> f64) -> f64 {
@@ -93,25 +110,36 @@ struct SelfMeasured<'a> {
 }
 
 impl<'a> SelfMeasured<'a> {
-    /// Iterates from the chord, as his Figure 8 does.
-    fn new(span: &'a Span, quadrature: Quadrature) -> Self {
+    fn new(span: &'a Span, iteration: Iteration) -> Self {
+        Self::settled(span, iteration, |_| ())
+    }
+
+    /// Iterates from the chord, as his Figure 8 does, and calls `visit` with each t.
+    fn settled(span: &'a Span, iteration: Iteration, mut visit: impl FnMut(f64)) -> Self {
         let chord = 2.0 * span.sh;
         let with_excess = |e: f64| {
             let t = chord + e;
             let y = e - t * span.half_versine();
             Self { span, t, y }
         };
+        let mut curve = with_excess(0.0);
         let mut e = 0.0;
+        visit(curve.t);
         for _ in 0..MOST_ROUNDS {
-            let curve = with_excess(e);
-            let next = quadrature(&|tau| curve.excess_at(tau));
+            let integrand = |tau| curve.excess_at(tau);
+            let next = match iteration.quadrature {
+                Quadrature::Adaptive => adaptive(&integrand),
+                Quadrature::Gauss2 => gauss2(&integrand),
+            };
             let change = (next - e).abs();
             e = next;
-            if change <= f64::EPSILON * e {
+            curve = with_excess(e);
+            visit(curve.t);
+            if change <= f64::EPSILON * e || change < iteration.stop * curve.t {
                 break;
             }
         }
-        with_excess(e)
+        curve
     }
 
     /// The integrand of e.
@@ -197,9 +225,15 @@ mod tests {
     #[test]
     fn formulation_2_of_a_quarter_has_the_known_fixed_points() {
         let quarter = Span::from_degrees(90.0);
-        assert!((3.0 * formulation_2(&quarter) - 1.556_752_345_8).abs() < 5e-11);
-        assert!((3.0 * formulation_2_gauss(&quarter) - 2.4_f64.sqrt()).abs() < 1e-15);
-        let printed = formulation_2_gauss_error(&quarter).peak();
+        assert!(
+            (3.0 * formulation_2(&quarter, Iteration::default()) - 1.556_752_345_8).abs() < 5e-11
+        );
+        let gauss = Iteration {
+            quadrature: Quadrature::Gauss2,
+            stop: 0.0,
+        };
+        assert!((3.0 * formulation_2(&quarter, gauss) - 2.4_f64.sqrt()).abs() < 1e-15);
+        let printed = formulation_2_error(&quarter, gauss).peak();
         assert!((printed - 0.019_031_9).abs() < 5e-8, "{printed}");
     }
 
@@ -208,7 +242,7 @@ mod tests {
         use kurbo::ParamCurveArclen;
         for degrees in [0.01, 1.0, 30.0, 90.0, 137.0, 180.0] {
             let span = Span::from_degrees(degrees);
-            let k = formulation_2(&span);
+            let k = formulation_2(&span, Iteration::default());
             let curve = kurbo::CubicBez::new(
                 (1.0, 0.0),
                 (1.0, k),

@@ -3,15 +3,15 @@
 use crate::error::{Error, Result};
 use crate::radial_error::RadialError;
 
-use super::{Degree, Degrees, Ends, Method, Piece, Span, chen, tangent};
+use super::{Degree, Degrees, Ends, Iteration, Method, Piece, Quadrature, Span, chen, tangent};
 
 /// What gives the control points: a method of the catalogue or a number of the user's own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rule {
     /// A method of the catalogue.
     Method(Method),
-    /// Chen's Formulation II with arc length from his two-point Gauss quadrature instead of an adaptive one.
-    Chen2Gauss2,
+    /// Chen's Formulation II with its lengths found in this way.
+    Chen2(Iteration),
     /// A literal handle length on the unit circle, for every segment.
     Handle(f64),
 }
@@ -29,6 +29,22 @@ impl From<Method> for Rule {
 }
 
 impl Rule {
+    /// Formulation II with arc length from Chen's two-point Gauss quadrature.
+    pub const CHEN_2_GAUSS_2: Self = Self::Chen2(Iteration {
+        quadrature: Quadrature::Gauss2,
+        stop: 0.0,
+    });
+
+    /// How Formulation II finds its lengths, where this is that.
+    #[must_use]
+    pub fn iteration(self) -> Option<Iteration> {
+        match self {
+            Self::Chen2(iteration) => Some(iteration),
+            Self::Method(Method::Chen2) => Some(Iteration::default()),
+            _ => None,
+        }
+    }
+
     /// Whether it gives quadratics.
     #[must_use]
     pub fn is_quadratic(self) -> bool {
@@ -47,7 +63,7 @@ impl Rule {
     pub const fn method(self) -> Option<Method> {
         match self {
             Self::Method(method) => Some(method),
-            Self::Chen2Gauss2 => Some(Method::Chen2),
+            Self::Chen2(_) => Some(Method::Chen2),
             Self::Handle(_) => None,
         }
     }
@@ -60,9 +76,9 @@ impl Rule {
     pub fn piece(self, span: &Span) -> Result<Piece> {
         match self {
             Self::Method(method) => method.piece(span),
-            Self::Chen2Gauss2 => Method::Chen2
+            Self::Chen2(iteration) => Method::Chen2
                 .check_angle(span)
-                .map(|()| Piece::tangent(chen::formulation_2_gauss(span))),
+                .map(|()| Piece::tangent(chen::formulation_2(span, iteration))),
             Self::Handle(k) => check_half_turn(span).map(|()| Piece::tangent(k)),
         }
     }
@@ -75,9 +91,9 @@ impl Rule {
     pub fn radial_error(self, span: &Span) -> Result<RadialError> {
         match self {
             Self::Method(method) => method.radial_error(span),
-            Self::Chen2Gauss2 => Method::Chen2
+            Self::Chen2(iteration) => Method::Chen2
                 .check_angle(span)
-                .map(|()| chen::formulation_2_gauss_error(span)),
+                .map(|()| chen::formulation_2_error(span, iteration)),
             Self::Handle(k) => check_half_turn(span).map(|()| tangent::error(span, k)),
         }
     }

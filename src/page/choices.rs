@@ -257,7 +257,7 @@ fn entry(rule: Rule) -> MethodEntry {
     let card = rule.method().unwrap_or_default().card();
     MethodEntry {
         id: rule.id().to_owned(),
-        words: if rule == Rule::Chen2Gauss2 {
+        words: if rule == Rule::CHEN_2_GAUSS_2 {
             format!("-m {} --quadrature gauss2", rule.id())
         } else {
             format!("-m {}", rule.id())

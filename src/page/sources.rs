@@ -40,7 +40,7 @@ const CHEN_1: [(&str, &str, Rule, &str); 4] = [
     (
         "Formulation II, two-point Gauss",
         "chen-2",
-        Rule::Chen2Gauss2,
+        Rule::CHEN_2_GAUSS_2,
         "0.01903",
     ),
     (
@@ -196,7 +196,7 @@ fn lancaster() -> Result<SourceTable> {
 fn chen() -> Result<SourceTable> {
     let mut rows = Vec::new();
     for (label, id, rule, printed) in CHEN_1 {
-        let quadrature = if rule == Rule::Chen2Gauss2 {
+        let quadrature = if rule == Rule::CHEN_2_GAUSS_2 {
             " --quadrature gauss2"
         } else {
             ""

@@ -10,7 +10,7 @@ use crate::approximate::Drawing;
 use crate::continuity::Continuity;
 use crate::curve::control_points;
 use crate::error::{Error, Result};
-use crate::method::Rule;
+use crate::method::{Quadrature, Rule};
 use crate::number::{decimals_of, push_shortest, round};
 use crate::path;
 use crate::power;
@@ -33,6 +33,12 @@ pub struct DrawingDocument {
     /// How arc length was integrated, where it was Chen's two-point Gauss quadrature.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quadrature: Option<String>,
+    /// In how many rounds the arc lengths of `chen-2` settled on a circle or its arc; left out beyond a thousand segments.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rounds: Option<usize>,
+    /// These lengths round by round, the first with the chords; a number for each segment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lengths: Option<Vec<Vec<f64>>>,
     /// Whether the path is closed.
     pub closed: bool,
     /// The segments in their order.
@@ -156,6 +162,7 @@ impl From<&Drawing> for DrawingDocument {
             .rule
             .method()
             .is_some_and(|method| method.card().continuity_equal == Continuity::G0);
+        let (iteration, lengths) = (drawing.rule.iteration(), drawing.lengths());
         Self {
             version: 1,
             shape: shape_document(&drawing.shape, drawing.transform),
@@ -165,7 +172,13 @@ impl From<&Drawing> for DrawingDocument {
             } else {
                 None
             },
-            quadrature: (drawing.rule == Rule::Chen2Gauss2).then(|| "gauss2".to_owned()),
+            quadrature: iteration
+                .is_some_and(|iteration| iteration.quadrature == Quadrature::Gauss2)
+                .then(|| "gauss2".to_owned()),
+            rounds: lengths
+                .as_ref()
+                .map(|lengths| lengths.len().saturating_sub(1)),
+            lengths,
             closed: drawing.curve.closed,
             segments: segments.collect(),
             error: ErrorDocument::new(drawing.error, drawing.relative_peak()),

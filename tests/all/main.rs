@@ -10,6 +10,7 @@ mod bad_input;
 mod batch;
 mod batch_picture;
 mod bites;
+mod chen_rounds;
 mod chen_uneven;
 mod cli;
 mod conic;

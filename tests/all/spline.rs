@@ -245,7 +245,11 @@ fn formulation_2_is_the_method_chen_2() {
             0.017_695_683_7,
         ),
         // What Chen prints, 0.01903, comes out of two-point quadrature.
-        (Quadrature::Gauss2, curveto::Rule::Chen2Gauss2, 0.019_031_9),
+        (
+            Quadrature::Gauss2,
+            curveto::Rule::CHEN_2_GAUSS_2,
+            0.019_031_9,
+        ),
     ] {
         let spline = closed(&EVEN, Parametrization::ArcLength(quadrature), true);
         let piece = rule

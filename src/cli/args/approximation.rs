@@ -1,6 +1,7 @@
 //! The words for how a shape is approximated.
 
 use clap::{ArgAction, Args, ValueEnum};
+use curveto::method::Iteration;
 use curveto::{Angle, Cut, Method, Rule, Tolerance};
 
 use super::values;
@@ -16,7 +17,7 @@ pub(crate) enum Quadrature {
     Gauss2,
 }
 
-impl From<Quadrature> for curveto::spline::Quadrature {
+impl From<Quadrature> for curveto::method::Quadrature {
     fn from(quadrature: Quadrature) -> Self {
         match quadrature {
             Quadrature::Adaptive => Self::Adaptive,
@@ -60,6 +61,9 @@ pub(crate) struct ApproximationArgs {
         default_value_t
     )]
     quadrature: Quadrature,
+    /// The iteration of chen-2 ends when its arc length changes by less than this part of itself [default: when it no longer changes]
+    #[arg(long, value_name = "E", hide_short_help = true, value_parser = values::positive, allow_hyphen_values = true)]
+    stop: Option<f64>,
 }
 
 /// Far more than any curve could use; the measure stays finite below it.
@@ -81,7 +85,7 @@ impl ApproximationArgs {
     /// What gives the control points of a drawing, where it was asked for.
     pub(crate) fn named_rule(&self) -> Result<Option<Rule>, Failure> {
         self.check_count()?;
-        if self.method.is_empty() && self.handle.is_none() {
+        if self.has_default_rule() {
             return Ok(None);
         }
         self.rule().map(Some)
@@ -119,23 +123,32 @@ impl ApproximationArgs {
                 )))
             };
         }
-        Ok(match (self.quadrature, method) {
-            (Quadrature::Gauss2, Method::Chen2) => Rule::Chen2Gauss2,
-            (Quadrature::Gauss2, _) => {
-                return Err(Failure::request_with_hint(
-                    format!(
-                        "{method} integrates no arc length, so that --quadrature has nothing to say"
-                    ),
-                    "--quadrature gauss2 goes with -m chen-2",
-                ));
-            }
-            (Quadrature::Adaptive, _) => Rule::Method(method),
-        })
+        let iteration = Iteration {
+            quadrature: self.quadrature.into(),
+            stop: self.stop.unwrap_or(0.0),
+        };
+        match method {
+            _ if iteration == Iteration::default() => Ok(Rule::Method(method)),
+            Method::Chen2 => Ok(Rule::Chen2(iteration)),
+            _ if self.stop.is_some() => Err(Failure::request_with_hint(
+                format!("{method} iterates no arc length, so that --stop has nothing to say"),
+                "--stop goes with -m chen-2",
+            )),
+            _ => Err(Failure::request_with_hint(
+                format!(
+                    "{method} integrates no arc length, so that --quadrature has nothing to say"
+                ),
+                "--quadrature gauss2 goes with -m chen-2",
+            )),
+        }
     }
 
     /// Whether no method was asked for.
     pub(crate) fn has_default_rule(&self) -> bool {
-        self.method.is_empty() && self.handle.is_none() && self.quadrature == Quadrature::Adaptive
+        self.method.is_empty()
+            && self.handle.is_none()
+            && self.quadrature == Quadrature::Adaptive
+            && self.stop.is_none()
     }
 
     /// Whether nothing was asked for.

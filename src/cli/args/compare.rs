@@ -123,7 +123,7 @@ impl CompareArgs {
     /// The rules of the methods.
     pub(crate) fn rules(&self) -> Vec<Rule> {
         let rule = |&method: &Method| match (method, self.quadrature) {
-            (Method::Chen2, Quadrature::Gauss2) => Rule::Chen2Gauss2,
+            (Method::Chen2, Quadrature::Gauss2) => Rule::CHEN_2_GAUSS_2,
             _ => Rule::Method(method),
         };
         self.method.iter().flatten().map(rule).collect()

@@ -56,8 +56,8 @@ fn chen2() -> Result<String> {
              The first is drawn unless --quadrature gauss2 asks for the second.",
         significant(3.0 * handle(Method::Chen2)?, 11),
         significant(error(Method::Chen2)?, 9),
-        significant(3.0 * handle(Rule::Chen2Gauss2)?, 11),
-        significant(error(Rule::Chen2Gauss2)?, 6),
+        significant(3.0 * handle(Rule::CHEN_2_GAUSS_2)?, 11),
+        significant(error(Rule::CHEN_2_GAUSS_2)?, 6),
     ))
 }
 
