@@ -7,6 +7,7 @@
 mod error;
 mod frame;
 mod report;
+mod samples;
 
 use kurbo::{Affine, CubicBez, PathSeg, Point, QuadBez, Vec2};
 
@@ -21,6 +22,7 @@ use crate::radial_error::RadialError;
 use crate::shape::{Arc, Shape, Truth};
 use frame::Frame;
 pub use report::Report;
+pub use samples::Sample;
 
 /// A conic between two points.
 #[derive(Debug, Clone, Copy, PartialEq)]

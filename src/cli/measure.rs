@@ -160,8 +160,31 @@ fn report_text(
     })
 }
 
-/// Draws each quantity along every subject, one below the other where there are several, or several numbers of segments.
+/// Draws each quantity along every subject.
 fn draw_plot(subjects: &[Subject], file: &Path, args: &ReportArgs) -> Result<(), Failure> {
+    draw_panels(
+        subjects,
+        |subject| subject.panel,
+        file,
+        args,
+        |subjects, quantity| {
+            let curves: Vec<(&str, &Curve, &Reference)> = subjects
+                .iter()
+                .map(|s| (s.name.as_str(), &s.curve, &s.reference))
+                .collect();
+            Ok(Chart::along(&title(subjects, quantity), quantity, &curves))
+        },
+    )
+}
+
+/// Draws the chart of each quantity and each panel's subjects, one below the other where there are several.
+fn draw_panels<T>(
+    subjects: &[T],
+    panel: impl Fn(&T) -> usize,
+    file: &Path,
+    args: &ReportArgs,
+    chart: impl Fn(&[&T], Quantity) -> Result<Chart, Failure>,
+) -> Result<(), Failure> {
     let image = of_plot(file)?;
     let asked = args.quantity.as_slice();
     let quantities = if asked.is_empty() {
@@ -169,32 +192,33 @@ fn draw_plot(subjects: &[Subject], file: &Path, args: &ReportArgs) -> Result<(),
     } else {
         asked
     };
-    let mut in_panels: Vec<&Subject> = subjects.iter().collect();
-    in_panels.sort_by_key(|subject| subject.panel);
-    let panels = in_panels.chunk_by(|a, b| a.panel == b.panel);
-    let charts = quantities.iter().flat_map(|&quantity| {
-        panels.clone().map(move |subjects| {
-            let curves: Vec<(&str, &Curve, &Reference)> = subjects
-                .iter()
-                .map(|s| (s.name.as_str(), &s.curve, &s.reference))
-                .collect();
-            Chart::along(&title(subjects, quantity), quantity, &curves)
-        })
-    });
-    let Some(chart) = charts.reduce(Chart::above) else {
+    let mut in_panels: Vec<&T> = subjects.iter().collect();
+    in_panels.sort_by_key(|subject| panel(subject));
+    let mut charts = Vec::new();
+    for &quantity in quantities {
+        for subjects in in_panels.chunk_by(|a, b| panel(a) == panel(b)) {
+            charts.push(chart(subjects, quantity)?);
+        }
+    }
+    let Some(chart) = charts.into_iter().reduce(Chart::above) else {
         return Ok(());
     };
     Target::new(Some(file)).write(&plot(&chart, image, args.size)?)
 }
 
-fn title(subjects: &[&Subject], quantity: Quantity) -> String {
-    let what = match quantity {
+/// What a plot of it is called.
+fn words(quantity: Quantity) -> &'static str {
+    match quantity {
         Quantity::Error => "Distance from the true shape",
         Quantity::Curvature => "Curvature",
         Quantity::CurvatureD1 => "First derivative of curvature by arc length",
         Quantity::CurvatureD2 => "Second derivative of curvature by arc length",
         Quantity::AngleLag => "How far the angle is ahead of linear in t",
-    };
+    }
+}
+
+fn title(subjects: &[&Subject], quantity: Quantity) -> String {
+    let what = words(quantity);
     match subjects {
         [one] => format!("{what}: {}", one.measurement.subject.title),
         // Several methods of one shape: what comes before the method is the same.

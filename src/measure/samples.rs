@@ -33,6 +33,17 @@ pub struct Sample {
     pub degrees: f64,
 }
 
+/// Refuses a number of points of each segment.
+pub(crate) fn check_count(count: usize, segments: usize) -> Result<()> {
+    let most = MOST_SAMPLES / segments.max(1);
+    if (2..=most).contains(&count) {
+        return Ok(());
+    }
+    Err(Error::Shape(format!(
+        "the samples of a segment number from 2, its ends, to {most}, but {count} were asked for"
+    )))
+}
+
 /// `count` points of each segment at equal steps of t, both ends among them.
 ///
 /// # Errors
@@ -50,12 +61,7 @@ pub struct Sample {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn samples(curve: &Curve, reference: &Reference, count: usize) -> Result<Vec<Sample>> {
-    let most = MOST_SAMPLES / curve.segments.len().max(1);
-    if !(2..=most).contains(&count) {
-        return Err(Error::Shape(format!(
-            "the samples of a segment number from 2, its ends, to {most}, but {count} were asked for"
-        )));
-    }
+    check_count(count, curve.segments.len())?;
     let unit = unit_for(largest_coordinate(curve, reference)?);
     let scaled = curve.transformed(Affine::scale(1.0 / unit));
     let bench = Bench::new(&scaled, reference.scaled(1.0 / unit));

@@ -13,7 +13,9 @@ use super::scene::{Group, Pen, Scene};
 use super::size::Size;
 
 use crate::compare::Comparison;
+use crate::conic;
 use crate::curve::Curve;
+use crate::error::Result;
 use crate::measure::{Quantity, Reference, profile};
 use scale::Kind;
 use sheet::{DECIMALS, LABEL_STEP};
@@ -36,6 +38,14 @@ struct Series {
     parts: Vec<Vec<(f64, f64)>>,
     /// Whether each of its points is marked.
     dots: bool,
+}
+
+/// A named line and its parts.
+type Line = (String, Vec<Vec<(f64, f64)>>);
+
+/// In how many steps a segment of a curve is drawn.
+fn steps(curve: &Curve) -> u32 {
+    (3000 / curve.segments.len().max(1)).clamp(8, 160) as u32
 }
 
 impl Series {
@@ -80,24 +90,56 @@ impl Chart {
     /// The quantity along curves, each named, over the angle about the centre.
     #[must_use]
     pub fn along(title: &str, quantity: Quantity, curves: &[(&str, &Curve, &Reference)]) -> Self {
+        let line = |(name, curve, reference): &(&str, &Curve, &Reference)| {
+            let parts = profile::along(curve, reference, quantity, steps(curve));
+            ((*name).to_owned(), parts)
+        };
+        let x = ("angle about the centre (degrees)", Kind::Degrees);
+        Self::of_lines(title, quantity, x, curves.iter().map(line))
+    }
+
+    /// The quantity along drawn parabolas and hyperbolas, each named, over the place along the conic.
+    ///
+    /// # Errors
+    ///
+    /// As [`conic::Drawing::along`].
+    pub fn along_conics(
+        title: &str,
+        quantity: Quantity,
+        drawings: &[(&str, &conic::Drawing)],
+    ) -> Result<Self> {
+        let line = |(name, drawing): &(&str, &conic::Drawing)| {
+            let parts = drawing.along(quantity, steps(&drawing.curve))?;
+            Ok(((*name).to_owned(), parts))
+        };
+        let lines: Vec<Line> = drawings.iter().map(line).collect::<Result<_>>()?;
+        let x = (
+            "place along the conic (0 its start, 1 its end)",
+            Kind::Linear,
+        );
+        Ok(Self::of_lines(title, quantity, x, lines.into_iter()))
+    }
+
+    /// Named lines over an axis with its words, the ends of their parts marked.
+    fn of_lines(
+        title: &str,
+        quantity: Quantity,
+        (x_title, x_kind): (&str, Kind),
+        lines: impl Iterator<Item = Line>,
+    ) -> Self {
         let mut marks: Vec<f64> = Vec::new();
-        let series = curves
-            .iter()
-            .enumerate()
-            .map(|(i, (name, curve, reference))| {
-                let steps = (3000 / curve.segments.len().max(1)).clamp(8, 160) as u32;
-                let parts = profile::along(curve, reference, quantity, steps);
-                for part in &parts {
-                    let ends = [part.first(), part.last()].into_iter().flatten();
-                    marks.extend(ends.map(|&(angle, _)| angle));
-                }
-                Series {
-                    name: (*name).to_owned(),
-                    pen: lines::line(i),
-                    parts,
-                    dots: false,
-                }
-            });
+        let series = lines.enumerate().map(|(i, (name, parts))| {
+            for part in &parts {
+                let ends = [part.first(), part.last()].into_iter().flatten();
+                marks.extend(ends.map(|&(x, _)| x));
+            }
+            Series {
+                name,
+                pen: lines::line(i),
+                parts,
+                dots: false,
+            }
+        });
         let series = series.collect();
         marks.sort_by(f64::total_cmp);
         marks.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
@@ -106,9 +148,9 @@ impl Chart {
         }
         Self {
             title: title.to_owned(),
-            x_title: "angle about the centre (degrees)".to_owned(),
+            x_title: x_title.to_owned(),
             y_title: quantity.label().to_owned(),
-            x_kind: Kind::Degrees,
+            x_kind,
             y_kind: Kind::Linear,
             series,
             marks,

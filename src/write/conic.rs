@@ -7,7 +7,9 @@ use super::Writable;
 use crate::conic::Drawing;
 use crate::picture::figure::{Figure, conic_summary};
 #[cfg(feature = "serde")]
-pub use document::{ConicDocument, ConicMeasurement, ConicShapeDocument, conic_csv};
+pub use document::{
+    ConicDocument, ConicMeasurement, ConicSamples, ConicShapeDocument, conic_csv, conic_samples_csv,
+};
 
 impl Writable for Drawing {
     fn figure(&self) -> Figure {

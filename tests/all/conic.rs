@@ -300,21 +300,6 @@ fn what_no_conic_can_do_is_refused() {
         "2",
     ];
     assert!(refused(&line).contains("on a line"));
-    let measured = [
-        "measure",
-        "conic",
-        "--from",
-        "0,0",
-        "--control",
-        "1,2",
-        "--to",
-        "3,0",
-        "--weight",
-        "2",
-        "--samples",
-        "5",
-    ];
-    assert!(refused(&measured).contains("--samples"));
     for method in Method::ALL {
         let drawn = conic(SHAPES[0], 2.0).draw(&Options {
             rule: Rule::Method(method),
@@ -364,4 +349,128 @@ fn every_format_holds_a_conic() {
         "scale(2)",
     ]);
     assert_eq!(moved, "M0 0Q2 4 6 0\n");
+}
+
+/// What measures the hyperbola of weight 2 over (0,0), (1,2), (3,0).
+const MEASURED: [&str; 10] = [
+    "measure",
+    "conic",
+    "--from",
+    "0,0",
+    "--control",
+    "1,2",
+    "--to",
+    "3,0",
+    "--weight",
+    "2",
+];
+
+fn measured(words: &[&str]) -> String {
+    printed(&[&MEASURED[..], words].concat())
+}
+
+#[test]
+fn samples_of_a_conic_are_points_of_the_curve_and_their_distance() {
+    for shape in SHAPES {
+        for weight in [1.0, 1.2, 3.0] {
+            let conic = conic(shape, weight);
+            let drawing = drawn(&conic, Cut::Count(3));
+            let line = rational(&conic, 5_000);
+            let samples = drawing.samples(9).unwrap();
+            assert_eq!(samples.len(), 9 * drawing.curve.segments.len());
+            assert_eq!(samples[0].place, 0.0);
+            let last = samples[samples.len() - 1];
+            assert!((last.place - 1.0).abs() < 1e-12, "{}", last.place);
+            assert!(samples.is_sorted_by(|a, b| a.place <= b.place + 1e-12));
+            let mut largest = 0.0_f64;
+            for sample in &samples {
+                let segment = drawing.curve.segments[sample.segment - 1];
+                let p = Point::new(sample.x, sample.y);
+                assert!((p - segment.eval(sample.t)).hypot() < 1e-13);
+                let distance = farthest(&[p], &line);
+                let size = (conic.to - conic.from).hypot();
+                assert!(
+                    (distance - sample.error.abs()).abs() < 1e-6 * size,
+                    "{distance:e} {sample:?}"
+                );
+                largest = largest.max(sample.error.abs());
+            }
+            let peak = drawing.error.peak();
+            assert!(
+                largest <= peak && largest >= 0.8 * peak - 1e-12,
+                "{largest:e} {peak:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn joints_of_a_hyperbola_lie_at_equal_steps_of_its_angle() {
+    let csv = measured(&["-n", "4", "--samples", "2", "-f", "csv"]);
+    assert!(csv.starts_with("form,weight,method,segment,t,x,y,error,place\n"));
+    let places: Vec<f64> = csv
+        .lines()
+        .skip(1)
+        .map(|line| line.rsplit(',').next().unwrap().parse().unwrap())
+        .collect();
+    for (place, known) in places
+        .iter()
+        .zip([0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0])
+    {
+        assert!((place - known).abs() < 1e-12, "{places:?}");
+    }
+    let table = measured(&["-n", "4", "-m", "minimax,midpoint", "--samples", "3"]);
+    assert_eq!(table.matches("of 12 points: peak").count(), 2, "{table}");
+    assert!(refused(&[&MEASURED[..], &["--samples", "1"]].concat()).contains("from 2"));
+}
+
+#[test]
+fn an_arc_of_an_ellipse_by_its_weight_is_sampled_as_any_arc() {
+    let mut words = MEASURED;
+    words[9] = "0.5";
+    let csv = printed(&[&words[..], &["--samples", "2", "-f", "csv"]].concat());
+    assert!(
+        csv.starts_with("subject,method,segment,t,x,y,radius,error,degrees\n"),
+        "{csv}"
+    );
+}
+
+#[test]
+fn a_conic_is_plotted_over_its_length() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("plot.svg");
+    let file = file.to_str().unwrap();
+    measured(&[
+        "-n",
+        "1,2",
+        "-m",
+        "minimax,midpoint",
+        "--plot",
+        file,
+        "--quantity",
+        "error,curvature",
+    ]);
+    let plot = std::fs::read_to_string(file).unwrap();
+    // A panel for each quantity and each number of segments.
+    assert_eq!(plot.matches("place along the conic").count(), 4);
+    for words in ["minimax", "midpoint", "Curvature: Hyperbola"] {
+        assert!(plot.contains(words), "{words}");
+    }
+    let lag = [&MEASURED[..], &["--plot", file, "--quantity", "angle-lag"]].concat();
+    assert!(refused(&lag).contains("hint: take --quantity error"));
+    let drawing = drawn(&conic(SHAPES[1], 2.0), Cut::Count(2));
+    assert!(
+        drawing
+            .along(curveto::measure::Quantity::AngleLag, 10)
+            .is_err()
+    );
+    // Where the conic is a parabola the curvature is its own: 2 |U x V| / |p'|^3 with p' = 2 (P1 - P0) at the start.
+    let parabola = drawn(&conic(SHAPES[1], 1.0), Cut::Count(1));
+    let curvature = parabola
+        .along(curveto::measure::Quantity::Curvature, 10)
+        .unwrap()[0][0]
+        .1;
+    let [p, q, r] = SHAPES[1].map(Point::from);
+    let known = 0.5 * (q - p).cross(r - q).abs() / (q - p).hypot().powi(3);
+    assert!((curvature - known).abs() < 1e-12, "{curvature} {known}");
 }

@@ -8,7 +8,7 @@ use std::process::Command;
 use curveto::compare::Comparison;
 use curveto::page::PageDocument;
 use curveto::write::catalogue::{CatalogueDocument, MethodDocument};
-use curveto::write::conic::{ConicDocument, ConicMeasurement};
+use curveto::write::conic::{ConicDocument, ConicMeasurement, ConicSamples};
 use curveto::write::difference::DifferenceDocument;
 use curveto::write::json::DrawingDocument;
 use curveto::write::measurement::{Measurement, Samples};
@@ -18,7 +18,7 @@ use curveto::write::spline::SplineDocument;
 use schemars::{Schema, schema_for};
 use serde_json::Value;
 
-fn published() -> [(&'static str, Schema); 13] {
+fn published() -> [(&'static str, Schema); 14] {
     [
         ("drawing", schema_for!(DrawingDocument)),
         ("path", schema_for!(PathDocument)),
@@ -26,6 +26,7 @@ fn published() -> [(&'static str, Schema); 13] {
         ("measurement", schema_for!(Measurement)),
         ("conic", schema_for!(ConicDocument)),
         ("conic-measurement", schema_for!(ConicMeasurement)),
+        ("conic-samples", schema_for!(ConicSamples)),
         ("samples", schema_for!(Samples<'_>)),
         ("comparison", schema_for!(Comparison)),
         ("page", schema_for!(PageDocument)),
@@ -187,7 +188,27 @@ fn flattened(schema: &Value, root: &Value) -> Value {
 const PATH: &str = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
 
 /// Each schema, and commands that print what it describes.
-const CASES: [(&str, &[&str]); 23] = [
+const CASES: [(&str, &[&str]); 25] = [
+    (
+        "conic-samples",
+        &[
+            "measure",
+            "conic",
+            "--from",
+            "0,0",
+            "--control",
+            "1,2",
+            "--to",
+            "3,0",
+            "--weight",
+            "2",
+            "--samples",
+            "3",
+            "-f",
+            "json",
+        ],
+    ),
+    ("drawing", &["circle", "50", "-m", "chen-2", "-f", "json"]),
     (
         "conic",
         &[

@@ -4,11 +4,13 @@ use std::process::ExitCode;
 
 use curveto::approximate::Options;
 use curveto::conic::{Conic, Drawing};
+use curveto::measure::Quantity;
 use curveto::number::{Precision, compact, rounded_up};
+use curveto::picture::plot::Chart;
 use curveto::write::conic::{ConicMeasurement, conic_csv};
 use curveto::write::json;
 
-use super::super::args::measure::{Measured, ReportArgs, ReportFormat};
+use super::super::args::measure::{Measured, ReportFormat};
 use super::super::args::{ConicShape, PrecisionWord};
 use super::super::conic::drawing;
 use super::super::failure::Failure;
@@ -16,54 +18,95 @@ use super::super::formats::choose;
 use super::super::output::Target;
 use super::Outcome;
 use super::table::{close_up, lines, plain};
+use super::{draw_panels, samples, words};
+
+/// A drawing, and the number of its panel in a plot.
+struct Subject {
+    drawing: Drawing,
+    title: String,
+    panel: usize,
+}
 
 /// Measures a parabola or a hyperbola as it would be drawn, by each method that was named.
 pub(super) fn run(conic: &Conic, args: &Measured<ConicShape>) -> Outcome {
-    refuse_what_needs_angles(&args.report)?;
-    let precision = args
-        .precision
-        .map_or(Some(Precision::Full), PrecisionWord::precision);
-    let transform = args.transform.unwrap_or_default();
-    let mut drawings: Vec<Drawing> = Vec::new();
-    for cut in args.approximation.cuts() {
-        for rule in args.approximation.rules()? {
-            let options = Options {
-                rule,
-                cut: cut.clone(),
-                precision,
-                transform,
-            };
-            drawings.push(drawing(conic, &args.approximation, &options)?);
-        }
+    let report = &args.report;
+    if report.coordinate_tolerance.is_some() {
+        return Err(Failure::request_with_hint(
+            "--coordinate-tolerance goes with circles and ellipses, but this conic is none",
+            "leave it out, or take a weight below 0.9999",
+        ));
     }
-    let all: Vec<ConicMeasurement> = drawings.iter().map(Into::into).collect();
-    let output = args.report.output.as_deref();
-    let text = match (choose(args.report.format, output)?, all.as_slice()) {
-        (ReportFormat::Table, all) => all.iter().map(table).collect::<Vec<_>>().join("\n"),
-        (ReportFormat::Csv, all) => conic_csv(all),
-        (ReportFormat::Json, [one]) => json::to_string(one)? + "\n",
-        (ReportFormat::Json, all) => json::to_string(&all)? + "\n",
+    if report.plot.is_some() && report.quantity.contains(&Quantity::AngleLag) {
+        return Err(Failure::request_with_hint(
+            "a parabola and a hyperbola have no angle about a centre, and so no angle-lag",
+            "take --quantity error, curvature, curvature-d1 or curvature-d2, or a weight below 0.9999",
+        ));
+    }
+    let subjects = drawn(conic, args)?;
+    if let Some(file) = &report.plot {
+        draw_panels(&subjects, |subject| subject.panel, file, report, chart)?;
+    }
+    let output = report.output.as_deref();
+    let format = choose(report.format, output)?;
+    let drawings: Vec<&Drawing> = subjects.iter().map(|subject| &subject.drawing).collect();
+    let text = match report.samples {
+        Some(count) => samples::conic_text(&drawings, count, format)?,
+        None => report_text(&drawings, format)?,
     };
     Target::new(output).write(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn refuse_what_needs_angles(report: &ReportArgs) -> Result<(), Failure> {
-    let asked = [
-        (report.plot.is_some(), "--plot"),
-        (report.samples.is_some(), "--samples"),
-        (
-            report.coordinate_tolerance.is_some(),
-            "--coordinate-tolerance",
-        ),
-    ];
-    match asked.iter().find(|(given, _)| *given) {
-        Some((_, option)) => Err(Failure::request_with_hint(
-            format!("{option} goes with circles and ellipses, but this conic is none"),
-            "leave it out, or take a weight below 0.9999",
-        )),
-        None => Ok(()),
+/// The drawings by each method and of each number of segments.
+fn drawn(conic: &Conic, args: &Measured<ConicShape>) -> Result<Vec<Subject>, Failure> {
+    let precision = args
+        .precision
+        .map_or(Some(Precision::Full), PrecisionWord::precision);
+    let mut subjects = Vec::new();
+    for rule in args.approximation.rules()? {
+        for (panel, cut) in args.approximation.cuts().into_iter().enumerate() {
+            let options = Options {
+                rule,
+                cut,
+                precision,
+                transform: args.transform.unwrap_or_default(),
+            };
+            let drawing = drawing(conic, &args.approximation, &options)?;
+            subjects.push(Subject {
+                title: ConicMeasurement::from(&drawing).title,
+                drawing,
+                panel,
+            });
+        }
     }
+    Ok(subjects)
+}
+
+/// The quantity along the drawings of one panel.
+fn chart(subjects: &[&Subject], quantity: Quantity) -> Result<Chart, Failure> {
+    let drawings: Vec<(&str, &Drawing)> = subjects
+        .iter()
+        .map(|subject| (subject.drawing.method_name(), &subject.drawing))
+        .collect();
+    let title = match subjects {
+        [one] => one.title.as_str(),
+        // Several methods of one conic: what comes before the method is the same.
+        [one, ..] => one.title.split(" by ").next().unwrap_or_default(),
+        [] => "",
+    };
+    let title = format!("{}: {title}", words(quantity));
+    Ok(Chart::along_conics(&title, quantity, &drawings)?)
+}
+
+/// Every figure of each drawing.
+fn report_text(drawings: &[&Drawing], format: ReportFormat) -> Result<String, Failure> {
+    let all: Vec<ConicMeasurement> = drawings.iter().map(|&drawing| drawing.into()).collect();
+    Ok(match (format, all.as_slice()) {
+        (ReportFormat::Table, all) => all.iter().map(table).collect::<Vec<_>>().join("\n"),
+        (ReportFormat::Csv, all) => conic_csv(all),
+        (ReportFormat::Json, [one]) => json::to_string(one)? + "\n",
+        (ReportFormat::Json, all) => json::to_string(&all)? + "\n",
+    })
 }
 
 fn table(found: &ConicMeasurement) -> String {

@@ -1,7 +1,10 @@
 //! `measure --samples`: a curve point by point.
 
+use comfy_table::Table;
+use curveto::conic::Drawing;
 use curveto::measure::samples::{Sample, samples};
 use curveto::number::{compact, significant};
+use curveto::write::conic::{ConicSamples, conic_samples_csv};
 use curveto::write::json;
 use curveto::write::measurement::{Samples, samples_csv};
 
@@ -37,21 +40,61 @@ fn sampled(subject: &Subject, count: usize) -> Result<Samples<'_>, Failure> {
     })
 }
 
-/// The table for people, with the peak and the average of what it shows.
+/// The points of parabolas and hyperbolas.
+pub(super) fn conic_text(
+    drawings: &[&Drawing],
+    count: usize,
+    format: ReportFormat,
+) -> Result<String, Failure> {
+    let all: Vec<ConicSamples> = drawings
+        .iter()
+        .map(|drawing| ConicSamples::new(drawing, count))
+        .collect::<Result<_, _>>()?;
+    Ok(match (format, all.as_slice()) {
+        (ReportFormat::Table, all) => all.iter().map(render_conic).collect::<Vec<_>>().join("\n"),
+        (ReportFormat::Csv, all) => conic_samples_csv(all),
+        (ReportFormat::Json, [one]) => json::to_string(one)? + "\n",
+        (ReportFormat::Json, all) => json::to_string(&all)? + "\n",
+    })
+}
+
+/// The table for people.
 fn render(samples: &Samples<'_>) -> String {
     let mut table = plain();
     table.set_header(["segment", "t", "x", "y", "radius", "error", "degrees"]);
     table.add_rows(samples.samples.iter().map(row));
-    close_up(&mut table, 2, &[0, 1, 2, 3, 4, 5, 6]);
-    let sizes = samples.samples.iter().map(|s| s.error.abs());
-    let count = samples.samples.len();
-    let (peak, sum) = sizes.fold((0.0_f64, 0.0), |(peak, sum), e| (peak.max(e), sum + e));
+    let errors = samples.samples.iter().map(|s| s.error);
+    captioned(&samples.subject.title, &mut table, errors)
+}
+
+fn render_conic(samples: &ConicSamples) -> String {
+    let mut table = plain();
+    table.set_header(["segment", "t", "x", "y", "error", "place"]);
+    table.add_rows(samples.samples.iter().map(|s| {
+        [
+            s.segment.to_string(),
+            significant(s.t, 6),
+            compact(s.x, 9),
+            compact(s.y, 9),
+            compact(s.error, 6),
+            significant(s.place, 8),
+        ]
+    }));
+    let errors = samples.samples.iter().map(|s| s.error);
+    captioned(&samples.title, &mut table, errors)
+}
+
+/// A table below its title, with the peak and the average of what it shows.
+fn captioned(title: &str, table: &mut Table, errors: impl Iterator<Item = f64>) -> String {
+    close_up(table, 2, &[0, 1, 2, 3, 4, 5, 6]);
+    let (count, peak, sum) = errors.fold((0, 0.0_f64, 0.0), |(count, peak, sum), e| {
+        (count + 1, peak.max(e.abs()), sum + e.abs())
+    });
     format!(
-        "{}\n\n{}\nof {count} points: peak {}, average {}\n",
-        samples.subject.title,
-        lines(&table),
+        "{title}\n\n{}\nof {count} points: peak {}, average {}\n",
+        lines(table),
         compact(peak, 6),
-        compact(sum / count as f64, 6),
+        compact(sum / f64::from(count), 6),
     )
 }
 

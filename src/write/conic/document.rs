@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::conic::{Conic, Drawing, Report};
+use crate::conic::{Conic, Drawing, Report, Sample};
+use crate::error::Result;
 use crate::number::text;
 use crate::path;
 use crate::picture::figure::Figure;
@@ -97,18 +98,71 @@ pub struct ConicMeasurement {
 
 impl From<&Drawing> for ConicMeasurement {
     fn from(drawing: &Drawing) -> Self {
-        let count = drawing.curve.segments.len();
-        let segments = if count == 1 { "segment" } else { "segments" };
-        let (title, method) = (Figure::of_conic(drawing).title, drawing.method_name());
         Self {
             version: 1,
             shape: (&drawing.conic).into(),
-            method: method.to_owned(),
-            title: format!("{title}, {count} {segments} by {method}"),
+            method: drawing.method_name().to_owned(),
+            title: title(drawing),
             error: ErrorDocument::new(drawing.error, drawing.relative_peak()),
             report: drawing.report(),
         }
     }
+}
+
+fn title(drawing: &Drawing) -> String {
+    let count = drawing.curve.segments.len();
+    let segments = if count == 1 { "segment" } else { "segments" };
+    let (title, method) = (Figure::of_conic(drawing).title, drawing.method_name());
+    format!("{title}, {count} {segments} by {method}")
+}
+
+/// A parabola or a hyperbola point by point; an arc of an ellipse is sampled as any other arc.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ConicSamples {
+    /// The version of this form.
+    pub version: u32,
+    /// What was drawn.
+    pub shape: ConicShapeDocument,
+    /// The id of the method, or `exact` for a parabola.
+    pub method: String,
+    /// A few words.
+    pub title: String,
+    /// The points, segment by segment at equal steps of t, both ends of each segment among them.
+    pub samples: Vec<Sample>,
+}
+
+impl ConicSamples {
+    /// `count` points of each segment.
+    ///
+    /// # Errors
+    ///
+    /// As [`Drawing::samples`].
+    pub fn new(drawing: &Drawing, count: usize) -> Result<Self> {
+        Ok(Self {
+            version: 1,
+            shape: (&drawing.conic).into(),
+            method: drawing.method_name().to_owned(),
+            title: title(drawing),
+            samples: drawing.samples(count)?,
+        })
+    }
+}
+
+/// One line of CSV for each point, below a line of names.
+#[must_use]
+pub fn conic_samples_csv(all: &[ConicSamples]) -> String {
+    let mut out = "form,weight,method,segment,t,x,y,error,place\n".to_owned();
+    for samples in all {
+        let [weight, method] = [&text(samples.shape.weight), &samples.method];
+        for s in &samples.samples {
+            let segment = s.segment.to_string();
+            let figures = [s.t, s.x, s.y, s.error, s.place].map(text).join(",");
+            let fields = [samples.shape.form, weight, method, &segment, &figures];
+            out += &(fields.join(",") + "\n");
+        }
+    }
+    out
 }
 
 /// One line of CSV for each measurement, below a line of names.

@@ -1,0 +1,129 @@
+//! A drawn parabola or hyperbola point by point.
+
+use kurbo::{ParamCurve, PathSeg};
+
+use super::{Drawing, Frame};
+use crate::error::{Error, Result};
+use crate::measure::samples::check_count;
+use crate::measure::{Quantity, curvature};
+use crate::radial_error::RadialError;
+
+/// What rounding may leave of a place at the start.
+const NOISE: f64 = 1e-14;
+
+/// A point of a curve beside the true conic. Lengths are in user units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Sample {
+    /// The number of its segment, from 1.
+    pub segment: usize,
+    /// The parameter within the segment, from 0 to 1.
+    pub t: f64,
+    /// The point's x.
+    pub x: f64,
+    /// The point's y.
+    pub y: f64,
+    /// Its distance from the conic along the normal, positive towards the control point.
+    pub error: f64,
+    /// Where along the conic it lies, from 0 at its start to 1 at its end, in equal steps of the conic's own parameter: a hyperbola's
+    /// hyperbolic angle, an ellipse's angle.
+    pub place: f64,
+}
+
+/// A drawn conic while it is sampled.
+struct Bench<'a> {
+    drawing: &'a Drawing,
+    frame: Frame,
+    /// 1 where the conic turns from +x towards +y, else -1.
+    sense: f64,
+}
+
+impl<'a> Bench<'a> {
+    fn new(drawing: &'a Drawing) -> Self {
+        let conic = &drawing.conic;
+        let turn = (conic.control - conic.from).cross(conic.to - conic.control);
+        Self {
+            drawing,
+            frame: Frame::new(conic),
+            sense: 1.0_f64.copysign(turn),
+        }
+    }
+
+    fn error(&self, segment: &PathSeg, t: f64) -> f64 {
+        if self.drawing.error == RadialError::default() {
+            return 0.0;
+        }
+        self.frame.foot(segment.eval(t)).distance
+    }
+
+    fn place(&self, segment: &PathSeg, t: f64) -> f64 {
+        let half = self.frame.half;
+        let place = (self.frame.opposite(segment.eval(t)) + half) / (2.0 * half);
+        if place.abs() < NOISE { 0.0 } else { place }
+    }
+}
+
+impl Drawing {
+    /// `count` points of each segment at equal steps of t, both ends among them.
+    ///
+    /// # Errors
+    ///
+    /// Where `count` is below 2 or all points are more than a million.
+    pub fn samples(&self, count: usize) -> Result<Vec<Sample>> {
+        check_count(count, self.curve.segments.len())?;
+        let bench = Bench::new(self);
+        let of_segment = |(i, segment): (usize, &PathSeg)| {
+            let sample = |step: usize| {
+                let t = step as f64 / (count - 1) as f64;
+                let p = segment.eval(t);
+                Sample {
+                    segment: i + 1,
+                    t,
+                    x: p.x,
+                    y: p.y,
+                    error: bench.error(segment, t),
+                    place: bench.place(segment, t),
+                }
+            };
+            (0..count).map(sample).collect::<Vec<_>>()
+        };
+        let segments = self.curve.segments.iter().enumerate();
+        Ok(segments.flat_map(of_segment).collect())
+    }
+
+    /// The quantity along each segment, as (place along the conic, value) at `steps` + 1 equal steps of t; curvature is positive
+    /// where the curve bends as the conic does.
+    ///
+    /// # Errors
+    ///
+    /// For the angle lag, since there is no centre about which an angle could be.
+    pub fn along(&self, quantity: Quantity, steps: u32) -> Result<Vec<Vec<(f64, f64)>>> {
+        if quantity == Quantity::AngleLag {
+            return Err(Error::Shape(
+                "a parabola and a hyperbola have no angle about a centre, and so no angle-lag"
+                    .to_owned(),
+            ));
+        }
+        let bench = Bench::new(self);
+        let of_segment = |segment: &PathSeg| {
+            let value = |t: f64| {
+                let k = curvature::at(segment, t);
+                Some(match quantity {
+                    Quantity::Error | Quantity::AngleLag => bench.error(segment, t),
+                    Quantity::Curvature => k?.value * bench.sense,
+                    Quantity::CurvatureD1 => k?.d1 * bench.sense,
+                    Quantity::CurvatureD2 => k?.d2 * bench.sense,
+                })
+            };
+            let times = (0..=steps).map(|step| f64::from(step) / f64::from(steps));
+            times
+                .filter_map(|t| {
+                    let value = value(t).filter(|v| v.is_finite())?;
+                    Some((bench.place(segment, t), value))
+                })
+                .collect()
+        };
+        Ok(self.curve.segments.iter().map(of_segment).collect())
+    }
+}
