@@ -285,6 +285,9 @@ impl<'a> Request<'a> {
     /// The pieces between these joints: the only methods that see an ellipse are those that are best on it.
     fn pieces(&self, joints: &Joints) -> Result<Vec<[Piece; 2]>> {
         let rule = self.options.rule;
+        if let Cut::At(_) = self.options.cut {
+            joints.check_distances(rule)?;
+        }
         match rule.method() {
             Some(method) if method.sees_ellipse() && !self.outline.truth.is_circle() => {
                 ellipse::pieces(method, self.outline.axes(), &joints.angles, joints.closed)

@@ -8,7 +8,8 @@ use kurbo::Vec2;
 
 use crate::angle::Angle;
 use crate::error::{Error, Result};
-use crate::method::Span;
+use crate::method::{Degrees, Rule, Span};
+use crate::number::text;
 use crate::shape::UnitArc;
 
 /// The largest number of segments that anything is cut into.
@@ -229,6 +230,35 @@ impl Joints {
             .skip(usize::from(!arc.closed))
             .map(|way| Angle::from_degrees(arc.start.degrees() + sign * way))
             .collect()
+    }
+
+    /// Refuses given joints that lie farther apart than the rule serves, and says which would do.
+    pub(crate) fn check_distances(&self, rule: Rule) -> Result<()> {
+        let Some(largest) = rule.largest_uneven_angle() else {
+            return Ok(());
+        };
+        let Some(span) = self.spans.iter().find(|span| span.exceeds(largest)) else {
+            return Ok(());
+        };
+        let pairs = self.angles.windows(2).zip(&self.spans);
+        let with_more = pairs.flat_map(|(pair, span)| {
+            let parts = (span.degrees() / largest - 1e-9).ceil().max(1.0);
+            let at = move |i: u32| pair[0] + (pair[1] - pair[0]) * (f64::from(i) / parts);
+            (0..parts as u32).map(at)
+        });
+        // An arc's own start is none of the joints that are given.
+        let with_more: Vec<String> = with_more
+            .skip(usize::from(!self.closed))
+            .map(text)
+            .collect();
+        Err(Error::Impossible {
+            method: rule.id(),
+            why: format!(
+                "a segment of {} is beyond its largest, {largest} degrees",
+                Degrees(span.degrees())
+            ),
+            remedy: format!("take nearer joints, as --joints {}", with_more.join(",")),
+        })
     }
 
     /// Joints this many degrees after the start, ascending, both ends included.

@@ -45,6 +45,19 @@ impl Rule {
         }
     }
 
+    /// The largest angle of a piece among others of other angles, in degrees, where it serves such.
+    pub(crate) fn largest_uneven_angle(self) -> Option<f64> {
+        let Some(method) = self.method() else {
+            return Some(180.0);
+        };
+        let card = method.card();
+        match method {
+            Method::LancasterBest | Method::LancasterDrawellipse => None,
+            Method::Chen1 => Some(180.0),
+            _ => (card.ends == Ends::OnCircle).then_some(card.largest_angle),
+        }
+    }
+
     /// Whether it gives quadratics.
     #[must_use]
     pub fn is_quadratic(self) -> bool {

@@ -343,3 +343,31 @@ fn joints_of_half_circles_are_those_inside_them() {
         program::refused(&["sphere", "10", "--joints", "0,180", "-n", "4"]).contains("--segments")
     );
 }
+
+#[test]
+fn joints_too_far_apart_are_refused_with_joints_that_do() {
+    let far = ["--joints", "0,30,90,120"];
+    for words in [
+        &["sphere", "100"][..],
+        &["sphere", "100", "-m", "chen-3"],
+        &["sphere", "100", "-m", "apprich"],
+        &["circle", "5", "-m", "chen-1"],
+        &["circle", "5", "--handle", "0.5"],
+        &["circle", "5", "--reverse", "-m", "quadratic-tangent"],
+        &["arc", "5", "--start", "-10", "--end", "345"],
+    ] {
+        let message = program::refused(&[words, &far].concat());
+        let (_, joints) = message
+            .trim_end()
+            .split_once("hint: take nearer joints, as --joints ")
+            .unwrap();
+        assert!(joints.contains("120"), "{message}");
+        program::printed(&[words, &["--joints", joints]].concat());
+    }
+    let message = program::refused(&["sphere", "100", "--joints", "0,30,90,120"]);
+    assert_eq!(
+        message,
+        "error: minimax cannot do this: a segment of 240 degrees is beyond its largest, 180 degrees\n\
+         hint: take nearer joints, as --joints 0,30,90,120,240\n"
+    );
+}
