@@ -590,5 +590,37 @@ fn every_row_of_the_documents_runs_or_says_why_not() {
         );
         ran += 1;
     }
-    assert!(ran > 60 && reasons < 15, "{ran} {reasons}");
+    assert!(ran > 115 && reasons < 15, "{ran} {reasons}");
+}
+
+#[test]
+fn apprichs_third_derivative_as_a_graph_is_0_at_a_joint() {
+    let arc = json(&["arc", "1", "--sweep", "90", "-m", "apprich"]);
+    let power = &arc["segments"][0]["power"];
+    let [x, y] = ["x", "y"]
+        .map(|axis| -> Vec<f64> { power[axis].as_array().unwrap().iter().map(number).collect() });
+    // x''' y' = 3 x'' y'' at t = 0, where x''' = 6 A, x'' = 2 B, y'' = 2 F and y' = G.
+    assert!((6.0 * x[0] * y[2] - 3.0 * 2.0 * x[1] * 2.0 * y[1]).abs() < 1e-13);
+    // f'' = x''/y'^2 is the curvature there, but for its sign.
+    let curvature = -2.0 * x[1] / (y[2] * y[2]);
+    let report = json(&["measure", "arc", "1", "--sweep", "90", "-m", "apprich"]);
+    let largest = number(&report["curvature"]["largest"]["value"]);
+    assert!((curvature - largest).abs() < 1e-12, "{curvature} {largest}");
+}
+
+#[test]
+fn the_parameter_of_one_segment_does_not_matter() {
+    let points = ["spline", "--points", "0,0 1,1", "-p", "9"];
+    let by_length = [
+        "--parametrization",
+        "arc-length",
+        "--unit-tangents",
+        "--ends",
+        "fixed:1,0,0,1",
+    ];
+    let ends = "fixed:1.55675234579,0,0,1.55675234579";
+    assert_eq!(
+        printed(&[&points[..], &by_length].concat()),
+        printed(&[&points[..], &["--ends", ends]].concat())
+    );
 }
