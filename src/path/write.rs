@@ -169,16 +169,20 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// The segments that are written: a closing operator draws the line to the start by itself.
+/// The segments that are written: a closing operator draws the line to the start by itself, and lines of no length before it.
 fn without_closing_line(curve: &Curve) -> &[PathSeg] {
-    match curve.segments.as_slice() {
-        [rest @ .., PathSeg::Line(last)]
-            if curve.closed && !rest.is_empty() && Some(last.p1) == curve.start() =>
-        {
-            rest
+    let mut written = curve.segments.as_slice();
+    while let [rest @ .., PathSeg::Line(last)] = written
+        && curve.closed
+        && !rest.is_empty()
+        && Some(last.p1) == curve.start()
+    {
+        written = rest;
+        if last.p0 != last.p1 {
+            break;
         }
-        all => all,
     }
+    written
 }
 
 /// The difference of two points as the decimals that they are written as, so that relative coordinates add up to the absolute ones.

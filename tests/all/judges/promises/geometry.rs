@@ -131,6 +131,13 @@ pub fn transforms(input: &[u8]) -> Check {
             let size: f64 = [t.a, t.b, t.c, t.d, t.e, t.f].map(f64::abs).iter().sum();
             grown *= (1.0 + size) * (1.0 + size);
         }
+        // svgtypes rounds an angle in radians before it takes off whole turns.
+        let angle = part
+            .split(['(', ',', ' ', ')'])
+            .find_map(|word| word.parse::<f64>().ok());
+        if let (Some(angle), false) = (angle, part.contains("matrix")) {
+            grown *= 1.0 + angle.abs();
+        }
     }
     for (a, b) in own.as_coeffs().into_iter().zip(theirs) {
         ensure((a - b).abs() <= grown || !b.is_finite(), || {
