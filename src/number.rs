@@ -105,7 +105,11 @@ pub fn push_fixed(out: &mut Vec<u8>, x: f64, decimals: u8) {
 ///
 /// A float that is not finite prints as `0`; see [`push_fixed`].
 pub fn push_shortest(out: &mut Vec<u8>, x: f64) {
-    if x == 0.0 || !x.is_finite() {
+    if let Some(number) = Decimal::of_few_digits(x) {
+        number.write(out, After::Letter, Form::Plain);
+        return;
+    }
+    if !x.is_finite() {
         out.push(b'0');
         return;
     }
@@ -164,6 +168,9 @@ pub(crate) fn parse(word: &str) -> Option<f64> {
 /// The number of decimals of the shortest form of `x`: 2 for `0.25`, 7 for `1e-7`, 0 for `50`; 255 at most.
 #[must_use]
 pub fn decimals_of(x: f64) -> u8 {
+    if let Some(number) = Decimal::of_few_digits(x) {
+        return number.decimals_written() as u8;
+    }
     let mut text = Vec::with_capacity(32);
     push_shortest(&mut text, x);
     let decimals = text

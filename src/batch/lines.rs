@@ -231,9 +231,8 @@ fn push_report(answers: &mut Answers, line: &[u8]) {
         line: answers.before + number,
         error: error.to_string(),
     };
-    if let Ok(text) = json::to_line(&report) {
-        answers.text.extend_from_slice(text.as_bytes());
-    }
+    // Texts and numbers can always be JSON.
+    let _ = json::push_line(&mut answers.text, &report);
     answers.text.push(b'\n');
 }
 
@@ -249,15 +248,11 @@ fn as_drawellipse(mut shape: Shape) -> Shape {
 }
 
 fn push_json(out: &mut Vec<u8>, id: Option<&str>, document: &impl Serialize) -> Result<()> {
-    let text = json::to_line(document)?;
-    match id {
-        Some(id) => {
-            out.extend_from_slice(b"{\"id\":");
-            out.extend_from_slice(id.as_bytes());
-            out.push(b',');
-            out.extend_from_slice(&text.as_bytes()[1..]);
-        }
-        None => out.extend_from_slice(text.as_bytes()),
+    let first_key = out.len() + 1;
+    json::push_line(out, document)?;
+    if let Some(id) = id {
+        let key = format!("\"id\":{id},");
+        out.splice(first_key..first_key, key.into_bytes());
     }
     Ok(())
 }

@@ -11,6 +11,22 @@ pub(crate) struct Decimal {
     pub(crate) decimals: u32,
 }
 
+/// How many decimals, at most seven, eight digits leave to a number below this power of two: 2^i 10^d < 10^8.
+const MOST_OF_EIGHT: [u8; 27] = {
+    let mut most = [7; 27];
+    let mut i = 0;
+    while i < 27 {
+        while (1 << i) * POWERS[most[i] as usize] >= POWERS[8] {
+            most[i] -= 1;
+        }
+        i += 1;
+    }
+    most
+};
+
+/// Room for a mark, eight digits and a point, and for what is written beyond them.
+const ROOM: usize = 32;
+
 /// The most decimals that a number in full is given where it is written as a decimal.
 pub(crate) const MAX_DECIMALS: u32 = 15;
 
@@ -55,6 +71,35 @@ impl Decimal {
     #[inline]
     pub(crate) fn nearest(x: f64, decimals: u8) -> Option<Self> {
         Self::nearest_short(x, decimals).or_else(|| Self::nearest_long(x, decimals))
+    }
+
+    /// The number whose nearest float is `x`, if there is one of at most eight digits and seven decimals that is found at once: then
+    /// its digits without idle zeros are the shortest of `x`, because no two decimals of 15 digits have one float.
+    #[inline]
+    pub(crate) fn of_few_digits(x: f64) -> Option<Self> {
+        // As many decimals as eight digits leave at |x| < 2^size.
+        let size = ((x.to_bits() >> 52) & 0x7ff).saturating_sub(1022);
+        let decimals = *MOST_OF_EIGHT.get(size as usize)?;
+        let power = EXACT_POWERS[usize::from(decimals)];
+        let product = x * power;
+        let shifted = product + ROUNDING;
+        let whole = shifted - ROUNDING;
+        // The quotient, which decides, is seldom asked for in vain.
+        let is_whole = (product - whole).abs() < 1e-7 && whole / power == x;
+        is_whole.then_some(Self {
+            units: i64::from((shifted.to_bits() as u32).cast_signed()),
+            decimals: u32::from(decimals),
+        })
+    }
+
+    /// How many decimals are left without the idle zeros.
+    pub(crate) fn decimals_written(self) -> u32 {
+        let (mut units, mut decimals) = (self.units, self.decimals);
+        while decimals > 0 && units % 10 == 0 {
+            units /= 10;
+            decimals -= 1;
+        }
+        decimals
     }
 
     /// The product with the power of ten decides, wherever it is far enough from a tie to be on the right side of it for certain:
@@ -141,26 +186,29 @@ impl Decimal {
             return self.write_long(out, after, form);
         }
         // All digits in a word, the first one lowest, and how many of them are zeros at either end that are left out. No branch
-        // depends on the digits, which nobody can foresee.
+        // depends on the digits or the sign, which nobody can foresee.
         let digits = digits(units);
         let whole = 8 - self.decimals;
-        let keeps_zero = units == 0 || matches!(form, Form::Plain);
+        let keeps_zero = (units == 0) | matches!(form, Form::Plain);
         let leading = (digits.trailing_zeros() / 8).min(whole - u32::from(keeps_zero));
         let trailing = (digits.leading_zeros() / 8).min(self.decimals);
         let (before, decimals) = (whole - leading, self.decimals - trailing);
-        let text = u128::from((digits | ZEROS) >> (8 * leading));
-        let tail = u128::MAX << (8 * before);
-        let text = (text & !tail) | u128::from(b'.') << (8 * before) | (text & tail) << 8;
 
-        let negative = self.units < 0;
-        let first = if negative { b'-' } else { text as u8 };
         // A minus sign or a space, never both.
-        let prefix = u32::from(negative | after.runs_into(first));
-        let mark = u128::from(if negative { b'-' } else { b' ' } * prefix as u8);
-        let text = (text << (8 * prefix) | mark).to_le_bytes();
-        let length = prefix + before + u32::from(decimals > 0) + decimals;
-        let end = out.len() + length as usize;
-        out.extend_from_slice(&text);
+        let negative = self.units < 0;
+        let mark = if negative { b'-' } else { b' ' };
+        let prefix = usize::from(negative | after.is_continued(before == 0));
+        let point = prefix + (before & 15) as usize;
+        let end = out.len() + point + usize::from(decimals > 0) + decimals as usize;
+        // What stands before the point, the point, and what stands behind it: each is written over the idle end of the one before.
+        out.extend_from_slice(&[mark; ROOM]);
+        if let Some(text) = out.last_chunk_mut::<ROOM>() {
+            let digits = digits | ZEROS;
+            text[prefix..prefix + 8].copy_from_slice(&(digits >> (8 * leading)).to_le_bytes());
+            text[point] = b'.';
+            let behind = (digits >> (4 * whole)) >> (4 * whole);
+            text[point + 1..point + 9].copy_from_slice(&behind.to_le_bytes());
+        }
         out.truncate(end);
         decimals > 0
     }
@@ -226,10 +274,16 @@ impl After {
 
     /// Whether a number that begins with this byte would be read as a part of what stands before.
     pub(crate) const fn runs_into(self, first: u8) -> bool {
-        match first {
-            b'-' | b'+' => false,
-            b'.' => matches!(self, Self::Whole),
-            _ => !matches!(self, Self::Letter),
+        !matches!(first, b'-' | b'+') && self.is_continued(first == b'.')
+    }
+
+    /// The same for a point or a digit.
+    #[inline]
+    const fn is_continued(self, by_point: bool) -> bool {
+        match self {
+            Self::Letter => false,
+            Self::Whole => true,
+            Self::Point => !by_point,
         }
     }
 
@@ -245,6 +299,9 @@ impl After {
 
     /// Appends a number in full, by its shortest digits.
     pub(crate) fn push_shortest(&mut self, out: &mut Vec<u8>, number: f64) {
+        if let Some(short) = Decimal::of_few_digits(number) {
+            return self.push(out, short, Form::Plain);
+        }
         let start = out.len();
         super::push_shortest(out, number);
         if self.runs_into(out[start]) {

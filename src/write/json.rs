@@ -228,7 +228,11 @@ pub fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
 pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentDocument {
     let points: Vec<[f64; 2]> = control_points(segment).into_iter().map(pair).collect();
     let [x, y] = [0, 1].map(|axis| {
-        let coordinates: Vec<f64> = points.iter().map(|p| p[axis]).collect();
+        let mut coordinates = [0.0; 4];
+        let coordinates = &mut coordinates[..points.len()];
+        for (coordinate, point) in coordinates.iter_mut().zip(&points) {
+            *coordinate = point[axis];
+        }
         // Whole multiples of decimals are decimals: no noise in the last digits.
         let decimals = coordinates.iter().map(|&x| decimals_of(x)).max();
         let decimals = decimals.unwrap_or(0);
@@ -246,7 +250,7 @@ pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentD
         } else {
             [slope(0), slope(degree - 1)]
         };
-        (power::coefficients(&coordinates).map(tidy), slopes)
+        (power::coefficients(coordinates).map(tidy), slopes)
     });
     SegmentDocument {
         power: PowerDocument { x: x.0, y: y.0 },
@@ -262,7 +266,10 @@ pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentD
 ///
 /// Where the value cannot be JSON ([`Error::Json`]).
 pub fn to_string(value: &impl Serialize) -> Result<String> {
-    serialize(value, Layout::default())
+    let mut out = Vec::new();
+    serialize(&mut out, value, Layout::default())?;
+    // A serializer writes UTF-8, so that this cannot fail and need not copy.
+    Ok(String::from_utf8(out).unwrap_or_default())
 }
 
 /// Any value as one line of JSON.
@@ -271,22 +278,25 @@ pub fn to_string(value: &impl Serialize) -> Result<String> {
 ///
 /// Where the value cannot be JSON ([`Error::Json`]).
 pub fn to_line(value: &impl Serialize) -> Result<String> {
-    serialize(
-        value,
-        Layout {
-            one_line: true,
-            ..Layout::default()
-        },
-    )
-}
-
-fn serialize(value: &impl Serialize, layout: Layout) -> Result<String> {
     let mut out = Vec::new();
-    value
-        .serialize(&mut Serializer::with_formatter(&mut out, layout))
-        .map_err(|error| Error::Json(error.to_string()))?;
+    push_line(&mut out, value)?;
     // A serializer writes UTF-8, so that this cannot fail and need not copy.
     Ok(String::from_utf8(out).unwrap_or_default())
+}
+
+/// Appends any value as one line of JSON, without the newline.
+pub(crate) fn push_line(out: &mut Vec<u8>, value: &impl Serialize) -> Result<()> {
+    let layout = Layout {
+        one_line: true,
+        ..Layout::default()
+    };
+    serialize(out, value, layout)
+}
+
+fn serialize(out: &mut Vec<u8>, value: &impl Serialize, layout: Layout) -> Result<()> {
+    value
+        .serialize(&mut Serializer::with_formatter(out, layout))
+        .map_err(|error| Error::Json(error.to_string()))
 }
 
 /// The layout of our JSON, and our numbers in it.
@@ -296,6 +306,8 @@ struct Layout {
     objects: usize,
     arrays: usize,
     holds_objects: bool,
+    /// The digits of a number, so that memory is asked for once.
+    digits: Vec<u8>,
 }
 
 impl Layout {
@@ -307,9 +319,9 @@ impl Layout {
 
 impl Formatter for Layout {
     fn write_f64<W: ?Sized + Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
-        let mut digits = Vec::with_capacity(24);
-        push_shortest(&mut digits, value);
-        writer.write_all(&digits)
+        self.digits.clear();
+        push_shortest(&mut self.digits, value);
+        writer.write_all(&self.digits)
     }
 
     fn begin_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
