@@ -2,17 +2,16 @@
 //!
 //! Input is taken as it comes. What one read returns is answered as far as it has whole lines, and the answers are written and
 //! flushed before the next read is waited for, so that a program on the other end of two pipes gets its answer at once.
-//! With several threads the chunks go to them in turn and come back in turn: that alone keeps the order, and each queue holds
-//! a few chunks only.
+//! With several threads each takes the next chunk when it is done with one; the answers are waited for in the order of the chunks,
+//! of which a few are on their way at a time.
 
 mod lines;
 mod picture;
 pub mod spec;
+mod threads;
+mod turn;
 
 use std::io::{self, Read, Write};
-use std::sync::Arc;
-use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
-use std::thread;
 
 use crate::error::Error;
 use crate::joints::Cut;
@@ -30,8 +29,6 @@ const CHUNK: usize = 1 << 16;
 const LONGEST_LINE: usize = 1 << 22;
 /// Answers longer than this are written before the next line is answered: one may be a thousand times as long as its line.
 const LONGEST_ANSWERS: usize = 1 << 20;
-/// How many chunks wait before and after each thread.
-const QUEUE: usize = 4;
 
 /// How lines are answered.
 #[derive(Debug, Clone, PartialEq)]
@@ -123,7 +120,7 @@ pub fn run(
     options: &Options,
     complain: impl FnMut(u64, &Error),
 ) -> io::Result<Summary> {
-    let mut writer = Writer {
+    let writer = Writer {
         output,
         complain,
         stop: options.on_error == OnError::Stop,
@@ -133,40 +130,7 @@ pub fn run(
     if options.jobs <= 1 {
         return run_alone(&mut chunks, writer, options);
     }
-    // What was written goes back to the reader, so that memory is asked for once and not a chunk.
-    let (done, free) = channel::<Job>();
-    // It starts first: the others may be as many as the system gives.
-    let (begin, begun) = channel::<Vec<SyncSender<Job>>>();
-    let reader = thread::Builder::new()
-        .spawn(move || hand_out(&mut chunks, &begun.recv().unwrap_or_default(), &free))?;
-    let (jobs, threads) = start_threads(options)?;
-    // The reader waits for them.
-    let _ = begin.send(jobs);
-    let mut turn = threads.iter().cycle();
-    let mut thread = turn.next();
-    while let Some((results, written)) = thread
-        && let Ok(job) = results.recv()
-    {
-        let is_last = job.is_last;
-        if !writer.write(&job.answers)? {
-            return Ok(writer.summary);
-        }
-        // At the end the thread or the reader is gone and has no use for it.
-        if job.answers.text.len() > LONGEST_ANSWERS {
-            drop(job.answers.text);
-            let _ = written.send(());
-        } else if is_last {
-            let _ = done.send(job);
-        }
-        if is_last {
-            thread = turn.next();
-        }
-    }
-    // The queues run dry only when the reader is done.
-    match reader.join() {
-        Ok(done) => done.map(|()| writer.summary),
-        Err(_) => Err(io::Error::other("the reading thread failed")),
-    }
+    threads::run(chunks, writer, options)
 }
 
 /// Answers every line in this thread.
@@ -190,102 +154,6 @@ fn run_alone<W: Write, C: FnMut(u64, &Error)>(
         }
     }
     Ok(writer.summary)
-}
-
-/// Reads chunks and gives them to the threads in turn, until nobody takes them.
-fn hand_out(
-    chunks: &mut Chunks<impl Read>,
-    threads: &[SyncSender<Job>],
-    free: &Receiver<Job>,
-) -> io::Result<()> {
-    let mut before = 0;
-    for queue in threads.iter().cycle() {
-        let Some(chunk) = chunks.next_chunk()? else {
-            return Ok(());
-        };
-        let mut job = free.try_recv().unwrap_or_default();
-        job.is_last = false;
-        job.chunk.clear();
-        job.chunk.extend_from_slice(chunk);
-        job.answers.before = before;
-        before += memchr::memchr_iter(b'\n', chunk).count() as u64;
-        if queue.send(job).is_err() {
-            return Ok(());
-        }
-    }
-    Ok(())
-}
-
-/// A chunk and the answers to its lines, or to some of them.
-#[derive(Debug, Default)]
-struct Job {
-    chunk: Vec<u8>,
-    answers: Answers,
-    /// Whether all its lines are answered.
-    is_last: bool,
-}
-
-/// What comes out of a thread, and the way to say that a long one was written.
-type Thread = (Receiver<Job>, Sender<()>);
-
-/// Threads that answer chunks, as many as the system gives: one queue into each and one out of it. A thread holds no more than
-/// one long part of its answers.
-fn start_threads(options: &Options) -> io::Result<(Vec<SyncSender<Job>>, Vec<Thread>)> {
-    let options = Arc::new(options.clone());
-    let start = |_| {
-        let (job, jobs) = sync_channel::<Job>(QUEUE);
-        let (result, results) = sync_channel(QUEUE);
-        let (written, was_written) = channel();
-        let options = Arc::clone(&options);
-        let work = move || {
-            let mut worker = Worker::new((*options).clone());
-            for job in jobs {
-                if !answer(&mut worker, job, &result, &was_written) {
-                    break;
-                }
-            }
-        };
-        thread::Builder::new().spawn(work)?;
-        Ok((job, (results, written)))
-    };
-    let mut started = Vec::new();
-    for thread in (0..options.jobs).map(start) {
-        match thread {
-            Ok(thread) => started.push(thread),
-            Err(error) if started.is_empty() => return Err(error),
-            Err(_) => break,
-        }
-    }
-    Ok(started.into_iter().unzip())
-}
-
-/// Answers a chunk, in several parts where they are long. Whether someone is left to take them.
-fn answer(
-    worker: &mut Worker,
-    mut job: Job,
-    result: &SyncSender<Job>,
-    was_written: &Receiver<()>,
-) -> bool {
-    let mut begin = 0;
-    loop {
-        let lines = &without_last_end(&job.chunk)[begin..];
-        let left = worker.answer_some(lines, LONGEST_ANSWERS, &mut job.answers);
-        let is_long = job.answers.text.len() > LONGEST_ANSWERS;
-        let Some(left) = left else {
-            job.is_last = true;
-            return result.send(job).is_ok() && (!is_long || was_written.recv().is_ok());
-        };
-        begin += left;
-        let before = job.answers.before + job.answers.lines;
-        let part = Job {
-            answers: core::mem::take(&mut job.answers),
-            ..Job::default()
-        };
-        job.answers.before = before;
-        if result.send(part).is_err() || was_written.recv().is_err() {
-            return false;
-        }
-    }
 }
 
 /// The end of the way: writes, counts and complains.

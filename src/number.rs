@@ -20,7 +20,7 @@ use crate::numeric::functions;
 use std::io::Write as _;
 
 use decimal::{After, Decimal, Form};
-use digits::{ZEROS, digits};
+use digits::{EXACT_POWERS, ZEROS, digits};
 
 /// How many decimals a number is printed with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,16 +36,14 @@ impl Precision {
     /// digits where even all those of a coordinate as large as `largest` are not enough.
     #[must_use]
     pub fn moving_at_most(distance: f64, largest: f64) -> Self {
-        let mut scale = 1.0;
-        for decimals in 0..=20 {
+        for (decimals, (farthest, scale)) in (0..).zip(FARTHEST.iter().zip(EXACT_POWERS)) {
             // More decimals than the coordinates have digits say nothing.
             if decimals > 0 && largest * scale > 1e15 {
                 break;
             }
-            if core::f64::consts::FRAC_1_SQRT_2 / scale <= distance {
+            if *farthest <= distance {
                 return Self::Fixed(decimals);
             }
-            scale *= 10.0;
         }
         Self::Full
     }
@@ -208,6 +206,16 @@ const POWERS: [u64; 20] = {
         i += 1;
     }
     powers
+};
+/// 10^-d/sqrt(2) for each number d of decimals that a precision is chosen from.
+const FARTHEST: [f64; 21] = {
+    let mut farthest = [core::f64::consts::FRAC_1_SQRT_2; 21];
+    let mut d = 0;
+    while d < 21 {
+        farthest[d] /= EXACT_POWERS[d];
+        d += 1;
+    }
+    farthest
 };
 /// Whole numbers up to here are floats, every one.
 const EXACT_STEPS: u64 = 1 << 53;

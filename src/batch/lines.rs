@@ -4,6 +4,7 @@ use kurbo::Affine;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
+use super::turn::Turn;
 use super::{Answers, OnError, Options};
 use crate::angle::Angle;
 use crate::approximate::{self, approximate, sketch};
@@ -24,6 +25,8 @@ pub struct Worker {
     on_error: OnError,
     /// What holds where a line does not say otherwise.
     options: approximate::Options,
+    /// What the last circle was drawn by.
+    turn: Option<Turn>,
 }
 
 impl Worker {
@@ -39,6 +42,7 @@ impl Worker {
                 precision: options.precision,
                 transform: Affine::IDENTITY,
             },
+            turn: None,
         }
     }
 
@@ -93,6 +97,12 @@ impl Worker {
         };
         let spec = Spec::parse(line)?;
         if spec.method.is_none() && spec.cut.is_none() {
+            if let (Subject::Shape(Shape::Circle(circle)), Format::Path) =
+                (&spec.subject, self.format)
+                && Turn::push(&mut self.turn, out, circle, &self.options).is_some()
+            {
+                return Ok(());
+            }
             return push_spec(out, &spec, self.format, &self.options);
         }
         let options = approximate::Options {

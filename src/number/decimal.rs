@@ -92,14 +92,10 @@ impl Decimal {
         })
     }
 
-    /// How many decimals are left without the idle zeros.
+    /// How many decimals are left without the idle zeros, of eight digits at most.
     pub(crate) fn decimals_written(self) -> u32 {
-        let (mut units, mut decimals) = (self.units, self.decimals);
-        while decimals > 0 && units % 10 == 0 {
-            units /= 10;
-            decimals -= 1;
-        }
-        decimals
+        let trailing = digits(self.units.unsigned_abs()).leading_zeros() / 8;
+        self.decimals - trailing.min(self.decimals)
     }
 
     /// The product with the power of ten decides, wherever it is far enough from a tie to be on the right side of it for certain:
@@ -119,6 +115,7 @@ impl Decimal {
         })
     }
 
+    #[cold]
     fn nearest_long(x: f64, decimals: u8) -> Option<Self> {
         let power = *POWERS.get(usize::from(decimals))?;
         let (whole, fraction) = split(x, power)?;
@@ -179,7 +176,7 @@ impl Decimal {
 
     /// Writes the number without idle zeros after the point, an exponent or a negative zero; with a space before it where it
     /// would otherwise run into the number that `out` ends with. Returns whether it has a point.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn write(self, out: &mut Vec<u8>, after: After, form: Form) -> bool {
         let units = self.units.unsigned_abs();
         if units >= 100_000_000 || self.decimals > 7 {

@@ -57,13 +57,21 @@ impl<const ROOM: usize> Bernstein<ROOM> {
         if t == 1.0 {
             return self.coefficients[self.degree];
         }
-        let mut work = self.coefficients;
-        for last in (1..=self.degree).rev() {
-            for i in 0..last {
-                work[i] += t * (work[i + 1] - work[i]);
+        // The squares of cubics and their slopes, by loops whose length the compiler knows.
+        let value = match self.degree {
+            5 => casteljau::<6>(self.coefficients(), t),
+            6 => casteljau::<7>(self.coefficients(), t),
+            _ => None,
+        };
+        value.unwrap_or_else(|| {
+            let mut work = self.coefficients;
+            for last in (1..=self.degree).rev() {
+                for i in 0..last {
+                    work[i] += t * (work[i + 1] - work[i]);
+                }
             }
-        }
-        work[0]
+            work[0]
+        })
     }
 
     /// The largest size of a coefficient, which no value exceeds.
@@ -213,6 +221,18 @@ impl<const ROOM: usize> Bernstein<ROOM> {
         }
         [left, right]
     }
+}
+
+/// De Casteljau's algorithm for so many coefficients.
+#[inline]
+fn casteljau<const COUNT: usize>(coefficients: &[f64], t: f64) -> Option<f64> {
+    let mut work = *coefficients.first_chunk::<COUNT>()?;
+    for last in (1..COUNT).rev() {
+        for i in 0..last {
+            work[i] += t * (work[i + 1] - work[i]);
+        }
+    }
+    Some(work[0])
 }
 
 /// n over k for n up to 11.
