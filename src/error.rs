@@ -163,14 +163,17 @@ impl Error {
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
-            Self::UnknownMethod { nearest, .. } => Some(if nearest.is_empty() {
-                "'curveto methods' lists them all".to_owned()
-            } else {
-                format!(
-                    "did you mean {}? 'curveto methods' lists them all",
-                    nearest.join(", ")
-                )
-            }),
+            Self::UnknownMethod { name, nearest } => {
+                let before = match name.as_str() {
+                    "ahn-kim" => {
+                        "Ahn and Kim 1997 is cited by Apprich et al. without a formula; ".to_owned()
+                    }
+                    "degen" => "Degen 2005 is cited by Apprich et al. as an overview; ".to_owned(),
+                    _ if nearest.is_empty() => String::new(),
+                    _ => format!("did you mean {}? ", nearest.join(", ")),
+                };
+                Some(before + "'curveto methods' lists them all")
+            }
             Self::Impossible { remedy, .. } | Self::ToleranceOutOfReach { remedy, .. } => {
                 (!remedy.is_empty()).then(|| remedy.clone())
             }

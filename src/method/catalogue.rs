@@ -467,7 +467,7 @@ static CARDS: [Card; 28] = [
     },
     Card {
         id: "minimax-free",
-        aliases: &[],
+        aliases: &["goldapp-free"],
         title: "midpoint, centred",
         degree: Degree::Cubic,
         ends: Ends::OffCircle,
@@ -539,7 +539,7 @@ static CARDS: [Card; 28] = [
     },
     Card {
         id: "minimax-g0-free",
-        aliases: &[],
+        aliases: &["rababah"],
         title: "the least peak error of all cubics",
         degree: Degree::Cubic,
         ends: Ends::OffCircle,
@@ -673,6 +673,8 @@ mod tests {
             ("peters", Method::Midpoint),
             ("mortensen-web", Method::Minimax),
             ("hollig-koch", Method::QuadraticTangent),
+            ("goldapp-free", Method::MinimaxFree),
+            ("rababah", Method::MinimaxG0Free),
         ] {
             assert_eq!(name.parse::<Method>().unwrap(), method);
         }
@@ -681,6 +683,14 @@ mod tests {
             .piece(&super::super::Span::from_degrees(90.0))
             .unwrap();
         assert!((quarter.handle.y - 0.551_915_024_494).abs() < 5e-13);
+    }
+
+    #[test]
+    fn cited_works_without_a_method_are_named() {
+        for name in ["ahn-kim", "degen"] {
+            let hint = name.parse::<Method>().unwrap_err().hint().unwrap();
+            assert!(hint.contains("cited by Apprich et al."), "{hint}");
+        }
     }
 
     #[test]
