@@ -106,7 +106,7 @@ pub(crate) fn stream_file(
     }
     let mut file = beside(path, existing.as_ref()).with_context(cannot)?;
     if write(file.as_file_mut())? {
-        take_over(file.as_file(), existing.as_ref()).with_context(cannot)?;
+        take_over(file.as_file(), path, existing.as_ref()).with_context(cannot)?;
         file.persist(path)
             .map_err(|error| error.error)
             .with_context(cannot)?;
@@ -133,10 +133,11 @@ fn beside(
     Ok(file)
 }
 
-/// Gives a new file the owner and the mode of the one that was there.
-fn take_over(file: &File, existing: Option<&fs::Metadata>) -> io::Result<()> {
+/// Gives a new file the owner, the extended attributes and the mode of the one that was there.
+fn take_over(file: &File, path: &Path, existing: Option<&fs::Metadata>) -> io::Result<()> {
     if let Some(existing) = existing {
         keep_owner(file, existing)?;
+        keep_attributes(file, path);
         // The mask of the process does not apply to a mode that was there; a change of owner takes bits away, so that this comes last.
         file.set_permissions(existing.permissions())?;
     }
@@ -168,7 +169,7 @@ pub(crate) fn write_file_unless(
     }
     let mut file = beside(path, existing.as_ref())?;
     file.as_file_mut().write_all(bytes)?;
-    take_over(file.as_file(), existing.as_ref())?;
+    take_over(file.as_file(), path, existing.as_ref())?;
     if durability == Durability::Synced {
         file.as_file().sync_all()?;
     }
@@ -177,6 +178,17 @@ pub(crate) fn write_file_unless(
     }
     file.persist(path).map_err(|error| error.error)?;
     Ok(true)
+}
+
+/// Gives a new file the extended attributes of the old one, access lists among them, as far as the file system and the rights of the
+/// process allow: some belong to the system alone.
+fn keep_attributes(file: &File, old: &Path) {
+    use xattr::FileExt;
+    for name in xattr::list(old).into_iter().flatten() {
+        if let Ok(Some(value)) = xattr::get(old, &name) {
+            let _ = file.set_xattr(&name, &value);
+        }
+    }
 }
 
 /// Gives a new file the owner and the group of the old one, where they differ.

@@ -48,6 +48,40 @@ fn mode_and_owner_are_kept() {
 }
 
 #[test]
+fn extended_attributes_are_kept() {
+    let folder = folder();
+    let file = folder.path().join("a.svg");
+    if xattr::set(&file, "user.origin", b"drawn by hand").is_err() {
+        eprintln!("skipped: this file system has no extended attributes");
+        return;
+    }
+    for arguments in [
+        &["convert", "--in-place", "a.svg"][..],
+        &["circle", "5", "-o", "a.svg"],
+    ] {
+        assert!(curveto(folder.path(), arguments).status.success());
+        let kept = xattr::get(&file, "user.origin").unwrap();
+        assert_eq!(
+            kept.as_deref(),
+            Some(&b"drawn by hand"[..]),
+            "{arguments:?}"
+        );
+    }
+}
+
+#[test]
+fn more_threads_than_files_are_not_started() {
+    let folder = folder();
+    let threads = curveto(
+        folder.path(),
+        &["convert", "a.svg", "-j", "5000", "-o", "-"],
+    );
+    assert!(threads.status.success(), "{}", said(&threads));
+    let one = curveto(folder.path(), &["convert", "a.svg", "-j", "1", "-o", "-"]);
+    assert_eq!(threads.stdout, one.stdout);
+}
+
+#[test]
 fn only_plain_files_of_the_folder_are_taken() {
     let outer = folder();
     let inner = outer.path().join("in");
