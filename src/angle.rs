@@ -1,5 +1,7 @@
 //! Angles in degrees, with the units of CSS, and the exact sines and cosines that symmetric output needs.
 
+mod exact;
+
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::fmt;
 use core::str::FromStr;

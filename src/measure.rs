@@ -62,7 +62,7 @@ pub fn report(
     let unit = unit_for(largest);
     let scaled = curve.transformed(Affine::scale(1.0 / unit));
     let delta = coordinate_tolerance.unwrap_or(4.0 * f64::EPSILON * largest);
-    let bench = Bench::new(&scaled, reference.scaled(1.0 / unit));
+    let bench = Bench::new(&scaled, &reference.scaled(1.0 / unit));
     let mut report = bench.report(delta / unit);
     report.rescale(unit);
     Ok(report)

@@ -1,5 +1,6 @@
 //! The searches and sums that formulas without a closed form need: bracketed roots, Gauss-Legendre quadrature.
 
+pub(crate) mod ball;
 pub(crate) mod bernstein;
 pub(crate) mod double;
 pub(crate) mod foot;
@@ -18,12 +19,7 @@ const MOST_HALVINGS: u32 = 300;
 /// The root of `f` in `[low, high]`, where its signs differ, to the last bit that f can resolve.
 ///
 /// Bisection and false position in turn (the Illinois rule), so that it converges always, and fast where f is smooth.
-pub(crate) fn root(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
-    root_within(f, low, high, 0.0)
-}
-
-/// The same, done where the root is within `width` for certain.
-pub(crate) fn root_within(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64, width: f64) -> f64 {
+pub(crate) fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let mut last_side = 0;
     let (mut f_low, mut f_high) = (f(low), f(high));
     if f_low == 0.0 {
@@ -41,7 +37,7 @@ pub(crate) fn root_within(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64, w
             secant
         };
         let value = f(x);
-        let is_done = high - low <= f64::EPSILON * x.abs() || high - low < width;
+        let is_done = high - low <= f64::EPSILON * x.abs();
         if value == 0.0 || is_done || x == low || x == high {
             return x;
         }
@@ -53,20 +49,6 @@ pub(crate) fn root_within(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64, w
             (high, f_high) = (x, value);
             f_low *= if last_side == 1 { 0.5 } else { 1.0 };
             last_side = 1;
-        }
-        // False position comes near from one side; a step to the other side shows how near.
-        if step > 0 && width > 0.0 && high - low > width {
-            let probe = if last_side == -1 {
-                low + width
-            } else {
-                high - width
-            };
-            let value = f(probe);
-            if (value > 0.0) == (f_low > 0.0) {
-                (low, f_low) = (probe, value);
-            } else {
-                (high, f_high) = (probe, value);
-            }
         }
     }
     f64::midpoint(low, high)

@@ -1,11 +1,14 @@
 //! What is asked for: a circle, an ellipse or an arc, each a piece of the unit circle under an affine map.
 
 pub mod endpoint;
+mod frame;
 pub mod machine;
 mod outline;
+mod svg_arc;
 
+pub(crate) use frame::Exact;
 pub(crate) use outline::Axes;
-pub use outline::{Outline, Pencil, Truth, UnitArc};
+pub use outline::{Outline, Truth, UnitArc};
 
 use kurbo::{Point, Vec2};
 
@@ -71,6 +74,24 @@ pub struct Arc {
     pub sweep: Angle,
     /// The end points, where they are what was given: they are kept to the last digit.
     pub ends: Option<[Point; 2]>,
+    /// What it was given by where it has ends.
+    pub(crate) given: Given,
+}
+
+/// What gives an arc between two ends: its sweep in degrees is rounded in most cases.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) enum Given {
+    /// Its sweep.
+    #[default]
+    Sweep,
+    /// Its radii; whether it takes the longer way.
+    Radii { large: bool },
+    /// These radii, which are too small: in truth they are as large as half a turn needs.
+    Enlarged(Vec2),
+    /// The tangent of a quarter of its sweep.
+    Bulge(f64),
+    /// A point between the ends, on a circle.
+    Through(Point),
 }
 
 /// A straight line.
@@ -147,13 +168,14 @@ impl Arc {
             start,
             sweep,
             ends: None,
+            given: Given::Sweep,
         })
     }
 
     /// Its ellipse, by its centre.
     #[inline]
     pub(crate) fn truth(&self) -> Truth {
-        Truth::new(self.center, self.radii, self.rotation.direction())
+        Truth::new(self.center, self.radii, self.rotation.direction()).turned(self.rotation)
     }
 
     /// Whether it ends where it starts.
@@ -202,6 +224,7 @@ impl Shape {
                 closed: true,
             }
         };
+        let mut given = Given::Sweep;
         let (unit, center, radii, rotation, ends) = match *self {
             Self::Circle(c) => (
                 turn(c.start, c.reverse),
@@ -223,12 +246,13 @@ impl Shape {
                     sweep: a.sweep,
                     closed: a.is_closed(),
                 };
+                given = a.given;
                 (unit, a.center, a.radii, a.rotation, a.ends)
             }
             Self::Line(_) | Self::Empty => return None,
         };
-        let truth = Truth::new(center, radii, rotation.direction());
-        let truth = ends.map_or(truth, |ends| truth.through(ends, unit.sweep.degrees()));
+        let truth = Truth::new(center, radii, rotation.direction()).turned(rotation);
+        let truth = ends.map_or(truth, |ends| truth.through(ends, unit.sweep, given));
         Some(Outline {
             unit,
             placement: truth.placement(),

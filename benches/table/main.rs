@@ -4,7 +4,7 @@
 //! many rounds counts, which a busy machine disturbs least. The ratio is to kurbo, and to usvg on documents.
 
 // A benchmark may ask the platform's functions.
-#![allow(clippy::disallowed_methods)]
+#![allow(clippy::disallowed_methods, clippy::expect_used)]
 
 mod documents;
 
@@ -74,14 +74,14 @@ impl Input {
         let (from, to) = (at(start), at(start + sweep));
         let (large_arc, positive) = (sweep.abs() > 180.0, sweep > 0.0);
         Self {
-            ours: Arc {
+            ours: Arc::new(
                 center,
                 radii,
-                rotation: Angle::from_degrees(rotation),
-                start: Angle::from_degrees(start),
-                sweep: Angle::from_degrees(sweep),
-                ends: None,
-            },
+                Angle::from_degrees(rotation),
+                Angle::from_degrees(start),
+                Angle::from_degrees(sweep),
+            )
+            .expect("an arc that can be drawn"),
             kurbo,
             lyon: lyon_geom::Arc {
                 center: point(center.x, center.y),

@@ -6,7 +6,7 @@ use super::bound::distance;
 use crate::Angle;
 use crate::curve::{first_direction, turn};
 use crate::number::Precision;
-use crate::shape::{Arc, Truth};
+use crate::shape::{Arc, Given, Truth};
 
 /// What a rough constant, such as 0.55, may have done to a point, as a part of the radius.
 const HANDLE_PART: f64 = 1.3e-3;
@@ -135,6 +135,7 @@ pub(super) fn swept(cubics: &[CubicBez], ellipse: &Truth) -> Option<Arc> {
         start: Angle::from_radians(libm::atan2(start.y, start.x)),
         sweep: Angle::from_radians(swept),
         ends: Some([from, cubics.last()?.p3]),
+        given: Given::Sweep,
     })
 }
 
@@ -170,6 +171,7 @@ pub(crate) fn bound(cubics: &[CubicBez], arc: &Arc) -> f64 {
         start: arc.start,
         sweep: arc.sweep,
         ends: None,
+        given: Given::Sweep,
     };
     larger(arc) * distance(&mapped, to_unit * from, to_unit * to, &unit)
 }

@@ -170,7 +170,7 @@ fn single(
         .piece(options.rule, chord.sweep.abs())
         .map_err(|error| refused(&error))?;
     out.begin(piece.degree);
-    let truth = chord.truth().through([arc.from, arc.to], chord.sweep);
+    let truth = chord.truth_of(arc);
     let sign = 1.0_f64.copysign(chord.sweep);
     let [first, last] = chord.directions();
     let joint = |radius, offset| Joint { radius, offset };

@@ -75,7 +75,7 @@ fn fill_svg_arcs(courses: &mut Courses, arcs: &[SvgArc], tolerance: Tolerance) {
     let arc = |i: usize| SvgArc {
         from: pair(&from, i).to_point(),
         radii: pair(&given, i),
-        rotation: Angle::ZERO,
+        rotation: Angle::from_degrees(rotation[i]),
         large_arc: large[i] != 0.0,
         sweep: positive[i] != 0.0,
         to: pair(&to, i).to_point(),

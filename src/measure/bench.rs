@@ -26,7 +26,7 @@ pub(crate) struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    pub(crate) fn new(curve: &'a Curve, reference: Reference) -> Self {
+    pub(crate) fn new(curve: &'a Curve, reference: &Reference) -> Self {
         let segments = &curve.segments;
         let framed: Vec<_> = segments.iter().map(|s| reference.framed(s)).collect();
         let measured_start = framed.first().map_or(0.0, |f| f.first_angle().to_degrees());
@@ -50,7 +50,7 @@ impl<'a> Bench<'a> {
         });
         Self {
             segments,
-            reference,
+            reference: *reference,
             returns,
             arc,
             angles,

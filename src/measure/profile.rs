@@ -101,7 +101,7 @@ pub fn along(
 ) -> Vec<Vec<(f64, f64)>> {
     let unit = largest_coordinate(curve, reference).map_or(1.0, unit_for);
     let curve = curve.transformed(Affine::scale(1.0 / unit));
-    let bench = Bench::new(&curve, reference.scaled(1.0 / unit));
+    let bench = Bench::new(&curve, &reference.scaled(1.0 / unit));
     let sense = bench.sense();
     bench
         .segments()

@@ -7,7 +7,10 @@
 
 mod ellipse;
 pub(crate) mod nearly;
+mod part;
+mod peaks;
 mod search;
+mod slopes;
 
 pub(crate) use search::visit_between;
 
@@ -17,17 +20,18 @@ use kurbo::{CubicBez, Line, ParamCurve, PathSeg, Point, QuadBez, Vec2};
 
 use crate::numeric::adaptive_integral;
 use crate::numeric::bernstein::{Parameters, Polynomial, binomial};
-use crate::numeric::double::Double;
+use crate::numeric::double::{Double, Twice};
 use crate::numeric::foot::{Foot, foot};
 use crate::radial_error::RadialError;
-use crate::shape::Truth;
+use crate::shape::{Exact, Truth};
 
 /// The largest distances of these segments from the true shape, rounded outward: docs/methods.md says how far they can be trusted.
 #[must_use]
 pub fn error<'a>(segments: impl IntoIterator<Item = &'a PathSeg>, truth: &Truth) -> RadialError {
     let mut range = RadialError::default();
+    let exact = truth.frame.exact(truth.radii);
     for segment in segments {
-        let profile = Profile::new(segment, truth);
+        let profile = Profile::within(segment, truth, &exact);
         profile.visit_bounds(|_, bounds| range.take_in_all(bounds));
     }
     range
@@ -40,94 +44,44 @@ pub fn visit_extremes(segment: &PathSeg, truth: &Truth, visit: impl FnMut(f64, f
 
 /// A segment's points in the frame of a true shape: about its centre, or about an end of its chord.
 struct FramedPoints {
-    points: [[Double; 2]; 4],
+    points: [Twice; 4],
     /// What is added to the dot products: minus the square of the radius, or the pencil's linear part at each point.
     levels: [Double; 4],
     count: usize,
-    /// The other end of the chord.
-    chord: Vec2,
-    center: Vec2,
 }
 
 impl FramedPoints {
-    /// The frame's unit is the user's for a circle; for an ellipse it makes both radii 1.
-    fn new(segment: &PathSeg, truth: &Truth) -> Self {
+    fn new(segment: &PathSeg, exact: &Exact) -> Self {
         let (points, count) = match *segment {
             PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
             PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
             PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
         };
-        let origin = truth.pencil.map_or(truth.center, |pencil| pencil.from);
-        let framed = |p: Point| {
-            let (x, y) = (
-                Double::difference(p.x, origin.x),
-                Double::difference(p.y, origin.y),
-            );
-            if truth.is_circle() {
-                return [x, y];
-            }
-            let Vec2 { x: cos, y: sin } = truth.axis;
-            [
-                x.scaled(cos).plus(y.scaled(sin)).over(truth.radii.x),
-                y.scaled(cos).plus(x.scaled(-sin)).over(truth.radii.y),
-            ]
-        };
-        let points = points.map(framed);
-        let Some(pencil) = truth.pencil else {
-            let radius = if truth.is_circle() {
-                truth.radii.x
-            } else {
-                1.0
-            };
-            let radius = Double::difference(radius, 0.0);
-            return Self {
-                points,
-                levels: [radius.times(radius).scaled(-1.0); 4],
-                count,
-                chord: Vec2::ZERO,
-                center: Vec2::ZERO,
-            };
-        };
-        let chord = framed(pencil.to);
-        let level = |[x, y]: [Double; 2]| {
-            let across = x.times(chord[1]).plus(y.times(chord[0]).scaled(-1.0));
-            let along = x.times(chord[0]).plus(y.times(chord[1]));
-            across.scaled(pencil.cotangent).plus(along.scaled(-1.0))
-        };
-        let half = Vec2::new(chord[0].value(), chord[1].value()) / 2.0;
-        Self {
-            points,
-            levels: points.map(level),
-            count,
-            chord: 2.0 * half,
-            // The inscribed angle's cotangent is the centre's distance from the chord over half of that.
-            center: half + Vec2::new(-half.y, half.x) * pencil.cotangent,
-        }
+        Self::of(points.map(|p| exact.point(p)), count, exact)
     }
 
-    /// How far rounding of the numbers that tell the true shape may move it beside these points.
-    fn slack(&self, truth: &Truth) -> f64 {
-        let mut slack = truth.rounding;
-        if let Some(pencil) = truth.pencil {
-            // cot' = -(1 + cot²); half the sweep is off by a few roundings of its own, and at a right angle by one.
-            let cotangent = pencil.cotangent;
-            let half = libm::atan2(1.0, cotangent.abs());
-            let rounding = if cotangent == 0.0 {
-                0.0
-            } else {
-                f64::EPSILON * (2.0 * half).min(1.5) * (1.0 + cotangent * cotangent)
-            };
-            let chord = self.chord;
-            let across = self
-                .points
-                .iter()
-                .take(self.count)
-                .fold(0.0, |most, [x, y]| {
-                    f64::max(most, (x.value() * chord.y - y.value() * chord.x).abs())
-                });
-            slack += rounding * across * distance_of_excess(truth.radii);
+    /// The same as a cubic.
+    fn raised(self, exact: &Exact) -> Self {
+        let [a, b, c, _] = self.points;
+        // (u + n v) / (n + 1)
+        let between = |u: Twice, v: Twice, n: f64| {
+            let part = |i: usize| u[i].plus(v[i].scaled(n)).over(n + 1.0);
+            [part(0), part(1)]
+        };
+        let points = match self.count {
+            2 => [a, between(b, a, 2.0), between(a, b, 2.0), b],
+            3 => [a, between(a, b, 2.0), between(c, b, 2.0), c],
+            _ => return self,
+        };
+        Self::of(points, 4, exact)
+    }
+
+    fn of(points: [Twice; 4], count: usize, exact: &Exact) -> Self {
+        Self {
+            points,
+            levels: points.map(|q| exact.level(q)),
+            count,
         }
-        slack
     }
 
     /// |p(t)|² - radius² about the centre.
@@ -149,26 +103,16 @@ impl FramedPoints {
         Polynomial::new(&coefficients[..=2 * degree])
     }
 
-    /// The segment about the origin of the frame, along the axes of the true shape, its radii as large as these.
-    fn segment(&self, radii: Vec2) -> PathSeg {
+    /// The segment about the origin of the frame, in the user's unit and along the axes `turned` to those of the true shape.
+    fn segment(&self, exact: &Exact, turned: impl Fn(Vec2) -> Vec2) -> PathSeg {
         let [p0, p1, p2, p3] = self
             .points
-            .map(|[x, y]| Point::new(x.value() * radii.x, y.value() * radii.y));
+            .map(|[x, y]| turned(exact.image(Vec2::new(x.value(), y.value()))).to_point());
         match self.count {
             2 => PathSeg::Line(Line::new(p0, p1)),
             3 => PathSeg::Quad(QuadBez::new(p0, p1, p2)),
             _ => PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3)),
         }
-    }
-}
-
-/// The most that the distance grows with the excess: half, over the radius of a circle, or times the larger radius where the
-/// excess is that of the unit frame; a little more inside, up to a quarter of the radius.
-fn distance_of_excess(radii: Vec2) -> f64 {
-    if radii.x == radii.y {
-        0.6 / radii.x
-    } else {
-        0.6 * radii.x.max(radii.y)
     }
 }
 
@@ -181,27 +125,39 @@ pub(crate) struct Profile {
     radii: Vec2,
     /// |p|² - r² about a circle; in the frame where an ellipse is the unit circle for one.
     excess: Polynomial,
-    /// How far the true shape that is meant may lie from the one that is measured against.
-    slack: f64,
-    /// Whether the axes are not level, so that the direction of the first is rounded.
-    is_turned: bool,
+    /// How exactly the coordinates of `own` are known, as a part of the larger radius.
+    coordinates: f64,
 }
 
 impl Profile {
     pub(crate) fn new(segment: &PathSeg, truth: &Truth) -> Self {
-        let framed = FramedPoints::new(segment, truth);
-        let unit = if truth.is_circle() {
-            Vec2::new(1.0, 1.0)
-        } else {
-            truth.radii
+        Self::within(segment, truth, &truth.frame.exact(truth.radii))
+    }
+
+    /// The same where the frame of the true shape is at hand.
+    fn within(segment: &PathSeg, truth: &Truth, exact: &Exact) -> Self {
+        let mut framed = FramedPoints::new(segment, exact);
+        if !truth.is_circle() {
+            framed = framed.raised(exact);
+        }
+        let axis = truth.axis;
+        let turned = |v: Vec2| {
+            if exact.is_mapped() {
+                Vec2::new(v.dot(axis), axis.cross(v))
+            } else {
+                v
+            }
         };
         Self {
-            own: framed.segment(unit),
-            center: Vec2::new(framed.center.x * unit.x, framed.center.y * unit.y),
+            own: framed.segment(exact, turned),
+            center: turned(exact.image(exact.center())),
             radii: truth.radii,
-            excess: framed.excess(),
-            slack: framed.slack(truth),
-            is_turned: !truth.is_circle() && truth.axis.x != 0.0 && truth.axis.y != 0.0,
+            excess: framed.excess().scaled(exact.unit),
+            coordinates: if exact.is_mapped() {
+                8.0 * f64::EPSILON
+            } else {
+                0.0
+            },
         }
     }
 
@@ -238,30 +194,19 @@ impl Profile {
         excess / (radius + square.sqrt())
     }
 
-    /// Between what the distance that was found at t lies for certain.
+    /// Between what the distance from a circle that was found at t lies for certain.
     ///
-    /// At the ends the excess is one coefficient, with one rounding. Between them de Casteljau's algorithm makes at most two
+    /// At the ends the excess is one coefficient, with one rounding. Between them de Casteljau's algorithm makes at most three
     /// roundings in each of its steps, six for a cubic, of what the sizes of the coefficients would sum up to; and the place of an
-    /// extreme on an ellipse, or of one that is tiny beside the others, is known to some six digits, where the distance is flat.
-    /// `knows_excess` says that the distance came from the excess, and not from the coordinates.
-    fn bounds(&self, t: f64, distance: f64, knows_excess: bool) -> [f64; 2] {
+    /// extreme that is tiny beside the others is known to some six digits, where the distance is flat.
+    fn bounds(&self, t: f64, distance: f64) -> [f64; 2] {
         let size = distance.abs();
-        let is_circle = self.is_circle();
-        let mut margin = 4.0 * f64::EPSILON * size + self.slack;
-        if !is_circle {
-            margin += 1e-11 * size;
-        }
-        if self.is_turned {
-            margin += f64::EPSILON / 2.0 * self.own.eval(t).to_vec2().hypot();
-        }
-        if !knows_excess {
-            // The nearest point then comes from the coordinates, each with the rounding of a few steps.
-            let smaller = self.radii.x.min(self.radii.y);
-            margin += 2.0 * f64::EPSILON * (self.arm(t).hypot() + 4.0 * smaller);
-        } else if t > 0.0 && t < 1.0 {
-            let unit = distance_of_excess(self.radii);
-            let rounding = |excess: f64| 6.0 * f64::EPSILON * excess * unit;
+        let mut margin = 4.0 * f64::EPSILON * size;
+        if t > 0.0 && t < 1.0 {
+            let rounding = |excess: f64| 9.0 * f64::EPSILON * excess * 0.6 / self.radii.x;
             let rough = rounding(self.excess.largest());
+            // Beside the end t = 1 the place of an extreme is known to ε/2 only, and |F''| is at most 120 times the largest coefficient.
+            margin += 16.0 * f64::EPSILON * rough;
             margin += if rough <= 1e-10 * size {
                 rough
             } else {
@@ -271,28 +216,21 @@ impl Profile {
         [distance - margin, distance + margin]
     }
 
-    /// Visits the ends and every extreme of the signed distance as (t, distance), positive outside.
-    pub(crate) fn visit_extremes(&self, mut visit: impl FnMut(f64, f64)) {
+    /// Visits the ends and the extremes of the signed distance as (t, distance), positive outside.
+    pub(crate) fn visit_extremes(&self, visit: impl FnMut(f64, f64)) {
         if self.is_circle() {
             self.visit_on_circle(visit);
-        } else if let Some(turning) = self.sampson() {
-            self.visit_near(&turning, &mut visit);
         } else {
-            self.visit_far(&mut visit);
+            self.visit_by_search(visit);
         }
     }
 
-    /// The same with what the distance lies between for certain.
+    /// Visits places with what the distance there lies between for certain; the whole segment lies between the largest and the least.
     pub(crate) fn visit_bounds(&self, mut visit: impl FnMut(f64, [f64; 2])) {
-        let mut known = |t, distance| visit(t, self.bounds(t, distance, true));
         if self.is_circle() {
-            self.visit_on_circle(known);
-        } else if let Some(turning) = self.sampson() {
-            self.visit_near(&turning, &mut known);
+            self.visit_on_circle(|t, distance| visit(t, self.bounds(t, distance)));
         } else {
-            self.visit_far(&mut |t, distance| {
-                visit(t, self.bounds(t, distance, self.foot_near(t).is_some()));
-            });
+            peaks::visit(self, visit);
         }
     }
 

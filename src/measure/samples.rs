@@ -64,7 +64,7 @@ pub fn samples(curve: &Curve, reference: &Reference, count: usize) -> Result<Vec
     check_count(count, curve.segments.len())?;
     let unit = unit_for(largest_coordinate(curve, reference)?);
     let scaled = curve.transformed(Affine::scale(1.0 / unit));
-    let bench = Bench::new(&scaled, reference.scaled(1.0 / unit));
+    let bench = Bench::new(&scaled, &reference.scaled(1.0 / unit));
     let truth = &bench.reference().truth;
     let of_segment = |(i, segment): (usize, &kurbo::PathSeg)| {
         let (profile, framed) = (

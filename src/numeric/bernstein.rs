@@ -1,17 +1,14 @@
 //! Polynomials on [0, 1] in Bernstein form: what the extremes of distance, curvature and angle are the roots of.
 
-use super::root_within;
+use super::root;
 
-/// The coefficients of the square of a cubic, which most polynomials here come from.
-const SQUARE: usize = 7;
-
-/// The most coefficients: those of the product of such a square with the slope of another.
-pub(crate) const MOST: usize = 12;
+/// The most coefficients: those of the square of a cubic.
+const MOST: usize = 7;
 
 /// How often a part is cut in two at most; roots that are closer than that pass for one.
 const MOST_CUTS: u32 = 48;
 
-/// n over k for n up to 11: [n][k].
+/// n over k for n up to 6: [n][k].
 const BINOMIALS: [[f64; MOST]; MOST] = {
     let mut rows = [[0.0; MOST]; MOST];
     let mut n = 0;
@@ -27,20 +24,17 @@ const BINOMIALS: [[f64; MOST]; MOST] = {
     rows
 };
 
-/// A polynomial on [0, 1] in Bernstein form, with room for this many coefficients.
+/// A polynomial of up to degree 6 on [0, 1] in Bernstein form.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Bernstein<const ROOM: usize> {
-    coefficients: [f64; ROOM],
+pub(crate) struct Polynomial {
+    coefficients: [f64; MOST],
     degree: usize,
 }
 
-/// One of up to degree 6: the square of a cubic.
-pub(crate) type Polynomial = Bernstein<SQUARE>;
-
-impl<const ROOM: usize> Bernstein<ROOM> {
+impl Polynomial {
     /// The polynomial with these coefficients, at most as many as there is room for.
     pub(crate) fn new(coefficients: &[f64]) -> Self {
-        let mut padded = [0.0; ROOM];
+        let mut padded = [0.0; MOST];
         padded[..coefficients.len()].copy_from_slice(coefficients);
         Self {
             coefficients: padded,
@@ -52,7 +46,8 @@ impl<const ROOM: usize> Bernstein<ROOM> {
         &self.coefficients[..=self.degree]
     }
 
-    /// The value, by de Casteljau's algorithm; exactly the last coefficient at 1.
+    /// The value, by de Casteljau's algorithm; exactly the last coefficient at 1. The weights are products with 1 - t and t, so that
+    /// the value keeps its digits beside both ends: a + t (b - a) would lose them beside the second.
     pub(crate) fn at(&self, t: f64) -> f64 {
         if t == 1.0 {
             return self.coefficients[self.degree];
@@ -64,10 +59,10 @@ impl<const ROOM: usize> Bernstein<ROOM> {
             _ => None,
         };
         value.unwrap_or_else(|| {
-            let mut work = self.coefficients;
+            let (mut work, rest) = (self.coefficients, 1.0 - t);
             for last in (1..=self.degree).rev() {
                 for i in 0..last {
-                    work[i] += t * (work[i + 1] - work[i]);
+                    work[i] = rest * work[i] + t * work[i + 1];
                 }
             }
             work[0]
@@ -81,6 +76,18 @@ impl<const ROOM: usize> Bernstein<ROOM> {
             .fold(0.0, |largest, c| largest.max(c.abs()))
     }
 
+    /// A coefficient.
+    pub(crate) fn coefficient(&self, i: usize) -> f64 {
+        self.coefficients[i]
+    }
+
+    /// The largest size of a coefficient of the part between two parameters.
+    pub(crate) fn largest_between(&self, from: f64, to: f64) -> f64 {
+        let [before, _] = self.cut_at(to);
+        let [_, between] = before.cut_at(if to > 0.0 { from / to } else { 0.0 });
+        between.largest()
+    }
+
     /// The polynomial of the sizes of the coefficients.
     pub(crate) fn sizes(mut self) -> Self {
         self.coefficients.iter_mut().for_each(|c| *c = c.abs());
@@ -89,7 +96,7 @@ impl<const ROOM: usize> Bernstein<ROOM> {
 
     /// The differences of the coefficients: the derivative over the degree.
     pub(crate) fn differences(&self) -> Self {
-        let mut slope = [0.0; ROOM];
+        let mut slope = [0.0; MOST];
         for (slope, pair) in slope.iter_mut().zip(self.coefficients().windows(2)) {
             *slope = pair[1] - pair[0];
         }
@@ -111,16 +118,8 @@ impl<const ROOM: usize> Bernstein<ROOM> {
 
     /// The product; there must be room for it.
     pub(crate) fn times(&self, other: &Self) -> Self {
-        self.product(other)
-    }
-
-    /// The product in as much room as it needs.
-    pub(crate) fn product<const OTHER: usize, const WIDE: usize>(
-        &self,
-        other: &Bernstein<OTHER>,
-    ) -> Bernstein<WIDE> {
         let degree = self.degree + other.degree;
-        let mut product = [0.0; WIDE];
+        let mut product = [0.0; MOST];
         let (own, others) = (&BINOMIALS[self.degree], &BINOMIALS[other.degree]);
         for (i, a) in self.coefficients().iter().enumerate() {
             let a = a * own[i];
@@ -131,7 +130,7 @@ impl<const ROOM: usize> Bernstein<ROOM> {
         for (coefficient, binomial) in product.iter_mut().zip(BINOMIALS[degree]) {
             *coefficient /= if binomial > 0.0 { binomial } else { 1.0 };
         }
-        Bernstein {
+        Self {
             coefficients: product,
             degree,
         }
@@ -148,7 +147,7 @@ impl<const ROOM: usize> Bernstein<ROOM> {
     }
 
     fn raised(&self, degree: usize) -> Self {
-        let ones = [1.0; ROOM];
+        let ones = [1.0; MOST];
         self.times(&Self::new(&ones[..=degree - self.degree]))
     }
 
@@ -157,18 +156,13 @@ impl<const ROOM: usize> Bernstein<ROOM> {
     /// A polynomial has as many roots as its Bernstein coefficients have changes of sign, or fewer by an even number (Descartes):
     /// it is cut in two until every part has at most one.
     pub(crate) fn sign_changes(&self) -> Parameters {
-        self.sign_changes_within(0.0)
-    }
-
-    /// The same, each of them within about `width`.
-    pub(crate) fn sign_changes_within(&self, width: f64) -> Parameters {
         let mut found = Parameters::default();
-        self.isolate([0.0, 1.0], MOST_CUTS, width, &mut found);
+        self.isolate([0.0, 1.0], MOST_CUTS, &mut found);
         found
     }
 
     /// Finds the changes of sign of a part of a polynomial, whose parameters lie between these.
-    fn isolate(&self, [from, to]: [f64; 2], cuts: u32, width: f64, found: &mut Parameters) {
+    fn isolate(&self, [from, to]: [f64; 2], cuts: u32, found: &mut Parameters) {
         let changes = self.coefficient_changes();
         if changes == 0 {
             return;
@@ -176,13 +170,13 @@ impl<const ROOM: usize> Bernstein<ROOM> {
         let (first, last) = (self.coefficients[0], self.coefficients[self.degree]);
         let differ = (first > 0.0 && last < 0.0) || (first < 0.0 && last > 0.0);
         if (changes == 1 || cuts == 0) && differ {
-            let root = root_within(|t| self.at(t), 0.0, 1.0, width / (to - from));
+            let root = root(|t| self.at(t), 0.0, 1.0);
             found.push(from + (to - from) * root);
         } else if cuts > 0 {
             let (place, [left, right]) = self.cut();
             let middle = from + (to - from) * place;
-            left.isolate([from, middle], cuts - 1, width, found);
-            right.isolate([middle, to], cuts - 1, width, found);
+            left.isolate([from, middle], cuts - 1, found);
+            right.isolate([middle, to], cuts - 1, found);
         }
     }
 
@@ -198,7 +192,7 @@ impl<const ROOM: usize> Bernstein<ROOM> {
 
     /// The parts before and after a parameter near the middle that is no root.
     fn cut(&self) -> (f64, [Self; 2]) {
-        let places = (0..ROOM).map(|i| 0.5 - i as f64 / 64.0);
+        let places = (0..MOST).map(|i| 0.5 - i as f64 / 64.0);
         let mut cut = (0.5, [*self; 2]);
         for place in places {
             cut = (place, self.cut_at(place));
@@ -229,13 +223,13 @@ fn casteljau<const COUNT: usize>(coefficients: &[f64], t: f64) -> Option<f64> {
     let mut work = *coefficients.first_chunk::<COUNT>()?;
     for last in (1..COUNT).rev() {
         for i in 0..last {
-            work[i] += t * (work[i + 1] - work[i]);
+            work[i] = (1.0 - t) * work[i] + t * work[i + 1];
         }
     }
     Some(work[0])
 }
 
-/// n over k for n up to 11.
+/// n over k for n up to 6.
 pub(crate) fn binomial(n: usize, k: usize) -> f64 {
     BINOMIALS[n][k]
 }

@@ -1,5 +1,8 @@
 //! Twice the digits of `f64`, for the one difference that needs them: |p|² - r² of points that lie almost on the circle.
 
+/// A vector in twice the digits.
+pub(crate) type Twice = [Double; 2];
+
 /// An unevaluated sum of two `f64`, the second at most half a unit in the last place of the first.
 ///
 /// The sums and products without rounding error are Knuth's and Dekker's.
@@ -10,6 +13,16 @@ pub(crate) struct Double {
 }
 
 impl Double {
+    /// A number of `f64`.
+    pub(crate) const fn of(x: f64) -> Self {
+        Self { high: x, low: 0.0 }
+    }
+
+    /// A sum of two numbers, the second no more than the rounding of the first.
+    pub(crate) const fn of_parts(high: f64, low: f64) -> Self {
+        Self { high, low }
+    }
+
     /// a - b without rounding error.
     pub(crate) fn difference(a: f64, b: f64) -> Self {
         let high = a - b;
@@ -42,10 +55,7 @@ impl Double {
 
     /// The product with a small whole number or a power of two.
     pub(crate) fn scaled(self, factor: f64) -> Self {
-        self.times(Self {
-            high: factor,
-            low: 0.0,
-        })
+        self.times(Self::of(factor))
     }
 
     /// The quotient by a number that is not 0.
@@ -55,9 +65,26 @@ impl Double {
         Self::sum(quotient, rest / divisor)
     }
 
-    /// What is left of it without so much, as an `f64`.
-    pub(crate) fn less(self, part: f64) -> f64 {
-        self.plus(Self::difference(0.0, part)).value()
+    /// The quotient, by long division in three steps.
+    pub(crate) fn divided(self, divisor: Self) -> Self {
+        let mut rest = self;
+        let mut digit = || {
+            let digit = rest.high / divisor.high;
+            rest = rest.plus(divisor.scaled(-digit));
+            digit
+        };
+        let (first, second, third) = (digit(), digit(), digit());
+        Self::sum(first, second).plus(Self::of(third))
+    }
+
+    /// The square root of a number that is not negative, by one step of Newton's method from that of `f64`.
+    pub(crate) fn sqrt(self) -> Self {
+        let root = self.high.sqrt();
+        if root == 0.0 {
+            return Self::of(0.0);
+        }
+        let rest = self.plus(Self::of(-root).times(Self::of(root)));
+        Self::sum(root, rest.value() / (2.0 * root))
     }
 
     /// The nearest `f64`.

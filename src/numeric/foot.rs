@@ -20,6 +20,11 @@ const MOST_STEPS: usize = 100;
 /// (x/(a²+s), y/(b²+s)). The left side falls and is convex, so that Newton's method converges from the left of the root.
 /// The unknown here is w = b² + s, which keeps its digits where s nears the pole, close to the long axis.
 pub(crate) fn foot(radii: Vec2, p: Vec2) -> Foot {
+    foot_and_multiplier(radii, p).0
+}
+
+/// The same, and s over the square of the larger radius.
+fn foot_and_multiplier(radii: Vec2, p: Vec2) -> (Foot, f64) {
     let scale = radii.x.max(radii.y);
     let swap = radii.x < radii.y;
     let in_order = |v: Vec2| if swap { Vec2::new(v.y, v.x) } else { v };
@@ -46,36 +51,61 @@ pub(crate) fn foot(radii: Vec2, p: Vec2) -> Foot {
     let arm = Vec2::new(x / (w + apart), y / w);
     let length = arm.hypot();
     let unit = in_order(arm / length);
-    Foot {
-        distance: (w - b * b) * length * scale,
+    let multiplier = w - b * b;
+    let foot = Foot {
+        distance: multiplier * length * scale,
         outward: Vec2::new(unit.x.copysign(p.x), unit.y.copysign(p.y)),
-    }
+    };
+    (foot, multiplier)
 }
 
-/// The nearest point of an ellipse, and how the ellipse bends there.
-pub(crate) struct BentFoot {
+/// The nearest point of an ellipse to a point of which more is known than its coordinates say.
+pub(crate) struct FootByExcess {
     pub(crate) foot: Foot,
-    /// The curvature of the ellipse.
-    pub(crate) curvature: f64,
+    /// The root s of the equation of [`foot`], over the square of the larger radius.
+    pub(crate) multiplier: f64,
+    /// Whether the distance has the digits of the excess, and not those of the coordinates only.
+    pub(crate) is_exact: bool,
 }
 
-/// How far a point may lie from the ellipse for [`foot_by_excess`], in units of the radius of curvature beside it.
+/// Up to this part of the smallest radius of curvature Sampson's distance is a start for Newton's method.
 const NEAR: f64 = 0.25;
 
-/// The same for a point near the ellipse of which `excess`, (x/a)² + (y/b)² - 1, is known with more digits than the point itself
-/// has: the distance then has them too.
+/// Beside the pole s = -b², where the nearest point jumps from one side of the long axis to the other, 1 + s/b² has no digits left.
+const FROM_POLE: f64 = 0.1;
+
+/// How far the excess may differ from what the coordinates say.
+const RIGHT: f64 = 1e-6;
+
+/// Far outside the excess, which grows as the square of the distance, tells less than the coordinates.
+const FAR_OUTSIDE: f64 = 3.0;
+
+/// The same for a point of which `excess`, (x/a)² + (y/b)² - 1, is known with more digits than the point itself has: the distance
+/// then has them too.
 ///
 /// The equation of [`foot`] less the excess is free of cancellation: with u = s/a² and v = s/b² it is
-/// (x/a)² u (2 + u)/(1 + u)² + (y/b)² v (2 + v)/(1 + v)². Sampson's distance is the start. `None` where the point is not near.
-pub(crate) fn foot_by_excess(radii: Vec2, p: Vec2, excess: f64) -> Option<BentFoot> {
+/// (x/a)² u (2 + u)/(1 + u)² + (y/b)² v (2 + v)/(1 + v)². Near the ellipse Sampson's distance is the start.
+pub(crate) fn foot_by_excess(radii: Vec2, p: Vec2, excess: f64) -> FootByExcess {
     let scale = radii.x.max(radii.y);
     let (a, b) = (radii.x / scale, radii.y / scale);
     let (alpha, beta) = (1.0 / (a * a), 1.0 / (b * b));
     let (x, y) = (p.x / scale, p.y / scale);
     let (xx, yy) = (x * x * alpha, y * y * beta);
+    let largest = alpha.max(beta);
     let mut s = excess / (2.0 * (xx * alpha + yy * beta));
-    if s.is_nan() || s.abs() * alpha.max(beta) > NEAR {
-        return None;
+    // Where coefficients that are large beside it cancel, the excess knows less than the coordinates.
+    let is_right = (xx + yy - 1.0 - excess).abs() <= RIGHT * (xx + yy);
+    if !is_right || s.is_nan() || s.abs() * largest > NEAR {
+        let (foot, multiplier) = foot_and_multiplier(radii, p);
+        let is_known = is_right && excess <= FAR_OUTSIDE && 1.0 + multiplier * largest >= FROM_POLE;
+        if !is_known {
+            return FootByExcess {
+                foot,
+                multiplier,
+                is_exact: false,
+            };
+        }
+        s = multiplier;
     }
     for _ in 0..MOST_STEPS {
         let (u, v) = (s * alpha, s * beta);
@@ -90,12 +120,12 @@ pub(crate) fn foot_by_excess(radii: Vec2, p: Vec2, excess: f64) -> Option<BentFo
     }
     let arm = Vec2::new(x * alpha / (1.0 + s * alpha), y * beta / (1.0 + s * beta));
     let length = arm.hypot();
-    Some(BentFoot {
+    FootByExcess {
         foot: Foot {
             distance: s * length * scale,
             outward: arm / length,
         },
-        // G of the foot is |arm|², and the curvature 1/(a² b² G^(3/2)).
-        curvature: alpha * beta / (length * length * length * scale),
-    })
+        multiplier: s,
+        is_exact: true,
+    }
 }

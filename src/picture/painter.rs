@@ -185,7 +185,12 @@ impl<'a> Painter<'a> {
             class: Some("truth"),
             id: None,
             pen: Pen::stroked(TRUTH, TRUTH_WIDTH * self.mark),
-            marks: truths.iter().copied().map(Mark::Truth).collect(),
+            marks: truths
+                .iter()
+                .copied()
+                .map(Box::new)
+                .map(Mark::Truth)
+                .collect(),
         }))
     }
 

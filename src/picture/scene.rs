@@ -74,7 +74,7 @@ pub enum Mark {
     /// Curves that are one path, of which one may be a hole in another.
     Path(Vec<Curve>),
     /// A true shape.
-    Truth(Outline),
+    Truth(Box<Outline>),
     /// A dot.
     Dot(Circle),
     /// A line of words.

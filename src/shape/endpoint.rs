@@ -3,234 +3,12 @@
 use kurbo::{Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
-use super::{Arc, Line, Shape, Truth, finite_point, positive_radii};
-use crate::angle::{Angle, quadrant_degrees};
+pub use super::svg_arc::SvgArc;
+pub(crate) use super::svg_arc::{Chord, Half};
+use super::{Arc, Given, Line, Shape, finite_point};
+use crate::angle::Angle;
 use crate::error::{Error, Result, finite, positive};
-use crate::number::decimal_sum;
 use crate::numeric::double::Double;
-
-/// An arc as SVG path data gives it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SvgArc {
-    /// The current point.
-    pub from: Point,
-    /// The radii, of any sign; zero makes it a line.
-    pub radii: Vec2,
-    /// The angle from the x axis to the axis of the first radius.
-    pub rotation: Angle,
-    /// Whether it takes the longer way.
-    pub large_arc: bool,
-    /// Whether it runs in the direction of growing angles.
-    pub sweep: bool,
-    /// The last point.
-    pub to: Point,
-}
-
-impl SvgArc {
-    /// The arc of a command of path data that begins at `from`; `None` where it is another command.
-    pub(crate) fn of_segment(from: Point, segment: PathSegment) -> Option<Self> {
-        #[rustfmt::skip]
-        let PathSegment::EllipticalArc { abs, rx, ry, x_axis_rotation, large_arc, sweep, x, y } = segment else {
-            return None;
-        };
-        let to = if abs {
-            Point::new(x, y)
-        } else {
-            Point::new(decimal_sum(from.x, x), decimal_sum(from.y, y))
-        };
-        Some(Self {
-            from,
-            radii: Vec2::new(rx, ry),
-            rotation: Angle::from_degrees(x_axis_rotation),
-            large_arc,
-            sweep,
-            to,
-        })
-    }
-
-    /// The arc in centre form, by the rules for parameters out of range: equal ends are nothing, a zero radius is a line,
-    /// negative radii count as positive, radii too small are scaled up.
-    ///
-    /// # Errors
-    ///
-    /// Where a number is not finite or too large, or the ellipse too flat.
-    pub fn shape(&self) -> Result<Shape> {
-        let Some(chord) = self.chord()? else {
-            let (from, to) = (self.from, self.to);
-            return Ok(if from == to {
-                Shape::Empty
-            } else {
-                Shape::Line(Line { from, to })
-            });
-        };
-        let truth = chord.truth();
-        let [start, _] = chord.directions();
-        Ok(Shape::Arc(Arc {
-            center: truth.center,
-            radii: truth.radii,
-            rotation: self.rotation,
-            start: Angle::from_radians(libm::atan2(start.y, start.x)),
-            sweep: Angle::from_degrees(chord.sweep),
-            ends: Some([self.from, self.to]),
-        }))
-    }
-
-    /// The arc as its chord sees it; `None` where it is a line or nothing.
-    #[inline]
-    pub(crate) fn chord(&self) -> Result<Option<Chord>> {
-        self.check()?;
-        if self.is_straight() {
-            return Ok(None);
-        }
-        let half = Half::new(self, self.rotation.direction()).with_all_digits(self);
-        let chord = half.chord(self);
-        positive_radii(chord.radii)?;
-        Ok(Some(chord))
-    }
-
-    /// Refuses numbers that are not finite, or too large.
-    #[inline]
-    pub(crate) fn check(&self) -> Result<()> {
-        finite_point("start point", self.from)?;
-        finite_point("end point", self.to)?;
-        finite("radius", self.radii.x)?;
-        finite("radius", self.radii.y)?;
-        finite("rotation", self.rotation.degrees())?;
-        Ok(())
-    }
-
-    /// Whether it is a line or nothing.
-    #[inline]
-    pub(crate) fn is_straight(&self) -> bool {
-        self.from == self.to || self.radii.x == 0.0 || self.radii.y == 0.0
-    }
-}
-
-/// Half the chord of an arc in the frame where its ellipse is the unit circle.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Half {
-    pub(crate) axis: Vec2,
-    /// From the middle of the chord to the start, and its size.
-    pub(crate) along: Vec2,
-    pub(crate) size: f64,
-    /// How far the centre is from the chord.
-    pub(crate) depth: f64,
-}
-
-impl Half {
-    /// Without a branch, as all that follows but [`Self::with_all_digits`].
-    #[inline(always)]
-    pub(crate) fn new(arc: &SvgArc, axis: Vec2) -> Self {
-        // (5.1) in the frame of the ellipse's axes, (6.1) divided by the radii.
-        let half = (arc.from - arc.to) / 2.0;
-        let along = Vec2::new(
-            (axis.x * half.x + axis.y * half.y) / arc.radii.x.abs(),
-            (axis.x * half.y - axis.y * half.x) / arc.radii.y.abs(),
-        );
-        let size = along.hypot();
-        let square = (1.0 - size) * (1.0 + size);
-        Self {
-            axis,
-            along,
-            size,
-            depth: if square > 0.0 { square } else { 0.0 }.sqrt(),
-        }
-    }
-
-    /// Near a semicircle, with the digits of the depth that cancelled.
-    #[inline(always)]
-    pub(crate) fn with_all_digits(self, arc: &SvgArc) -> Self {
-        if self.lacks_digits() {
-            Self {
-                depth: depth_of(arc.from, arc.to, self.axis, arc.radii),
-                ..self
-            }
-        } else {
-            self
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn lacks_digits(&self) -> bool {
-        self.size > NEARLY_SEMICIRCLE && self.size < 1.0
-    }
-
-    #[inline(always)]
-    pub(crate) fn chord(&self, arc: &SvgArc) -> Chord {
-        // (6.2), (6.3): radii too small are scaled up, and the centre is the middle of the chord.
-        let too_small = self.size >= 1.0;
-        let (within, scale) = if too_small {
-            (1.0, self.size)
-        } else {
-            (self.size, 1.0)
-        };
-        // (5.5), (5.6): twice the angle whose sine is half the chord.
-        let short = 2.0 * quadrant_degrees(within, self.depth);
-        let long = if too_small { 180.0 } else { 360.0 - short };
-        let size = if arc.large_arc { long } else { short };
-        let side = if arc.large_arc == arc.sweep {
-            -1.0
-        } else {
-            1.0
-        };
-        let direction = self.along / self.size;
-        Chord {
-            middle: arc.from.midpoint(arc.to),
-            radii: Vec2::new(arc.radii.x.abs(), arc.radii.y.abs()) * scale,
-            axis: self.axis,
-            along: direction * within,
-            across: Vec2::new(direction.y, -direction.x) * (side * self.depth),
-            sweep: if arc.sweep { size } else { -size },
-        }
-    }
-}
-
-/// The part of the diameter from which on 1 - size² loses digits.
-const NEARLY_SEMICIRCLE: f64 = 0.99;
-
-/// The distance of the chord from the centre on the unit circle, with the digits that cancel near a semicircle.
-fn depth_of(from: Point, to: Point, axis: Vec2, radii: Vec2) -> f64 {
-    let half = [(from.x, to.x), (from.y, to.y)].map(|(a, b)| Double::difference(a, b).scaled(0.5));
-    let along = half[0].scaled(axis.x).plus(half[1].scaled(axis.y));
-    let across = half[0].scaled(-axis.y).plus(half[1].scaled(axis.x));
-    let (x, y) = (along.over(radii.x.abs()), across.over(radii.y.abs()));
-    let square = x.times(x).plus(y.times(y));
-    let rest = Double::difference(1.0, 0.0).plus(square.scaled(-1.0));
-    rest.value().max(0.0).sqrt()
-}
-
-/// An elliptical arc by its chord.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Chord {
-    middle: Point,
-    /// The radii, large enough.
-    pub(crate) radii: Vec2,
-    axis: Vec2,
-    /// Half the chord on the unit circle, from its middle to the start.
-    along: Vec2,
-    /// From the chord's middle on the unit circle to the centre (5.2).
-    across: Vec2,
-    /// In degrees, with its sign.
-    pub(crate) sweep: f64,
-}
-
-impl Chord {
-    /// The ellipse.
-    #[inline(always)]
-    pub(crate) fn truth(&self) -> Truth {
-        let truth = Truth::new(self.middle, self.radii, self.axis);
-        Truth {
-            center: self.middle + truth.image(self.across),
-            ..truth
-        }
-    }
-
-    /// The ends on the unit circle.
-    #[inline(always)]
-    pub(crate) fn directions(&self) -> [Vec2; 2] {
-        [self.along - self.across, -self.along - self.across]
-    }
-}
 
 /// The arc of path data `M x y A rx ry rotation large sweep x y`, in any form that the grammar of SVG allows.
 ///
@@ -322,7 +100,14 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
     }
     // The inscribed angle at `on` is half of what the arc leaves of the turn; the bulge is tan(sweep/4).
     let bulge = libm::tan(libm::atan2(cross.abs(), -dot) / 2.0);
-    from_bulge(from, to, if cross > 0.0 { -bulge } else { bulge })
+    let shape = from_bulge(from, to, if cross > 0.0 { -bulge } else { bulge })?;
+    Ok(match shape {
+        Shape::Arc(arc) => Shape::Arc(Arc {
+            given: Given::Through(on),
+            ..arc
+        }),
+        line => line,
+    })
 }
 
 /// (from - on) × (to - on) and (from - on)·(to - on) to the last digit: they cancel for points near a line, and on a semicircle.
@@ -365,6 +150,7 @@ pub fn from_bulge(from: Point, to: Point, bulge: f64) -> Result<Shape> {
         start: Angle::from_radians(libm::atan2(start.y, start.x)),
         sweep: Angle::from_radians(4.0 * libm::atan(bulge)),
         ends: Some([from, to]),
+        given: Given::Bulge(bulge),
     }))
 }
 
@@ -379,5 +165,6 @@ pub(super) fn full_circle(from: Point, center: Point, reverse: bool) -> Result<S
         start: Angle::from_radians(libm::atan2(out.y, out.x)),
         sweep: Angle::from_degrees(if reverse { -360.0 } else { 360.0 }),
         ends: Some([from, from]),
+        given: Given::Sweep,
     }))
 }

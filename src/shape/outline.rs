@@ -2,6 +2,8 @@
 
 use kurbo::{Affine, Point, Vec2};
 
+use super::Given;
+use super::frame::Frame;
 use crate::angle::Angle;
 use crate::error::{Error, Result, finite, positive};
 use crate::numeric::double::Double;
@@ -40,43 +42,8 @@ pub struct Truth {
     pub radii: Vec2,
     /// (cosine, sine) of the angle from the x axis to the axis of the first radius.
     pub axis: Vec2,
-    /// The chord that it was given by; distances are then taken from there, and the centre is only near enough to be drawn.
-    pub pencil: Option<Pencil>,
-    /// How far the ellipse of these numbers may lie from the one that is meant, because they were computed and not given.
-    pub rounding: f64,
-}
-
-/// The ellipse through two points, described without its centre.
-///
-/// In the frame where the ellipse is the unit circle, the circles through A and B are the pencil
-/// (p - A)·(p - B) + κ (p - A)×(B - A) = 0, and the left side is |p|² - 1 about the centre of each. Nothing of it grows with the
-/// radius: an arc of a radius of 10^10 chords keeps all its digits.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pencil {
-    /// A.
-    pub from: Point,
-    /// B.
-    pub to: Point,
-    /// κ, the cotangent of half the signed sweep from A to B in the unit circle's frame.
-    pub cotangent: f64,
-}
-
-impl Pencil {
-    /// The sweep in degrees up to which a chord tells more than the centre: towards a whole turn it shrinks to nothing.
-    const WIDEST: f64 = 270.0;
-
-    /// The pencil of an arc with these ends; `None` where its sweep in degrees is too wide.
-    pub(crate) fn new([from, to]: [Point; 2], sweep: f64) -> Option<Self> {
-        (sweep.abs() <= Self::WIDEST && from != to).then(|| Self {
-            from,
-            to,
-            cotangent: if sweep.abs() == 180.0 {
-                0.0
-            } else {
-                1.0 / libm::tan((sweep / 2.0).to_radians())
-            },
-        })
-    }
+    /// What was given of it, exactly: distances are taken there.
+    pub(crate) frame: Frame,
 }
 
 impl Truth {
@@ -94,46 +61,33 @@ impl Truth {
             center,
             radii,
             axis,
-            pencil: None,
-            rounding: 0.0,
+            frame: Frame::new(center, radii, axis),
         }
     }
 
-    /// The same ellipse, described by the chord of an arc of it that runs this many degrees between these ends.
-    #[must_use]
-    pub(crate) fn through(self, ends: [Point; 2], sweep: f64) -> Self {
-        self.through_about(ends, sweep, 0.0)
+    /// The same ellipse, the direction of its first radius given by this angle.
+    pub(crate) const fn turned(self, rotation: Angle) -> Self {
+        Self {
+            frame: self.frame.turned(rotation),
+            ..self
+        }
     }
 
-    /// The same where the ends may be off so far.
-    fn through_about(self, ends: [Point; 2], sweep: f64, off: f64) -> Self {
-        let pencil = Pencil::new(ends, sweep);
-        let size = |p: Point| p.x.abs().max(p.y.abs());
-        let rounding = match pencil {
-            None => self.rounding + f64::EPSILON * (size(self.center) + self.larger_radius()),
-            // Radii that are computed move nothing but what lies between the ends, and those by their own rounding.
-            Some(_) => 2.0 * off,
-        };
+    /// The same ellipse by an arc of it between these ends.
+    pub(crate) fn through(self, ends: [Point; 2], sweep: Angle, given: Given) -> Self {
         Self {
-            pencil,
-            rounding,
+            frame: self.frame.through(ends, sweep, given),
             ..self
         }
     }
 
     /// The same ellipse with all lengths multiplied by a power of two, which is exact.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
-        let point = |p: Point| (p.to_vec2() * factor).to_point();
         Self {
-            center: point(self.center),
+            center: (self.center.to_vec2() * factor).to_point(),
             radii: self.radii * factor,
             axis: self.axis,
-            pencil: self.pencil.map(|pencil| Pencil {
-                from: point(pencil.from),
-                to: point(pencil.to),
-                ..pencil
-            }),
-            rounding: self.rounding * factor,
+            frame: self.frame.scaled(factor),
         }
     }
 
@@ -258,41 +212,28 @@ impl Outline {
         if map == Affine::IDENTITY {
             return Ok(self);
         }
-        let (center, off) = mapped(map, self.truth.center);
+        let center = mapped(map, self.truth.center);
         let placement = (map * self.placement).with_translation(center.to_vec2());
-        let ends = self.ends.map(|ends| ends.map(|end| mapped(map, end)));
-        let truth = Truth::of(placement)?;
-        // Each product of the maps is rounded, which counts where they cancel.
-        let [a, b, c, d, _, _] = map.as_coeffs();
-        let size = libm::hypot(libm::hypot(a, b), libm::hypot(c, d));
-        let truth = Truth {
-            rounding: off + f64::EPSILON * size * self.truth.larger_radius(),
-            ..truth
-        };
-        let handed = 1.0_f64.copysign(placement.determinant());
         Ok(Self {
             placement,
-            truth: ends.map_or(truth, |[(from, before), (to, after)]| {
-                let sweep = self.unit.sweep.degrees() * handed;
-                truth.through_about([from, to], sweep, before.max(after))
-            }),
-            ends: ends.map(|ends| ends.map(|(end, _)| end)),
+            truth: Truth {
+                frame: self.truth.frame.mapped(map),
+                ..Truth::of(placement)?
+            },
+            ends: self.ends.map(|ends| ends.map(|end| mapped(map, end))),
             ..self
         })
     }
 }
 
-/// The image of a point, and how far its rounding moves it.
-fn mapped(map: Affine, p: Point) -> (Point, f64) {
+/// The image of a point.
+fn mapped(map: Affine, p: Point) -> Point {
     let [a, b, c, d, e, f] = map.as_coeffs();
-    let (x, y) = (Double::difference(p.x, 0.0), Double::difference(p.y, 0.0));
     let sum = |a: f64, c: f64, e: f64| {
-        let sum = x.scaled(a).plus(y.scaled(c));
-        sum.plus(Double::difference(e, 0.0))
+        let sum = Double::of(p.x).scaled(a).plus(Double::of(p.y).scaled(c));
+        sum.plus(Double::of(e)).value()
     };
-    let (x, y) = (sum(a, c, e), sum(b, d, f));
-    let point = Point::new(x.value(), y.value());
-    (point, libm::hypot(x.less(point.x), y.less(point.y)))
+    Point::new(sum(a, c, e), sum(b, d, f))
 }
 
 /// How many times one radius may be the other: beyond, an ellipse in double precision is a line.

@@ -61,14 +61,9 @@ fn arc() -> impl Strategy<Value = Arc> {
     )
         .prop_map(|(center, radii, rotation, start, sweep, ends)| {
             let [rotation, start, sweep] = [rotation, start, sweep].map(Angle::from_degrees);
-            Arc {
-                center,
-                radii,
-                rotation,
-                start,
-                sweep,
-                ends,
-            }
+            let mut arc = Arc::new(center, radii, rotation, start, sweep).unwrap();
+            arc.ends = ends;
+            arc
         })
 }
 

@@ -491,7 +491,7 @@ proptest! {
         let first = PathSeg::Cubic(CubicBez::new(p(0), p(1), p(2), p(3)));
         let curve = Curve { segments: vec![first, second], closed };
         let mut truths = vec![Truth::circle(Point::new(1.0, 2.0), radius)];
-        truths.push(Truth { radii: Vec2::new(radius, radius / 7.0), ..truths[0] });
+        truths.push(Truth::new(Point::new(1.0, 2.0), Vec2::new(radius, radius / 7.0), Vec2::new(1.0, 0.0)));
         truths.extend(fit::circle(&curve, None).ok().map(|(truth, _)| truth));
         for truth in truths {
             let reference = Reference::from(truth);

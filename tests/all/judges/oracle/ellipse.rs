@@ -2,12 +2,15 @@
 
 use super::bezier::Powers;
 use super::real::{
-    Point, Real, abs, cross, dot, int, max, norm, power_of_two, radians, ratio, real, sign,
+    Point, Real, abs, cross, dot, int, max, norm, power_of_two, radians, ratio, real, sign, to_f64,
 };
 use super::solve::root;
 
 /// Pieces into which the segment is cut at first to look for the extremes.
 const PIECES: i64 = 64;
+
+/// At how many places the ellipse's tips are looked for.
+const SAMPLES: u32 = 200;
 
 /// The largest sine of the turn of the normal over one piece; more, and it is halved. At the tips
 /// of a flat ellipse the distance varies with the normal, far faster than with the parameter.
@@ -46,11 +49,15 @@ pub fn ellipse_distance_extremes(
         radii,
     };
     let mut distances = Vec::new();
-    let mut start = search.sample(int(0));
-    for i in 1..=PIECES {
+    let mut places = search.tips();
+    places.extend((1..=PIECES).map(|i| {
         // Narrower towards the ends, where a curve that touches the ellipse has its smallest lobes: 10 s^3 - 15 s^4 + 6 s^5.
         let s = ratio(i, PIECES);
-        let t = &s * &s * &s * (int(10) - int(15) * &s + int(6) * &s * &s);
+        &s * &s * &s * (int(10) - int(15) * &s + int(6) * &s * &s)
+    }));
+    places.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    let mut start = search.sample(int(0));
+    for t in places {
         let end = search.sample(t);
         search.piece(&start, &end, 24, &mut distances);
         start = end;
@@ -90,6 +97,37 @@ impl Search {
             normal,
             t,
         }
+    }
+
+    /// Where the segment passes the tips of a flat ellipse and their centres of curvature: between those the normal turns by half
+    /// a turn and back, unseen from pieces that begin and end farther off.
+    fn tips(&self) -> Vec<Real> {
+        let [a, b] = [0, 1].map(|i| to_f64(&self.radii[i]));
+        let (long, large, small) = if a > b { (0, a, b) } else { (1, b, a) };
+        if large < 10.0 * small {
+            return Vec::new();
+        }
+        let along = |t: f64| to_f64(&self.curve.at(&real(t))[long]);
+        let samples: Vec<f64> = (0..=SAMPLES)
+            .map(|i| along(f64::from(i) / f64::from(SAMPLES)))
+            .collect();
+        let center = large - small * small / large;
+        let mut tips = Vec::new();
+        for level in [large, center, -center, -large] {
+            for (i, pair) in samples.windows(2).enumerate() {
+                let from = i as f64 / f64::from(SAMPLES);
+                let mut ends = [from, from + 1.0 / f64::from(SAMPLES)];
+                if (pair[0] > level) == (pair[1] > level) {
+                    continue;
+                }
+                for _ in 0..40 {
+                    let middle = f64::midpoint(ends[0], ends[1]);
+                    ends[usize::from((along(middle) > level) != (pair[0] > level))] = middle;
+                }
+                tips.push(real(ends[0]));
+            }
+        }
+        tips
     }
 
     /// Notes the distance at the start of a piece and where it is stationary within.

@@ -1,0 +1,206 @@
+//! A part of a segment, and what its derivatives are there.
+
+use kurbo::Vec2;
+
+use crate::numeric::ball::Ball;
+
+/// A part of a cubic in the frame where an ellipse is the unit circle. Derivatives are by its own parameter, from 0 to 1.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    from: f64,
+    width: f64,
+    /// The Bernstein coefficients of F = |q|² - 1.
+    excess: [f64; 7],
+    /// The control points, x and y, not about the centre.
+    points: [[f64; 4]; 2],
+}
+
+/// A place, or all places, of a part: q about the centre and F, with their derivatives.
+pub(super) struct Motion {
+    pub(super) place: [Ball; 2],
+    pub(super) velocity: [Ball; 2],
+    pub(super) acceleration: [Ball; 2],
+    pub(super) excess: f64,
+    pub(super) rising: Ball,
+    pub(super) bending: Ball,
+}
+
+impl Part {
+    /// The whole cubic.
+    pub(super) const fn whole(excess: [f64; 7], points: [[f64; 4]; 2]) -> Self {
+        Self {
+            from: 0.0,
+            width: 1.0,
+            excess,
+            points,
+        }
+    }
+
+    /// The largest coordinates, not about the centre.
+    pub(super) fn size(&self) -> Vec2 {
+        let [x, y] = self.points.map(|c| largest(&c));
+        Vec2::new(x, y)
+    }
+
+    /// The control points from the point at the middle.
+    pub(super) fn arms(&self) -> [Vec2; 4] {
+        let [[x, ..], [y, ..]] = self.points.map(|c| derivatives(&c, 0.5));
+        self.polygon(Vec2::new(x, y))
+    }
+
+    /// The parameter of the cubic.
+    pub(super) fn parameter(&self, t: f64) -> f64 {
+        self.from + self.width * t
+    }
+
+    /// Between what F lies.
+    pub(super) fn excess_range(&self) -> [f64; 2] {
+        let fold = |start: f64, f: fn(f64, f64) -> f64| self.excess.into_iter().fold(start, f);
+        [
+            fold(f64::INFINITY, f64::min),
+            fold(f64::NEG_INFINITY, f64::max),
+        ]
+    }
+
+    pub(super) fn halves(&self) -> [Self; 2] {
+        let width = self.width / 2.0;
+        let [x, y] = &self.points;
+        let ([before, after], [x, x_after], [y, y_after]) =
+            (halves(self.excess), halves(*x), halves(*y));
+        [
+            Self {
+                from: self.from,
+                width,
+                excess: before,
+                points: [x, y],
+            },
+            Self {
+                from: self.from + width,
+                width,
+                excess: after,
+                points: [x_after, y_after],
+            },
+        ]
+    }
+
+    /// The control points about a centre.
+    pub(super) fn polygon(&self, center: Vec2) -> [Vec2; 4] {
+        let [x, y] = self.points;
+        core::array::from_fn(|i| Vec2::new(x[i], y[i]) - center)
+    }
+
+    /// The motion at a place; the radii are what rounding may have done.
+    pub(super) fn motion_at(&self, t: f64, center: Vec2) -> Motion {
+        let [excess, rising, bending] = derivatives(&self.excess, t);
+        let size = f64::EPSILON * largest(&self.excess);
+        let own = |c: &[f64; 4]| {
+            let size = f64::EPSILON * largest(c);
+            let [place, velocity, acceleration] = derivatives(c, t);
+            [
+                Ball::new(place, 8.0 * size),
+                Ball::new(velocity, 32.0 * size),
+                Ball::new(acceleration, 128.0 * size),
+            ]
+        };
+        let ([x, vx, ax], [y, vy, ay]) = (own(&self.points[0]), own(&self.points[1]));
+        let (cx, cy) = (Ball::new(center.x, 0.0), Ball::new(center.y, 0.0));
+        Motion {
+            place: [x - cx, y - cy],
+            velocity: [vx, vy],
+            acceleration: [ax, ay],
+            excess,
+            rising: Ball::new(rising, 128.0 * size),
+            bending: Ball::new(bending, 1024.0 * size),
+        }
+    }
+
+    /// The same for all places, the middles of the balls being those at the middle of the part: each derivative differs from there by
+    /// half the largest of the next.
+    pub(super) fn spread(&self, middle: &Motion) -> Motion {
+        let third = |&[a, b, c, d]: &[f64; 4]| 3.0 * ((d - a) - 3.0 * (c - b)).abs();
+        let third = [third(&self.points[0]), third(&self.points[1])];
+        let widened = |ball: Ball, by: f64| Ball::new(ball.middle, ball.radius + by);
+        let along =
+            |balls: [Ball; 2], by: [f64; 2]| [widened(balls[0], by[0]), widened(balls[1], by[1])];
+        let acceleration = along(middle.acceleration, third);
+        let velocity = along(middle.velocity, acceleration.map(|ball| ball.size() / 2.0));
+        let place = along(middle.place, velocity.map(|ball| ball.size() / 2.0));
+        let e = &self.excess;
+        let off = |i: usize| {
+            let second = 30.0 * ((e[i] - e[i + 1]) - (e[i + 1] - e[i + 2]));
+            (second - middle.bending.middle).abs()
+        };
+        let bending = widened(middle.bending, (0..5).map(off).fold(0.0, f64::max));
+        Motion {
+            place,
+            velocity,
+            acceleration,
+            excess: middle.excess,
+            rising: widened(middle.rising, bending.size() / 2.0),
+            bending,
+        }
+    }
+}
+
+/// The largest size of these numbers.
+fn largest(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
+}
+
+/// The coefficients of both halves, by de Casteljau's algorithm.
+fn halves<const N: usize>(mut after: [f64; N]) -> [[f64; N]; 2] {
+    let mut before = after;
+    for (k, last) in before.iter_mut().enumerate().skip(1) {
+        for i in 0..N - k {
+            after[i] = 0.5 * (after[i] + after[i + 1]);
+        }
+        *last = after[0];
+    }
+    [before, after]
+}
+
+/// The value and the first two derivatives at t.
+fn derivatives<const N: usize>(coefficients: &[f64; N], t: f64) -> [f64; 3] {
+    let (mut c, rest, degree) = (*coefficients, 1.0 - t, (N - 1) as f64);
+    for last in (3..N).rev() {
+        for i in 0..last {
+            c[i] = rest * c[i] + t * c[i + 1];
+        }
+    }
+    let (first, second) = (c[1] - c[0], c[2] - c[1]);
+    [
+        rest * (rest * c[0] + t * c[1]) + t * (rest * c[1] + t * c[2]),
+        degree * (rest * first + t * second),
+        degree * (degree - 1.0) * (second - first),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_spread_holds_every_place_of_a_part() {
+        let part = Part::whole(
+            [0.0, 1.0, -2.0, 0.5, 3.0, -1.0, 0.25],
+            [[1.0, 2.0, -1.0, 0.5], [0.0, 0.3, 0.7, 1.5]],
+        );
+        let center = Vec2::new(0.25, -0.5);
+        for part in part.halves() {
+            let all = part.spread(&part.motion_at(0.5, center));
+            let [low, high] = part.excess_range();
+            for i in 0..=40 {
+                let one = part.motion_at(f64::from(i) / 40.0, center);
+                let holds =
+                    |all: &Ball, one: &Ball| (all.middle - one.middle).abs() <= all.radius + 1e-15;
+                for axis in 0..2 {
+                    assert!(holds(&all.place[axis], &one.place[axis]));
+                    assert!(holds(&all.velocity[axis], &one.velocity[axis]));
+                    assert!(holds(&all.acceleration[axis], &one.acceleration[axis]));
+                }
+                assert!(holds(&all.rising, &one.rising) && holds(&all.bending, &one.bending));
+                assert!(low <= one.excess && one.excess <= high);
+            }
+        }
+    }
+}

@@ -1,0 +1,332 @@
+//! The frame in which a true shape is the unit circle, in twice the digits of `f64`: what was given is taken as exact, and what
+//! was computed from it, as centres, sweeps and the images of a map, is computed anew.
+
+use kurbo::{Affine, Point, Vec2};
+
+use super::Given;
+use crate::angle::Angle;
+use crate::numeric::double::{Double, Twice};
+
+/// The sweep in degrees up to which a sweep and a chord tell more than the centre: towards a whole turn the chord shrinks to nothing.
+const WIDEST: f64 = 270.0;
+
+/// What was given of a true shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Frame {
+    center: Point,
+    radii: Vec2,
+    /// How many times the radii are as large in truth: those of an arc may be too small for its chord.
+    enlarged: f64,
+    axis: Axis,
+    arc: Option<Inscribed>,
+    /// What was applied after that.
+    map: Option<Affine>,
+}
+
+/// The direction of the first radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Axis {
+    Vector(Vec2),
+    Angle(Angle),
+}
+
+/// An arc between two ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Inscribed {
+    ends: [Point; 2],
+    sweep: Angle,
+    given: Given,
+}
+
+impl Frame {
+    /// An ellipse by its centre, radii and the direction of the first.
+    #[inline(always)]
+    pub(super) const fn new(center: Point, radii: Vec2, axis: Vec2) -> Self {
+        Self {
+            center,
+            radii,
+            enlarged: 1.0,
+            axis: Axis::Vector(axis),
+            arc: None,
+            map: None,
+        }
+    }
+
+    /// The same with the angle of the first radius.
+    pub(super) const fn turned(self, rotation: Angle) -> Self {
+        Self {
+            axis: Axis::Angle(rotation),
+            ..self
+        }
+    }
+
+    /// The same ellipse by an arc of it.
+    pub(super) fn through(self, ends: [Point; 2], sweep: Angle, given: Given) -> Self {
+        let arc = Inscribed { ends, sweep, given };
+        let (radii, enlarged) = match given {
+            Given::Enlarged(radii) => (radii, self.radii.x / radii.x),
+            _ => (self.radii, self.enlarged),
+        };
+        Self {
+            radii,
+            enlarged,
+            arc: Some(arc),
+            ..self
+        }
+    }
+
+    /// The image under a further map.
+    pub(super) fn mapped(self, map: Affine) -> Self {
+        Self {
+            map: Some(self.map.map_or(map, |own| map * own)),
+            ..self
+        }
+    }
+
+    /// The same with all lengths multiplied by a power of two, which is exact.
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        if let Some(map) = self.map {
+            return Self {
+                map: Some(Affine::new(map.as_coeffs().map(|c| c * factor))),
+                ..self
+            };
+        }
+        let point = |p: Point| (p.to_vec2() * factor).to_point();
+        Self {
+            center: point(self.center),
+            radii: self.radii * factor,
+            arc: self.arc.map(|arc| Inscribed {
+                ends: arc.ends.map(point),
+                given: match arc.given {
+                    Given::Through(on) => Given::Through(point(on)),
+                    given => given,
+                },
+                ..arc
+            }),
+            ..self
+        }
+    }
+
+    /// The frame, ready for points of the plane, where the shape has become one of these radii.
+    pub(crate) fn exact(&self, radii: Vec2) -> Exact {
+        let axis = match self.axis {
+            Axis::Vector(v) => [v.x, v.y].map(Double::of),
+            Axis::Angle(angle) => angle.exact_direction(),
+        };
+        let is_circle = radii.x == radii.y;
+        let own_radii = (!is_circle || self.map.is_some()).then_some(self.radii);
+        let mut exact = Exact {
+            back: self
+                .map
+                .map(|map| Inverse::new(map.as_coeffs().map(Double::of))),
+            origin: self.center,
+            axis: (axis != [1.0, 0.0].map(Double::of)).then_some(axis),
+            radii: own_radii,
+            level: Level::Radius(Double::of(-1.0)),
+            unit: 1.0,
+        };
+        if own_radii.is_some() {
+            let unit = if is_circle { radii.x } else { 1.0 } / self.enlarged;
+            exact.unit = unit * unit;
+        } else {
+            let radius = Double::of(self.radii.x);
+            exact.level = Level::Radius(radius.times(radius).scaled(-1.0));
+        }
+        if let Some(arc) = self.arc {
+            self.inscribe(&arc, &mut exact);
+        }
+        exact
+    }
+
+    /// Takes the frame about the start of an arc, where its chord tells more than the centre does.
+    fn inscribe(&self, arc: &Inscribed, exact: &mut Exact) {
+        let [from, to] = arc.ends;
+        if from == to {
+            // A whole circle from a point of it, whose radius is computed.
+            if self.radii.x == self.radii.y {
+                let arm = exact.unmapped(differences(from, self.center));
+                exact.level = Level::Radius(dot(arm, arm).scaled(-1.0));
+            }
+            return;
+        }
+        let chord = exact.unmapped(differences(to, from));
+        if let Some(cotangent) = self.cotangent(arc, chord, exact.radii.is_none()) {
+            exact.origin = from;
+            exact.level = Level::Pencil { chord, cotangent };
+        }
+    }
+
+    /// The cotangent of half the sweep; `None` where the centre tells more.
+    fn cotangent(&self, arc: &Inscribed, chord: Twice, is_plain: bool) -> Option<Double> {
+        let [from, to] = arc.ends;
+        let sweep = arc.sweep.degrees();
+        Some(match arc.given {
+            Given::Sweep => {
+                if sweep.abs() > WIDEST {
+                    return None;
+                }
+                let [cos, sin] = Angle::from_degrees(sweep / 2.0).exact_direction();
+                cos.divided(sin)
+            }
+            Given::Enlarged(_) => Double::of(0.0),
+            // tan(sweep/4) is the bulge b, and the cotangent of twice that angle (1 - b²) / (2b).
+            Given::Bulge(b) => {
+                let square = Double::of(-b).times(Double::of(b));
+                Double::of(1.0).plus(square).over(2.0 * b)
+            }
+            // The inscribed angle is what half the sweep leaves of half a turn.
+            Given::Through(on) => {
+                let (u, v) = (differences(from, on), differences(to, on));
+                dot(u, v).divided(cross(u, v))
+            }
+            Given::Radii { large } => {
+                let mut square = dot(chord, chord).scaled(0.25);
+                if is_plain {
+                    square = square.over(self.radii.x).over(self.radii.x);
+                }
+                let rest = Double::of(1.0).plus(square.scaled(-1.0));
+                let size = if rest.value() > 0.0 {
+                    rest.divided(square).sqrt()
+                } else {
+                    Double::of(0.0)
+                };
+                size.scaled(if large == (sweep > 0.0) { -1.0 } else { 1.0 })
+            }
+        })
+    }
+}
+
+/// a - b without a rounding error.
+fn differences(a: Point, b: Point) -> Twice {
+    [Double::difference(a.x, b.x), Double::difference(a.y, b.y)]
+}
+
+fn dot(u: Twice, v: Twice) -> Double {
+    u[0].times(v[0]).plus(u[1].times(v[1]))
+}
+
+fn cross(u: Twice, v: Twice) -> Double {
+    u[0].times(v[1]).plus(u[1].times(v[0]).scaled(-1.0))
+}
+
+/// The inverse of an affine map.
+struct Inverse {
+    moved: Twice,
+    /// The rows of the matrix.
+    rows: [Twice; 2],
+    /// The map's own matrix, by columns.
+    forth: [Vec2; 2],
+}
+
+impl Inverse {
+    fn new([a, b, c, d, e, f]: [Double; 6]) -> Self {
+        let area = cross([a, b], [c, d]);
+        let over = |x: Double| x.divided(area);
+        Self {
+            moved: [e, f],
+            rows: [
+                [over(d), over(c.scaled(-1.0))],
+                [over(b.scaled(-1.0)), over(a)],
+            ],
+            forth: [
+                Vec2::new(a.value(), b.value()),
+                Vec2::new(c.value(), d.value()),
+            ],
+        }
+    }
+
+    fn point(&self, p: Point) -> Twice {
+        let less = |x: f64, by: Double| Double::of(x).plus(by.scaled(-1.0));
+        let v = [less(p.x, self.moved[0]), less(p.y, self.moved[1])];
+        self.rows.map(|row| dot(row, v))
+    }
+}
+
+/// What is added to the dot product of two points q of the frame to make it |q|² - 1 about the centre, or |q|² - r² of a circle.
+enum Level {
+    /// Minus the square of the radius.
+    Radius(Double),
+    /// From an end A of an arc to the other, B, and κ, the cotangent of half the sweep: the circles through both are the pencil
+    /// q·(q - B) + κ q×B = 0, and the left side is |q|² - 1 about the centre of each. Nothing of it grows with the radius.
+    Pencil { chord: Twice, cotangent: Double },
+}
+
+/// The frame with what is needed for points: its unit is the user's for a circle, else it makes both radii 1.
+pub(crate) struct Exact {
+    back: Option<Inverse>,
+    /// The centre, or where an arc starts, before the map.
+    origin: Point,
+    axis: Option<Twice>,
+    radii: Option<Vec2>,
+    level: Level,
+    /// What the excess in this frame is multiplied by to be that of the shape that the map made.
+    pub(crate) unit: f64,
+}
+
+impl Exact {
+    /// A point of the plane in the frame.
+    pub(crate) fn point(&self, p: Point) -> Twice {
+        match &self.back {
+            None => self.unmapped(differences(p, self.origin)),
+            Some(back) => {
+                let [x, y] = back.point(p);
+                let origin = [self.origin.x, self.origin.y].map(|x| Double::of(-x));
+                self.unmapped([x.plus(origin[0]), y.plus(origin[1])])
+            }
+        }
+    }
+
+    /// The same for a vector before the map.
+    fn unmapped(&self, v: Twice) -> Twice {
+        let [x, y] = match self.axis {
+            Some(axis) => [dot(axis, v), cross(axis, v)],
+            None => v,
+        };
+        match self.radii {
+            Some(radii) => [x.over(radii.x), y.over(radii.y)],
+            None => [x, y],
+        }
+    }
+
+    /// What is added to a dot product at a point of the frame.
+    pub(crate) fn level(&self, q: Twice) -> Double {
+        match self.level {
+            Level::Radius(level) => level,
+            Level::Pencil { chord, cotangent } => {
+                let across = cross(q, chord).times(cotangent);
+                across.plus(dot(q, chord).scaled(-1.0))
+            }
+        }
+    }
+
+    /// The centre in the frame.
+    pub(crate) fn center(&self) -> Vec2 {
+        match self.level {
+            Level::Radius(_) => Vec2::ZERO,
+            Level::Pencil { chord, cotangent } => {
+                let half = Vec2::new(chord[0].value(), chord[1].value()) / 2.0;
+                half + Vec2::new(-half.y, half.x) * cotangent.value()
+            }
+        }
+    }
+
+    /// Whether the shape is an image under a map.
+    pub(crate) const fn is_mapped(&self) -> bool {
+        self.back.is_some()
+    }
+
+    /// A vector of the frame in the plane, along the axes that the shape has without a map.
+    pub(crate) fn image(&self, q: Vec2) -> Vec2 {
+        let v = self
+            .radii
+            .map_or(q, |radii| Vec2::new(q.x * radii.x, q.y * radii.y));
+        let Some(back) = &self.back else {
+            return v;
+        };
+        let v = match self.axis.map(|[cos, sin]| (cos.value(), sin.value())) {
+            Some((cos, sin)) => Vec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y),
+            None => v,
+        };
+        back.forth[0] * v.x + back.forth[1] * v.y
+    }
+}
