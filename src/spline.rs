@@ -10,7 +10,7 @@ pub mod points;
 use kurbo::{Affine, CubicBez, ParamCurveArclen, PathSeg, Point, Vec2};
 
 use crate::curve::Curve;
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, positive};
 pub use crate::method::Quadrature;
 use crate::method::nodal;
 pub use crate::method::nodal::Ends;
@@ -142,8 +142,8 @@ impl Spline {
     ///
     /// # Errors
     ///
-    /// [`Error::TooFewPoints`], [`Error::RepeatedPoint`] where two neighbours coincide, [`Error::NotFinite`] and
-    /// [`Error::TooLarge`] for a coordinate, and [`Error::Unsettled`] where the arc lengths do not settle.
+    /// [`Error::TooFewPoints`], [`Error::RepeatedPoint`] where two neighbours coincide, [`Error::TooSmall`] where they
+    /// all but do, [`Error::NotFinite`] and [`Error::TooLarge`] for a coordinate, and [`Error::Unsettled`] where the arc lengths do not settle.
     ///
     /// ```
     /// use curveto::spline::{Ends, Options, Spline};
@@ -308,12 +308,14 @@ fn check(points: &[Point], ends: Ends) -> Result<()> {
             finite("end derivative", d.y)?;
         }
     }
-    let next = |k: usize| (k + 1) % points.len();
-    match (0..ends.segments(points.len())).find(|&k| points[k] == points[next(k)]) {
-        Some(first) => Err(Error::RepeatedPoint {
-            first,
-            second: next(first),
-        }),
-        None => Ok(()),
+    for first in 0..ends.segments(points.len()) {
+        let second = (first + 1) % points.len();
+        let between = points[second] - points[first];
+        if between == Vec2::ZERO {
+            return Err(Error::RepeatedPoint { first, second });
+        }
+        let spacing = between.x.abs().max(between.y.abs());
+        positive("spacing of two points", spacing)?;
     }
+    Ok(())
 }

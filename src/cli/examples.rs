@@ -18,7 +18,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
         [
             "curveto circle 50",
             "curveto circle 50 -t 0.001 -f json",
-            "curveto circle 50 -m midpoint -o circle.svg --show joints,handles,truth,error=500",
+            "curveto circle 50 -m midpoint -o circle.svg --show joints,truth,error=500",
         ],
         DRAWS,
     ),
@@ -72,7 +72,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
         [
             "curveto spline --points '0,0 5,8 10,0' --ends natural",
             "curveto spline --points '0,0 10,0 10,10 0,10' --ends cyclic -o ring.svg",
-            "printf '0,0\\n5,8\\n10,0\\n' | curveto spline --points-file - --parametrization centripetal --ends free",
+            "printf '0,0\\n5,8\\n9,0\\n' | curveto spline --points-file - --ends free",
         ],
         DRAWS,
     ),
@@ -80,7 +80,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
         "sphere",
         [
             "curveto sphere 100 -o sphere.svg",
-            "curveto sphere 100 --meridians 12 --parallels 7 --view 30,20 --hidden dash -o sphere.eps",
+            "curveto sphere 100 --meridians 12 --view 30,20 --hidden dash -o sphere.eps",
             "curveto sphere 50 -m midpoint -n 8 -f json",
         ],
         DRAWS,
@@ -108,7 +108,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
         [
             "curveto measure circle 50 -m minimax,midpoint -n 4",
             "curveto measure --path 'M0 0C0 5.52 4.48 10 10 10' --against circle:10,0,10",
-            "curveto measure circle 1 -m apprich -n 4 --plot curvature.svg --quantity curvature-d2",
+            "curveto measure circle 1 -m apprich --plot d2.svg --quantity curvature-d2",
         ],
         DRAWS,
     ),
@@ -125,7 +125,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
         "diff",
         [
             "curveto diff golden.svg new.svg -t 0.001",
-            "curveto circle 50 -f json | curveto diff - 'M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z' -t 0.01",
+            "curveto arc 5 --end 90 | curveto diff - 'M5 0A5 5 0 0 1 0 5' -t 0.01",
             "curveto diff a.ps b.ps -q || echo changed",
         ],
         "0 within T; 1 beyond; 2 trouble.",
@@ -134,7 +134,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
         "explore",
         [
             "curveto explore circle 50 -o circle.html",
-            "curveto explore ellipse 120 50 -m minimax,minimax-ellipse,apprich -n 4,8 -o ellipse.html",
+            "curveto explore ellipse 120 50 -m minimax,apprich -n 4,8 -o ellipse.html",
             "curveto explore arc 10 --start 0 --end 120 -o arc.html",
         ],
         DRAWS,

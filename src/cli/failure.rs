@@ -163,7 +163,9 @@ pub(crate) fn usage(error: &clap::Error) -> ExitCode {
         return failure.exit_code();
     }
     let styled = error.render();
-    let hint = hints::hint(error, &words);
+    // Where a value is refused with a hint of its own, that is the better one.
+    let told = styled.to_string().contains("\nhint: ");
+    let hint = hints::hint(error, &words).filter(|_| !told);
     if anstream_is_terminal() {
         // The styles are control characters themselves; the parser takes those out of what it quotes.
         let _ = write!(
@@ -186,7 +188,7 @@ fn with_hint(text: &str, hint: Option<String>) -> String {
     let mut hint = hint;
     let mut blank = false;
     for line in lines {
-        if line.contains("Usage:")
+        if (line.contains("Usage:") || line.contains("For more information"))
             && let Some(hint) = hint.take()
         {
             out.extend(["hint: ", hint.as_str(), "\n\n"]);

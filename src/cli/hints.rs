@@ -2,8 +2,10 @@
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
+use super::args::hint_of_number;
+
 /// Flags that people try, the commands that they try them on (all where there is none), and what serves instead.
-const FLAGS: [(&[&str], &[&str], &str); 12] = [
+const FLAGS: [(&[&str], &[&str], &str); 29] = [
     (
         &[
             "--clockwise",
@@ -11,6 +13,8 @@ const FLAGS: [(&[&str], &[&str], &str); 12] = [
             "--ccw",
             "--counterclockwise",
             "--counter-clockwise",
+            "--anticlockwise",
+            "--anti-clockwise",
         ],
         &[],
         "--reverse runs the other way round; positive angles turn from +x towards +y, clockwise on an SVG canvas",
@@ -77,10 +81,101 @@ const FLAGS: [(&[&str], &[&str], &str); 12] = [
         &[],
         "commands have no dashes: curveto circle 50",
     ),
+    (
+        &["--kappa", "--magic", "--k", "-k"],
+        &[],
+        "--handle K is the length of the handles on the unit circle; -m names a method",
+    ),
+    (
+        &["--flatness", "--error", "--epsilon", "--accuracy", "--tol"],
+        &[],
+        "-t sets the tolerance, how far a curve may stray",
+    ),
+    (
+        &["--steps", "--count", "--points", "--pieces", "--parts"],
+        &[],
+        "-n sets the number of segments",
+    ),
+    (
+        &[
+            "--svg", "--json", "--png", "--ps", "--eps", "--pdf", "--dxf", "--tikz", "--type",
+        ],
+        &[],
+        "-f names the format, or the extension of -o does: -f svg, -o circle.svg",
+    ),
+    (
+        &[
+            "--end",
+            "--sweep",
+            "--from",
+            "--to",
+            "--angle",
+            "--start-angle",
+            "--end-angle",
+        ],
+        &["circle", "ellipse"],
+        "a part of one is an arc: curveto arc 50 --start 0 --end 90",
+    ),
+    (
+        &["--start-angle", "--end-angle", "--angle"],
+        &["arc"],
+        "angles have flags: curveto arc 50 --start 0 --end 90",
+    ),
+    (
+        &["--rotation", "--rotate", "--angle"],
+        &["circle", "sphere"],
+        "--start says where the first joint of a circle lies, --view how a sphere is seen",
+    ),
+    (
+        &["--phi", "--tilt"],
+        &["ellipse", "arc"],
+        "--rotation turns an ellipse",
+    ),
+    (
+        &["--closed", "--close"],
+        &[],
+        "whole turns are closed by themselves; --open leaves the closing operator out",
+    ),
+    (&["--silent"], &[], "-q silences notes"),
+    (
+        &["--quadratic", "--quadratics", "--cubic"],
+        &[],
+        "-m names a method: quadratic-minimax draws quadratics; 'curveto methods' lists them",
+    ),
+    (
+        &["--radians", "--degrees", "--rad", "--deg"],
+        &[],
+        "angles take units: 90, 90deg, 1.57rad, 100grad, 0.25turn",
+    ),
+    (
+        &["--scale", "--translate"],
+        &[],
+        "--transform 'scale(2) translate(5,0)' takes an SVG transform list",
+    ),
+    (
+        &["-r", "-R", "--recursive"],
+        &["convert"],
+        "folders are walked by themselves",
+    ),
+    (
+        &["--threads"],
+        &["batch", "convert"],
+        "-j sets the number of threads",
+    ),
+    (
+        &["--input", "-i"],
+        &["batch"],
+        "the file stands alone: curveto batch shapes.txt",
+    ),
+    (
+        &["--algorithm", "--list-methods", "--methods"],
+        &[],
+        "-m names a method; 'curveto methods' lists them",
+    ),
 ];
 
 /// Words that people try as commands.
-const COMMANDS: [(&[&str], &str); 3] = [
+const COMMANDS: [(&[&str], &str); 6] = [
     (
         &["list", "ls", "method"],
         "'curveto methods' lists the methods",
@@ -94,6 +189,8 @@ const COMMANDS: [(&[&str], &str); 3] = [
             "rectangle",
             "curve",
             "bezier",
+            "pie",
+            "sector",
         ],
         "'curveto path' draws any path data: curveto path 'M0 0L10 10'",
     ),
@@ -101,6 +198,9 @@ const COMMANDS: [(&[&str], &str); 3] = [
         &["plot", "error"],
         "'curveto measure' and 'curveto compare' state and plot errors",
     ),
+    (&["oval"], "an ellipse it is: curveto ellipse 30 20"),
+    (&["draw", "shape"], "name the shape: curveto circle 50"),
+    (&["version"], "'curveto --version' tells it"),
 ];
 
 /// What would help, where there is something to say. `words` are those of the command line, the program left out.
@@ -111,8 +211,12 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
         _ => None,
     };
     match error.kind() {
-        ErrorKind::InvalidSubcommand => of_command(text(ContextKind::InvalidSubcommand)?),
+        ErrorKind::InvalidSubcommand => of_command(text(ContextKind::InvalidSubcommand)?, command),
         ErrorKind::UnknownArgument => of_argument(text(ContextKind::InvalidArg)?, command),
+        ErrorKind::ValueValidation => of_value(
+            text(ContextKind::InvalidValue)?,
+            text(ContextKind::InvalidArg)?,
+        ),
         ErrorKind::TooManyValues | ErrorKind::WrongNumberOfValues => {
             of_values(words, command).map(str::to_owned)
         }
@@ -136,7 +240,10 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
     }
 }
 
-fn of_command(word: &str) -> Option<String> {
+fn of_command(word: &str, command: &str) -> Option<String> {
+    if command == "measure" {
+        return Some("a file has a flag: --file drawing.svg, or --path for path data".to_owned());
+    }
     if word.parse::<f64>().is_ok() {
         return Some(format!("name a shape first: curveto circle {word}"));
     }
@@ -169,6 +276,30 @@ fn of_argument(argument: &str, command: &str) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// What a value is told that is almost a number, or two of them with commas in them.
+fn of_value(value: &str, argument: &str) -> Option<String> {
+    let has_unit =
+        value.starts_with(|c: char| c.is_ascii_digit()) && value.ends_with(char::is_alphabetic);
+    if has_unit && argument.contains("ANGLE") {
+        return Some(
+            "angles take the units deg, rad, grad and turn; without one they are degrees"
+                .to_owned(),
+        );
+    }
+    if has_unit
+        && ["<N>", "<N,N>", "<P>"]
+            .iter()
+            .any(|name| argument.contains(name))
+    {
+        return Some("numbers of things have no unit".to_owned());
+    }
+    let [a, b, c, d] = value.split(',').collect::<Vec<_>>()[..] else {
+        return hint_of_number(value.trim());
+    };
+    let pair = [a, b, c, d].iter().all(|part| part.parse::<f64>().is_ok());
+    pair.then(|| format!("decimals come after a point: {a}.{b},{c}.{d}"))
 }
 
 /// What `measure` is told where words that belong to a shape stand outside it.

@@ -15,7 +15,7 @@ use super::args::methods::{CatalogueFormat, MethodsArgs};
 use super::output::Target;
 
 pub(super) fn run(args: &MethodsArgs) -> Outcome {
-    let one = args.id.as_deref().map(str::parse::<Method>).transpose()?;
+    let one = args.id;
     let methods = one.map_or_else(|| Method::ALL.to_vec(), |method| vec![method]);
     let entries = methods
         .iter()

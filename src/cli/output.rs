@@ -105,12 +105,30 @@ pub(crate) fn stream_file(
         return write(&mut file).map(drop);
     }
     let mut file = beside(path, existing.as_ref()).with_context(cannot)?;
+    #[cfg(unix)]
+    remove_on_signal(file.path()).with_context(cannot)?;
     if write(file.as_file_mut())? {
         take_over(file.as_file(), path, existing.as_ref()).with_context(cannot)?;
         file.persist(path)
             .map_err(|error| error.error)
             .with_context(cannot)?;
     }
+    Ok(())
+}
+
+/// Where a signal asks for an end, removes the file that is being made and ends the program as a shell tells it: by 130 or 143.
+#[cfg(unix)]
+fn remove_on_signal(path: &Path) -> io::Result<()> {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    let mut signals = signal_hook::iterator::Signals::new([SIGINT, SIGTERM])?;
+    let path = path.to_owned();
+    std::thread::Builder::new().spawn(move || {
+        if let Some(signal) = signals.forever().next() {
+            // Once it has taken its place, it has this name no longer.
+            let _ = fs::remove_file(path);
+            std::process::exit(128 + signal);
+        }
+    })?;
     Ok(())
 }
 

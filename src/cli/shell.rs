@@ -51,8 +51,25 @@ fn write_pages(program: &Command, folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// A manual page, which ends as the long help does.
 fn page(command: &Command) -> Result<Vec<u8>, Failure> {
+    let man = clap_mangen::Man::new(command.clone());
     let mut page = Vec::new();
-    clap_mangen::Man::new(command.clone()).render(&mut page)?;
+    man.render_title(&mut page)?;
+    man.render_name_section(&mut page)?;
+    man.render_synopsis_section(&mut page)?;
+    man.render_description_section(&mut page)?;
+    man.render_options_section(&mut page)?;
+    if command.has_subcommands() {
+        man.render_subcommands_section(&mut page)?;
+    }
+    man.render_version_section(&mut page)?;
+    let mut extra = Vec::new();
+    man.render_extra_section(&mut extra)?;
+    page.extend(
+        String::from_utf8_lossy(&extra)
+            .replacen(".SH EXTRA", ".SH EXAMPLES", 1)
+            .bytes(),
+    );
     Ok(page)
 }

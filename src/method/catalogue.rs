@@ -112,12 +112,13 @@ impl Method {
 /// The ids of the catalogue nearest to a name that it lacks, best first; none where nothing is near.
 #[cfg(feature = "cli")]
 pub(super) fn nearest(name: &str) -> Vec<&'static str> {
+    let name = name.to_lowercase();
     let mut scored: Vec<(f64, &str)> = Method::ALL
         .into_iter()
         .filter_map(|method| {
             let score = method
                 .names()
-                .map(|known| strsim::jaro_winkler(name, known))
+                .map(|known| strsim::jaro_winkler(&name, known))
                 .fold(0.0, f64::max);
             (score > 0.75).then_some((score, method.id()))
         })

@@ -406,6 +406,12 @@ fn completions_and_manual_pages() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         assert!(printed(&["completions", shell]).contains("curveto"));
     }
+    for shell in ["bash", "zsh", "fish"] {
+        let script = printed(&["completions", shell]);
+        // Methods by alias, wherever one is asked for: fifteen commands and shapes, `methods ID` and `compare -m` among them.
+        assert!(script.matches("lancaster-normal").count() >= 15, "{shell}");
+        assert!(script.contains("error=500"), "{shell}: --show");
+    }
     assert!(printed(&["man"]).contains(".TH curveto 1"));
     let folder = tempfile::tempdir().unwrap();
     printed(&["man", "--out-dir", folder.path().to_str().unwrap()]);

@@ -134,6 +134,10 @@ fn verbose_states_what_was_done_and_quiet_keeps_notes() {
         "circle of radius 50: 4 segments by minimax, within 0.00985 (1.97e-4 of the larger radius)\n"
     );
     assert_eq!(told(&["circle", "50"]), "");
+    assert_eq!(
+        told(&["procset", "-q", "-v"]),
+        "procedures drawellipse and drawcircle: 4 segments by minimax, within 1.97e-4 of the larger radius\n"
+    );
     let svg = br#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="50%"/></svg>"#;
     assert!(piped(&["convert"], svg)[1].starts_with("note: "));
     assert_eq!(piped(&["convert", "-q"], svg)[1], "");

@@ -394,6 +394,32 @@ fn every_signal_ends_a_run_between_files() {
 }
 
 #[test]
+fn a_signal_removes_what_batch_was_writing_and_leaves_the_old_file() {
+    for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
+        let folder = tempfile::tempdir().unwrap();
+        let old = folder.path().join("shapes.json");
+        fs::write(&old, "old").unwrap();
+        let mut child = program(folder.path(), &["batch", "-o", "shapes.json"])
+            .stdin(Stdio::piped())
+            .spawn()
+            .unwrap();
+        wait_until("the new file", || !temporary(folder.path()).is_empty());
+        // The signal is heard from the moment on in which the first answer is there.
+        let mut input = child.stdin.take().unwrap();
+        input.write_all(b"circle 0 0 5\n").unwrap();
+        wait_until("the answer", || {
+            let written = |path: &PathBuf| fs::metadata(path).is_ok_and(|data| data.len() > 0);
+            temporary(folder.path()).iter().any(written)
+        });
+        kill(&child, signal);
+        assert_eq!(child.wait().unwrap().code(), Some(code));
+        drop(input);
+        assert_eq!(temporary(folder.path()), Vec::<PathBuf>::new());
+        assert_eq!(fs::read_to_string(&old).unwrap(), "old");
+    }
+}
+
+#[test]
 fn a_file_that_changes_while_it_is_converted_is_left_as_it_is() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.svg");

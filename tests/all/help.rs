@@ -32,7 +32,12 @@ fn program() -> &'static Path {
 }
 
 fn help(words: &[&str]) -> String {
-    let output = Command::new(program()).args(words).output().unwrap();
+    let mut command = Command::new(program());
+    if words.contains(&"--help") {
+        // A terminal of 80 columns: no example is broken into two lines, so that each can be copied.
+        command.env("COLUMNS", "80");
+    }
+    let output = command.args(words).output().unwrap();
     assert!(output.status.success() && output.stderr.is_empty());
     String::from_utf8(output.stdout).unwrap()
 }
@@ -42,18 +47,10 @@ fn examples(help: &str) -> Vec<String> {
     let (_, last) = help.rsplit_once("\nExamples:\n").expect(help);
     let (commands, rest) = last.split_once("\n\n").expect(help);
     assert!(rest.starts_with("Exit codes: 0 "), "{help}");
-    // A long one is wrapped: its other lines stand as far to the right as the first.
-    let mut found: Vec<String> = Vec::new();
-    for line in commands.lines().map(str::trim) {
-        let is_new = ["curveto ", "echo ", "printf "]
-            .iter()
-            .any(|word| line.starts_with(word));
-        match found.last_mut() {
-            Some(last) if !is_new => last.extend([" ", line]),
-            _ => found.push(line.to_owned()),
-        }
-    }
-    found
+    commands
+        .lines()
+        .map(|line| line.trim().to_owned())
+        .collect()
 }
 
 /// Runs a line of the shell, with our program first in PATH.
@@ -124,8 +121,10 @@ fn manual_pages_end_in_the_examples_and_the_exit_codes() {
     assert!(output.status.success());
     for name in COMMANDS {
         let page = fs::read_to_string(pages.join(format!("curveto-{name}.1"))).unwrap();
-        assert!(page.contains("Examples:"), "{name}");
-        assert!(page.contains("Exit codes: 0 "), "{name}");
+        let (_, last) = page.rsplit_once(".SH ").unwrap();
+        assert!(last.starts_with("EXAMPLES"), "{name}: {last}");
+        assert!(last.contains("Examples:"), "{name}");
+        assert!(last.contains("Exit codes: 0 "), "{name}");
     }
     let batch = fs::read_to_string(pages.join("curveto-batch.1")).unwrap();
     assert!(batch.contains("svgarc X1 Y1 RX RY ROTATION LARGE SWEEP X2 Y2"));

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 76] = [
+const MISTAKES: [(&str, &str); 103] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -98,6 +98,51 @@ const MISTAKES: [(&str, &str); 76] = [
     ("measure --plot x.svg circle 5", "the shape comes first"),
     ("measure --path M0 0L5 5", "put the path data in quotes"),
     ("man circle", "'curveto circle --help'"),
+    (
+        "circle 50 -t 0,01",
+        "hint: decimals come after a point: 0.01",
+    ),
+    (
+        "circle 50 --start 1,5",
+        "hint: decimals come after a point: 1.5",
+    ),
+    ("circle 50 -p 1,5", "hint: decimals come after a point: 1.5"),
+    (
+        "circle 50 --center 1,5,2,5",
+        "hint: decimals come after a point: 1.5,2.5",
+    ),
+    ("circle 50 --start 90°", "hint: degrees need no unit: 90"),
+    ("circle 50 --start 5mm", "hint: angles take the units"),
+    ("circle 50 -n 4mm", "hint: numbers of things have no unit"),
+    (
+        "convert -t 5mm x.svg",
+        "hint: lengths are numbers in user units: 5",
+    ),
+    ("circle 50 -m MINIMAX", "did you mean minimax"),
+    ("methods minimaks", "did you mean minimax"),
+    ("circle 50 --anticlockwise", "--reverse"),
+    ("circle 50 --kappa 0.55", "--handle K"),
+    ("circle 50 --flatness 1", "-t sets the tolerance"),
+    ("circle 50 --steps 8", "-n sets the number"),
+    ("circle 50 --svg", "-f names the format"),
+    ("circle 50 --end 90", "curveto arc 50 --start 0 --end 90"),
+    ("circle 50 --rotation 30", "--start says"),
+    ("circle 50 --closed", "--open leaves"),
+    ("circle 50 --radians", "1.57rad"),
+    ("circle 50 --scale 2", "--transform"),
+    ("convert -r icons", "folders are walked"),
+    ("batch --threads 4", "-j sets"),
+    ("oval 5 3", "curveto ellipse 30 20"),
+    ("draw circle 5", "curveto circle 50"),
+    ("measure drawing.svg", "--file drawing.svg"),
+    (
+        "arc --from 0,0 --to 10,0 --bulge 1 --large",
+        "cannot be used with '--large'",
+    ),
+    (
+        "arc --from 0,0 --to 10,0 --center 5,1 --large",
+        "cannot be used with '--large'",
+    ),
 ];
 
 /// The words of the languages below, which tell a user nothing.

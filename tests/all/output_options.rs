@@ -40,19 +40,28 @@ fn the_last_of_a_flag_given_twice_counts() {
         ),
         ("sphere 5 --view 0,0 --view 1,2", "sphere 5 --view 1,2"),
         ("compare -n 4 -f json -f csv", "compare -n 4 -f csv"),
-        // Lists grow.
+        // The last of a list is the whole list.
         (
-            "measure circle 1 -m minimax -m midpoint",
-            "measure circle 1 -m minimax,midpoint",
+            "measure circle 1 -m minimax,area -m midpoint -n 4 -n 5",
+            "measure circle 1 -m midpoint -n 5",
         ),
         (
-            "compare -m minimax -m midpoint -n 4 -n 5",
-            "compare -m minimax,midpoint -n 4,5",
+            "compare -m minimax -m midpoint,area -n 4 -n 5,6 --by rms --by mean",
+            "compare -m midpoint,area -n 5,6 --by mean",
+        ),
+        (
+            "compare -m minimax --spans 30,60 --spans 90",
+            "compare -m minimax --spans 90",
+        ),
+        (
+            "explore circle 5 -f json -m all -m minimax -n 4 -n 5",
+            "explore circle 5 -f json -m minimax -n 5",
         ),
         (
             "circle 5 -f svg --show joints --show truth",
-            "circle 5 -f svg --show joints,truth",
+            "circle 5 -f svg --show truth",
         ),
+        ("procset --with reporter --with trig", "procset --with trig"),
     ] {
         assert_eq!(printed(twice), printed(once), "{twice}");
     }

@@ -457,6 +457,10 @@ fn bad_requests_are_refused_with_what_would_do() {
         ),
         (&["--points", "0,0 0,0"], "point 2 is the same as point 1"),
         (
+            &["--points", "0,0 1e-200,0 2e-200,1e-200"],
+            "the spacing of two points 1e-200 is too small",
+        ),
+        (
             &["--points", "0,0 1,1", "--ends", "fixed:1,2,3"],
             "take four numbers",
         ),

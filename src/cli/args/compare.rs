@@ -3,33 +3,33 @@
 use std::path::PathBuf;
 
 use clap::builder::PossibleValue;
-use clap::{Args, ValueEnum};
+use clap::{ArgAction, Args, ValueEnum};
 use curveto::compare::{Comparison, Criterion};
 use curveto::picture::size::Size;
 use curveto::write::Image;
 use curveto::{Angle, Method, Rule};
 
 use super::approximation::Quadrature;
-use super::values;
+use super::values::{self, MethodList};
 use crate::cli::formats::FileFormat;
 
 /// Methods by numbers of segments, on the full circle of radius 1 or an ellipse, or by the angle of one segment.
 #[derive(Debug, Args)]
 pub(crate) struct CompareArgs {
     /// Methods by id or alias, or all
-    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = methods)]
+    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = values::MethodsReader, hide_possible_values = true, action = ArgAction::Set)]
     pub(crate) method: Vec<MethodList>,
     /// Numbers of segments
-    #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',', default_values_t = [2, 3, 4, 5, 6, 8])]
+    #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',', action = ArgAction::Set, default_values_t = [2, 3, 4, 5, 6, 8])]
     pub(crate) segments: Vec<usize>,
     /// Angles of one segment in place of numbers of segments
-    #[arg(long, value_name = "A,B,...", value_parser = super::values::angle, value_delimiter = ',', allow_hyphen_values = true, conflicts_with_all = ["segments", "ellipse"])]
+    #[arg(long, value_name = "A,B,...", value_parser = super::values::angle, value_delimiter = ',', allow_hyphen_values = true, action = ArgAction::Set, conflicts_with_all = ["segments", "ellipse"])]
     pub(crate) spans: Vec<Angle>,
     /// Compare on the ellipse with the semi-axes 1 and B, cut at equal parametric angles
     #[arg(long, value_name = "B", value_parser = values::positive, allow_hyphen_values = true)]
     pub(crate) ellipse: Option<f64>,
     /// What to compare; a table, JSON and a page take several [possible values: peak, square, mean, rms, area, length]
-    #[arg(long, value_name = "BY", default_value = "peak", value_delimiter = ',', value_parser = |text: &str| text.parse::<Criterion>())]
+    #[arg(long, value_name = "BY", default_value = "peak", value_delimiter = ',', action = ArgAction::Set, value_parser = |text: &str| text.parse::<Criterion>())]
     pub(crate) by: Vec<Criterion>,
     /// How chen-2 integrates arc length
     #[arg(long, value_enum, value_name = "RULE", default_value_t)]
@@ -44,9 +44,6 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,
 }
-
-/// The methods that were named; a name of its own, since clap reads a plain `Vec` value by value.
-pub(crate) type MethodList = Vec<Method>;
 
 /// How a comparison is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -97,16 +94,6 @@ impl FileFormat for ComparisonFormat {
             Self::Plot(image) => image.extensions(),
         }
     }
-}
-
-/// Reads a list of methods, or `all`.
-pub(crate) fn methods(text: &str) -> Result<MethodList, String> {
-    if text == "all" {
-        return Ok(Method::ALL.to_vec());
-    }
-    text.split(',')
-        .map(|name| values::method(name.trim()))
-        .collect()
 }
 
 impl CompareArgs {

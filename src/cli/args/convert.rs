@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, ValueEnum};
+use clap::{ArgAction, Args, ValueEnum};
 use curveto::document::{self, Doubt, Kind, Only, Target, Trust};
 
 use super::each::EachArgs;
@@ -27,10 +27,10 @@ pub(crate) struct ConvertArgs {
     #[arg(long)]
     pub(crate) hidden: bool,
     /// Replace only these
-    #[arg(long, value_enum, value_name = "KIND,...", value_delimiter = ',')]
+    #[arg(long, value_enum, value_name = "KIND,...", value_delimiter = ',', action = ArgAction::Set)]
     only: Vec<KindArg>,
     /// Convert although notes of these codes would hold back: for who knows better
-    #[arg(long, value_name = "CODE,...", value_delimiter = ',', value_parser = doubts())]
+    #[arg(long, value_name = "CODE,...", value_delimiter = ',', value_parser = doubts(), action = ArgAction::Set)]
     trust: Vec<Doubt>,
     /// What was replaced and what was left, on standard error; without it, what was left
     #[arg(long, value_enum, value_name = "FORMAT")]

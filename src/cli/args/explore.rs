@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, Subcommand, ValueEnum};
 use curveto::Rule;
 
 use super::ConicShape;
-use super::compare::{MethodList, methods};
 use super::shape::{ArcShape, CircleShape, EllipseShape};
+use super::values::{self, MethodList};
 use crate::cli::examples;
 use crate::cli::formats::FileFormat;
 
@@ -43,10 +43,10 @@ pub(crate) struct Explored<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,
     /// Methods to choose from, by id or alias, or all
-    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = methods)]
+    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = values::MethodsReader, hide_possible_values = true, action = ArgAction::Set)]
     method: Vec<MethodList>,
     /// Numbers of segments to choose from [default: 2,3,4,5,6,8; of an open arc 1,2,3,4,6,8]
-    #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',')]
+    #[arg(short = 'n', long, value_name = "N,N", value_parser = values::count, value_delimiter = ',', action = ArgAction::Set)]
     pub(crate) segments: Vec<usize>,
     /// The format [default: by the extension of -o, else html]
     #[arg(short, long, value_enum, value_name = "F", ignore_case = true)]

@@ -48,10 +48,7 @@ pub(crate) enum MeasuredShape {
 
 /// A shape, how it is approximated, and what is stated of it. Several methods may be named.
 #[derive(Debug, Args)]
-#[command(
-    mut_arg("method", |method| method.action(ArgAction::Append)),
-    after_long_help = examples::of("measure")
-)]
+#[command(after_long_help = examples::of("measure"))]
 pub(crate) struct Measured<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,

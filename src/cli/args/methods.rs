@@ -1,12 +1,15 @@
 //! The words of `methods`.
 
 use clap::{Args, ValueEnum};
+use curveto::Method;
+
+use super::values;
 
 #[derive(Debug, Args)]
 pub(crate) struct MethodsArgs {
     /// One method, by id or alias: its whole card
-    #[arg(value_name = "ID")]
-    pub(crate) id: Option<String>,
+    #[arg(value_name = "ID", value_parser = values::MethodReader, hide_possible_values = true)]
+    pub(crate) id: Option<Method>,
     /// The format
     #[arg(short, long, value_enum, value_name = "F", default_value_t)]
     pub(crate) format: CatalogueFormat,

@@ -1,6 +1,6 @@
 //! The words for pictures.
 
-use clap::Args;
+use clap::{ArgAction, Args};
 use curveto::picture::paint::Paint;
 use curveto::picture::size::Size;
 use curveto::picture::style::{Show, Shown, Style};
@@ -37,7 +37,7 @@ pub(crate) struct PictureArgs {
     /// Show with the curve any of joints, handles, truth, error=K
     ///
     /// truth is the true shape beneath; error=K the deviation drawn K times as large, orange outside and blue inside.
-    #[arg(long, value_name = "WHAT,...", value_delimiter = ',')]
+    #[arg(long, value_name = "WHAT,...", value_delimiter = ',', value_parser = values::ShownReader, hide_possible_values = true, action = ArgAction::Set)]
     show: Vec<Shown>,
 }
 

@@ -2,23 +2,25 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::{ArgAction, Args, ValueEnum};
 use curveto::Method;
 use curveto::write::postscript::Procedures;
 
-use super::values;
+use super::{TalkArgs, values};
 
 #[derive(Debug, Args)]
 pub(crate) struct ProcsetArgs {
     /// The method whose quarter-circle handle the procedures use
-    #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::MethodReader)]
+    #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::MethodReader, hide_possible_values = true)]
     pub(crate) method: Method,
     /// More of his procedures
-    #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',')]
+    #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',', action = ArgAction::Set)]
     with: Vec<With>,
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) talk: TalkArgs,
 }
 
 /// More of Lancaster's procedures.

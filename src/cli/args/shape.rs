@@ -95,7 +95,7 @@ pub(crate) struct ArcShape {
     #[arg(long, value_name = "R", value_parser = values::number, allow_hyphen_values = true, requires = "from", conflicts_with = "center")]
     radius: Option<f64>,
     /// With --radius: the longer way round
-    #[arg(long, requires = "radius")]
+    #[arg(long, requires = "radius", conflicts_with_all = ["bulge", "center"])]
     large: bool,
     /// Run against growing angles (with --end, --radius or --center)
     #[arg(long, conflicts_with_all = ["sweep", "svg", "through", "bulge"])]

@@ -6,6 +6,7 @@ use std::num::NonZeroUsize;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
 use curveto::number::Precision;
+use curveto::picture::style::Shown;
 use curveto::write::Format;
 use curveto::{Angle, Method, Tolerance};
 use kurbo::{Affine, Point, Vec2};
@@ -42,13 +43,73 @@ impl TypedValueParser for MethodReader {
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let value = |method: Method| {
-            let card = method.card();
-            PossibleValue::new(card.id)
-                .help(card.title)
-                .aliases(card.aliases)
-        };
-        Some(Box::new(Method::ALL.into_iter().map(value)))
+        Some(Box::new(method_names()))
+    }
+}
+
+/// The ids of the methods and then their aliases: completions list what stands here, and no aliases of it.
+fn method_names() -> impl Iterator<Item = PossibleValue> {
+    let named = |name, method: Method| PossibleValue::new(name).help(method.card().title);
+    let ids = Method::ALL.map(|method| named(method.id(), method));
+    let others = Method::ALL.into_iter().flat_map(move |method| {
+        let aliases = method.card().aliases.iter();
+        aliases.map(move |&alias| named(alias, method))
+    });
+    ids.into_iter().chain(others)
+}
+
+/// The methods that were named; a name of its own, since clap reads a plain `Vec` value by value.
+pub(super) type MethodList = Vec<Method>;
+
+/// Reads a list of methods, or `all`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MethodsReader;
+
+impl TypedValueParser for MethodsReader {
+    type Value = MethodList;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<MethodList, clap::Error> {
+        methods.parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let all = PossibleValue::new("all").help("every method");
+        Some(Box::new(std::iter::once(all).chain(method_names())))
+    }
+}
+
+fn methods(text: &str) -> Read<MethodList> {
+    if text == "all" {
+        return Ok(Method::ALL.to_vec());
+    }
+    text.split(',').map(|name| method(name.trim())).collect()
+}
+
+/// Reads what `--show` takes, which the completions of shells list.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ShownReader;
+
+impl TypedValueParser for ShownReader {
+    type Value = Shown;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<Shown, clap::Error> {
+        let read = |text: &str| text.parse::<Shown>();
+        read.parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let words = ["joints", "handles", "truth", "error=500"];
+        Some(Box::new(words.into_iter().map(PossibleValue::new)))
     }
 }
 
@@ -77,7 +138,7 @@ pub(super) fn distance(text: &str) -> Read<f64> {
 }
 
 /// What is meant by what is almost a number.
-fn hint_of_number(text: &str) -> Option<String> {
+pub(crate) fn hint_of_number(text: &str) -> Option<String> {
     const UNITS: [&str; 10] = ["mm", "cm", "in", "pt", "px", "pc", "em", "m", "\"", "%"];
     let pointed = text.replace(',', ".");
     if pointed != text && pointed.parse::<f64>().is_ok() {
@@ -85,6 +146,9 @@ fn hint_of_number(text: &str) -> Option<String> {
     }
     if text.contains(',') && text.replace(',', "").parse::<f64>().is_ok() {
         return Some(format!("numbers have no commas: {}", text.replace(',', "")));
+    }
+    if let Some(degrees) = text.strip_suffix('°') {
+        return Some(format!("degrees need no unit: {degrees}"));
     }
     let unit = UNITS.iter().find_map(|unit| text.strip_suffix(unit))?;
     unit.trim().parse::<f64>().ok()?;
