@@ -14,7 +14,10 @@ use crate::curve::{Curve, largest_coordinate, turn};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, quarters};
-use crate::measure::radial::{self, nearly::peak_between};
+use crate::measure::radial::{
+    self,
+    nearly::{bound, nearly},
+};
 use crate::method::{Method, Piece, Rule, ellipse};
 use crate::number::Precision;
 use crate::numeric::functions::power;
@@ -24,6 +27,9 @@ use crate::shape::{Outline, Shape};
 
 /// The part of the peak error, or of the tolerance, that rounding for output may add.
 pub(crate) const ROUNDING_SHARE: f64 = 0.1;
+
+/// How far above the peak a bound by few samples lies, at most and mostly.
+const LOOSE: f64 = 1.15;
 
 /// How to draw.
 #[derive(Debug, Clone, PartialEq)]
@@ -273,7 +279,7 @@ impl<'a> Request<'a> {
             return for_peak(peak);
         }
         let truth = &self.outline.truth;
-        if let Some([low, high]) = peak_between(segments.iter().copied(), truth) {
+        if let Some([low, high]) = nearly(segments.iter().copied(), truth).between {
             let precision = for_peak(low);
             if precision == for_peak(high) {
                 return precision;
@@ -374,9 +380,19 @@ impl<'a> Request<'a> {
             }
         }
         let curve = sketch.rounded();
-        let between = peak_between(curve.segments.iter().copied(), truth);
-        if between.is_some_and(|[low, _]| low > tolerance) {
+        let near = nearly(curve.segments.iter().copied(), truth);
+        if near.between.is_some_and(|[low, _]| low > tolerance) {
             return false;
+        }
+        // A centre that follows from given ends is known to half the digits at worst.
+        let knows_center = self.outline.ends.is_none() || tolerance > 1e-6 * self.reach();
+        let is_certain = |most: f64| knows_center && most <= tolerance;
+        if is_certain(near.most) {
+            return true;
+        }
+        let segments = || curve.segments.iter().copied();
+        if is_certain(near.most / LOOSE) && is_certain(bound(segments(), truth)) {
+            return true;
         }
         let error = radial::error(&curve.segments, truth);
         sketch.measured = Some(error);

@@ -233,11 +233,18 @@ impl Request<'_> {
                 .radial_error(&Span::from_degrees(sweep / count as f64))
                 .map_or(true, |error| error.peak() > allowed)
         };
-        let mut high = 1;
-        while high < MOST_SEGMENTS && beyond(high) {
-            high *= 2;
+        // From the count that the method's order asks for, in growing steps.
+        let (mut high, mut step) = (self.count_by_order(allowed), 1);
+        let mut low = high - 1;
+        if beyond(high) {
+            while high < MOST_SEGMENTS && beyond(high) {
+                (low, high, step) = (high, (high + step).min(MOST_SEGMENTS), 2 * step);
+            }
+        } else {
+            while low > 0 && !beyond(low) {
+                (low, high, step) = (low.saturating_sub(step), low, 2 * step);
+            }
         }
-        let mut low = high / 2;
         while low + 1 < high {
             let middle = usize::midpoint(low, high);
             if beyond(middle) {
@@ -250,5 +257,18 @@ impl Request<'_> {
             return MOST_SEGMENTS + 1;
         }
         high.clamp(1, MOST_SEGMENTS)
+    }
+
+    /// About how many equal segments err so much on the unit circle: as many as the leading term asks for.
+    fn count_by_order(&self, allowed: f64) -> usize {
+        let sweep = self.outline.unit.sweep.degrees().abs().to_radians();
+        match self.options.rule.method().map(Method::card) {
+            Some(card) if card.order > 0 => {
+                let times = card.leading_constant / allowed;
+                let count = sweep * libm::pow(times, 1.0 / f64::from(card.order));
+                (count.ceil() as usize).clamp(1, MOST_SEGMENTS)
+            }
+            _ => 1,
+        }
     }
 }

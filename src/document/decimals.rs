@@ -5,7 +5,7 @@ use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 use super::Options;
 use super::segments::Beziers;
 use crate::approximate::ROUNDING_SHARE;
-use crate::measure::radial::{self, nearly::peak_between};
+use crate::measure::radial::{self, nearly::nearly};
 use crate::number::Precision;
 use crate::number::decimal::MAX_DECIMALS;
 use crate::shape::Truth;
@@ -32,7 +32,7 @@ pub(super) fn decimals(
     if truth.is_circle() {
         return fewest(error * truth.radii.x, largest);
     }
-    if let Some([low, high]) = peak_between(path_segments(start, base, drawn), truth) {
+    if let Some([low, high]) = nearly(path_segments(start, base, drawn), truth).between {
         let most = fewest(low, largest);
         if most == fewest(high, largest) {
             return most;

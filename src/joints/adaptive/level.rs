@@ -12,7 +12,7 @@ use super::{Balance, MOST};
 
 /// The most steps, and the ratio of the largest to the least error that ends them.
 const MOST_STEPS: usize = 12;
-const ALIKE: f64 = 1.0001;
+const ALIKE: f64 = 1.001;
 
 /// The largest change of a segment in a step, as a part of it.
 const CHANGE: f64 = 0.6;
@@ -31,13 +31,13 @@ pub(super) struct Level {
 
 impl Level {
     /// The cut of `whole` degrees, which begin `from` degrees after the short axis, into this many segments; no more is computed once all
-    /// of them are `beyond` an error. `None` where the lobes do not tell.
+    /// of them err less than an edge, or more. `None` where the lobes do not tell.
     pub(super) fn new(
         lobes: &Lobes,
         from: f64,
         whole: f64,
         pieces: usize,
-        beyond: f64,
+        edge: f64,
     ) -> Option<Self> {
         let mut ways = lobes.spread(from, whole, pieces);
         let mut peaks = Vec::with_capacity(pieces);
@@ -49,7 +49,8 @@ impl Level {
             let sizes = || peaks.iter().map(|peak| peak.size);
             let least = sizes().fold(f64::INFINITY, f64::min);
             let most = sizes().fold(0.0, f64::max);
-            if least > beyond || most <= ALIKE * least {
+            let is_settled = least > edge || most < edge && edge.is_finite();
+            if is_settled || most <= ALIKE * least {
                 return Some(Self { ways, least, most });
             }
             step(&mut ways, &peaks)?;

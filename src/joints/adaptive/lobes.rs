@@ -80,9 +80,10 @@ impl Lobes {
         let lobes = segment.lobes(size, after_sharp_end(from));
         let highest = lobes
             .iter()
+            .flatten()
             .fold(0.0, |most, lobe| f64::max(most, lobe.top()));
         let mut peak: Option<Lobe> = None;
-        for lobe in lobes {
+        for lobe in lobes.into_iter().flatten() {
             if lobe.top() < RIVAL * highest {
                 continue;
             }
@@ -174,12 +175,12 @@ impl Segment {
     }
 
     /// The extremes of the excess, and the sharp end of the ellipse, where the segment of this size passes it.
-    fn lobes(&self, size: f64, after_sharp_end: f64) -> [Lobe; 4] {
+    fn lobes(&self, size: f64, after_sharp_end: f64) -> [Option<Lobe>; 4] {
         let [h, g] = self.excess;
         let outer = (1.0 + 8.0 * h / (3.0 * g)).max(0.0).sqrt();
         let sharp = 2.0 * (180.0 - after_sharp_end) / size - 1.0;
-        let sharp = if sharp < 1.0 { sharp } else { 0.0 };
-        [-outer, 0.0, outer, sharp].map(|v| self.at(v))
+        let [first, middle, last] = [-outer, 0.0, outer].map(|v| Some(self.at(v)));
+        [first, middle, last, (sharp < 1.0).then(|| self.at(sharp))]
     }
 
     /// The extreme of the distance beside a lobe.
