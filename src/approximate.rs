@@ -14,10 +14,7 @@ use crate::curve::{Curve, largest_coordinate, turn};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, quarters};
-use crate::measure::radial::{
-    self,
-    nearly::{bound, nearly},
-};
+use crate::measure::radial::{self, nearly::nearly};
 use crate::method::{Method, Piece, Rule, ellipse};
 use crate::number::Precision;
 use crate::numeric::functions::power;
@@ -27,9 +24,6 @@ use crate::shape::{Outline, Shape};
 
 /// The part of the peak error, or of the tolerance, that rounding for output may add.
 pub(crate) const ROUNDING_SHARE: f64 = 0.1;
-
-/// How far above the peak a bound by few samples lies, at most and mostly.
-const LOOSE: f64 = 1.15;
 
 /// How to draw.
 #[derive(Debug, Clone, PartialEq)]
@@ -365,38 +359,6 @@ impl<'a> Request<'a> {
             error,
             precision: sketch.precision,
         }
-    }
-
-    /// Whether the curve as it is written is within the tolerance; measured only where rounding decides.
-    fn is_within(&self, sketch: &mut Sketch, tolerance: f64) -> bool {
-        let truth = &self.outline.truth;
-        if let (Some(peak), Precision::Fixed(_)) = (sketch.peak, sketch.precision) {
-            let moved = sketch.precision.farthest_moved() + 8.0 * f64::EPSILON * self.reach();
-            if peak + moved <= tolerance {
-                return true;
-            }
-            if peak - moved > tolerance {
-                return false;
-            }
-        }
-        let curve = sketch.rounded();
-        let near = nearly(curve.segments.iter().copied(), truth);
-        if near.between.is_some_and(|[low, _]| low > tolerance) {
-            return false;
-        }
-        // A centre that follows from given ends is known to half the digits at worst.
-        let knows_center = self.outline.ends.is_none() || tolerance > 1e-6 * self.reach();
-        let is_certain = |most: f64| knows_center && most <= tolerance;
-        if is_certain(near.most) {
-            return true;
-        }
-        let segments = || curve.segments.iter().copied();
-        if is_certain(near.most / LOOSE) && is_certain(bound(segments(), truth)) {
-            return true;
-        }
-        let error = radial::error(&curve.segments, truth);
-        sketch.measured = Some(error);
-        error.peak() <= tolerance
     }
 }
 

@@ -9,7 +9,7 @@ use super::{ROUNDING_SHARE, Request, Sketch};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
-use crate::measure::radial;
+use crate::measure::radial::{self, nearly::bound, nearly::nearly};
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
@@ -23,6 +23,9 @@ const MOST_TRIES: usize = 64;
 
 /// How many counts are tried from the one on that marching takes.
 const MOST_BEYOND: usize = 8;
+
+/// How far above the peak a bound by few samples lies, at most and mostly.
+const LOOSE: f64 = 1.15;
 
 /// The parts of a tolerance, the largest first, for which joints are marched out: the measure decides which of them serves.
 const NEARLY: [f64; 10] = [1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7];
@@ -85,6 +88,38 @@ impl Request<'_> {
         }
         let mut sketch = self.cut(joints, Some(tolerance))?;
         Ok(self.is_within(&mut sketch, tolerance).then_some(sketch))
+    }
+
+    /// Whether the curve as it is written is within the tolerance; measured only where rounding decides.
+    fn is_within(&self, sketch: &mut Sketch, tolerance: f64) -> bool {
+        let truth = &self.outline.truth;
+        if let (Some(peak), Precision::Fixed(_)) = (sketch.peak, sketch.precision) {
+            let moved = sketch.precision.farthest_moved() + 8.0 * f64::EPSILON * self.reach();
+            if peak + moved <= tolerance {
+                return true;
+            }
+            if peak - moved > tolerance {
+                return false;
+            }
+        }
+        let curve = sketch.rounded();
+        let near = nearly(curve.segments.iter().copied(), truth);
+        if near.between.is_some_and(|[low, _]| low > tolerance) {
+            return false;
+        }
+        // A centre that follows from given ends is known to half the digits at worst.
+        let knows_center = self.outline.ends.is_none() || tolerance > 1e-6 * self.reach();
+        let is_certain = |most: f64| knows_center && most <= tolerance;
+        if is_certain(near.most) {
+            return true;
+        }
+        let segments = || curve.segments.iter().copied();
+        if is_certain(near.most / LOOSE) && is_certain(bound(segments(), truth)) {
+            return true;
+        }
+        let error = radial::error(&curve.segments, truth);
+        sketch.measured = Some(error);
+        error.peak() <= tolerance
     }
 
     /// Whether rounding alone moves a joint of the true shape beyond the tolerance: then nothing else needs to be looked at.
@@ -162,17 +197,14 @@ impl Request<'_> {
         let radius = self.outline.truth.larger_radius();
         let allowed = (tolerance + self.rounding(tolerance)) / radius;
         // Rounding moves the error either way, and where the lobes do not tell it the weights know it to first order only.
-        let marched = OnceCell::new();
-        let march = || -> &Vec<Joints> {
-            marched.get_or_init(|| {
-                let parts = NEARLY.iter();
-                parts
-                    .flat_map(|part| balance.greedy(part * allowed))
-                    .collect()
-            })
-        };
+        let march = |part: &f64| balance.greedy(part * allowed);
+        let marched: OnceCell<Vec<Joints>> = OnceCell::new();
         let least = balance.least_count(allowed);
-        let first = least.or_else(|| march().iter().map(Joints::count).min())?;
+        let first = least.or_else(|| {
+            NEARLY
+                .first()
+                .and_then(|part| march(part).map(|joints| joints.count()).min())
+        })?;
         (first..=MOST_SEGMENTS).take(MOST_BEYOND).find_map(|count| {
             let adaptive = balance.joints(count).ok().and_then(within);
             let equal = || within(Joints::equal(&self.outline.unit, count).ok()?);
@@ -181,7 +213,8 @@ impl Request<'_> {
                 if least.is_some() && balance.least_count(tolerance / radius) > Some(count) {
                     return None;
                 }
-                let mut of_count = march().iter().filter(|joints| joints.count() == count);
+                let marched = marched.get_or_init(|| NEARLY.iter().flat_map(march).collect());
+                let mut of_count = marched.iter().filter(|joints| joints.count() == count);
                 of_count.find_map(|joints| within(joints.clone()))
             };
             adaptive.or_else(equal).or_else(greedy)

@@ -84,7 +84,12 @@ impl Balance {
 
     /// The error of a segment of `size` degrees that begins `way` degrees after the start, over the larger radius.
     fn error(&self, way: f64, size: f64) -> f64 {
-        self.errors.of(self.past_axis(way), size)
+        let from = self.past_axis(way);
+        if self.errors.is_quick() {
+            self.lobes.size(from, size)
+        } else {
+            self.errors.of(from, size)
+        }
     }
 
     /// Whether a closed shape starts on an axis, so that its halves mirror one another.

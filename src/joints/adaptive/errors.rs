@@ -1,10 +1,9 @@
 //! How far a method's segments stray from an ellipse: quickly, and right to first order at least.
 
-use kurbo::{ParamCurve, Point, Vec2};
+use kurbo::{ParamCurve, Point};
 
 use crate::angle::Angle;
 use crate::method::{Method, Rule, Span, ellipse};
-use crate::numeric::foot::foot;
 use crate::numeric::root;
 
 /// The parts into which a segment is cut to look for its peak; the peak between two samples follows from a parabola.
@@ -112,12 +111,7 @@ impl Errors {
         let square = point.to_vec2().hypot2();
         // r - 1 by r² - 1, which keeps its digits.
         let radial = (square - 1.0).abs() / (square.sqrt() + 1.0);
-        let error = radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt();
-        if self.is_rough(error) {
-            let p = Vec2::new(self.short * point.x, point.y);
-            return foot(Vec2::new(self.short, 1.0), p).distance.abs();
-        }
-        error
+        radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt()
     }
 
     /// Whether the first order does not tell errors of this size, and the method's formula is short enough to find out.

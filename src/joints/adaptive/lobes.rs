@@ -70,33 +70,15 @@ impl Lobes {
         }
     }
 
-    /// The peak of the segment of `size` degrees that begins `from` degrees after the short axis; `None` where it is too long.
+    /// The peak of the segment of `size` degrees that begins `from` degrees after the short axis; `None` where it is so long that a longer
+    /// one may err less.
     pub(super) fn of(&self, from: f64, size: f64) -> Option<Peak> {
         if !self.is_tame(from, size) {
             return None;
         }
-        let span = Span::from_degrees(size);
-        let segment = Segment::new(self, from, &span)?;
-        let lobes = segment.lobes(size, after_sharp_end(from));
-        let highest = lobes
-            .iter()
-            .flatten()
-            .fold(0.0, |most, lobe| f64::max(most, lobe.top()));
-        let mut peak: Option<Lobe> = None;
-        for lobe in lobes.into_iter().flatten() {
-            if lobe.top() < RIVAL * highest {
-                continue;
-            }
-            let lobe = segment.climbed(lobe);
-            if peak
-                .as_ref()
-                .is_none_or(|peak| lobe.distance > peak.distance)
-            {
-                peak = Some(lobe);
-            }
-        }
-        let lobe = peak.filter(|lobe| lobe.roughness <= ROUGHEST)?;
-        let (length, turn) = (self.order / span.a, lobe.turn / 2.0);
+        let segment = Segment::new(self, from, size)?;
+        let lobe = segment.peak().filter(|lobe| lobe.roughness <= ROUGHEST)?;
+        let (length, turn) = (self.order / size.to_radians(), lobe.turn / 2.0);
         let slopes = [
             turn * (1.0 - lobe.v) - length,
             turn * (1.0 + lobe.v) + length,
@@ -105,6 +87,36 @@ impl Lobes {
             size: lobe.distance,
             slopes: slopes.map(f64::to_radians),
         })
+    }
+
+    /// The largest distance of such a segment, however long it is.
+    pub(super) fn size(&self, from: f64, size: f64) -> f64 {
+        let peak = Segment::new(self, from, size).and_then(|segment| segment.peak());
+        peak.map_or(f64::INFINITY, |lobe| lobe.distance)
+    }
+
+    /// Whether that is within `allowed`.
+    pub(super) fn is_within(&self, from: f64, size: f64, allowed: f64) -> bool {
+        Segment::new(self, from, size).is_some_and(|segment| {
+            let mut lobes = segment.starts();
+            lobes.all(|v| {
+                let lobe = segment.at(v);
+                // Most segments that are too long are already so before a step.
+                lobe.distance <= allowed
+                    && (lobe.top() <= allowed || segment.climbed(lobe).distance <= allowed)
+            })
+        })
+    }
+
+    /// The sizes of the segments from here on that cross the ellipse at its next sharp end, ascending.
+    pub(super) fn crossing_sharp_end(&self, from: f64) -> impl Iterator<Item = f64> {
+        let way = 180.0 - after_sharp_end(from);
+        // F vanishes at v² = 1 + 4H/G, which hardly varies with the size.
+        let segment = Segment::new(self, from, 45.0);
+        let place = segment.map(|segment| 1.0 + 4.0 * segment.excess[0] / segment.excess[1]);
+        let place = place.filter(|&square| square > 0.0).map(f64::sqrt);
+        let sizes = place.map(|v| [1.0, -1.0].map(|side| 2.0 * way / (1.0 + side * v)));
+        sizes.into_iter().flatten()
     }
 
     /// Joints that lie as dense as the sixth root of the weight asks for, nearly, both ends included.
@@ -152,35 +164,59 @@ struct Segment {
     lean: f64,
     /// H and G.
     excess: [f64; 2],
-    /// The direction of the middle from the short axis.
+    /// The direction of the middle from the short axis, and where the sharp end lies that it passes.
     middle: Vec2,
+    sharp: Option<f64>,
     short: f64,
     flat: f64,
 }
 
 impl Segment {
-    fn new(lobes: &Lobes, from: f64, span: &Span) -> Option<Self> {
-        let piece = lobes.rule.piece(span).ok()?;
+    fn new(lobes: &Lobes, from: f64, size: f64) -> Option<Self> {
+        let span = Span::from_degrees(size);
+        let piece = lobes.rule.piece(&span).ok()?;
         let (sin, cos, k) = (span.sh, span.ch, piece.handle.y);
+        let sharp = 2.0 * (180.0 - after_sharp_end(from)) / size - 1.0;
         Some(Self {
             cos,
             sin,
             bulge: k * sin,
             lean: 2.0 * sin - 3.0 * k * cos,
-            excess: piece.excess(span)?,
-            middle: Angle::from_degrees(from + span.degrees() / 2.0).direction(),
+            excess: piece.excess(&span)?,
+            middle: Angle::from_degrees(from + size / 2.0).direction(),
+            sharp: Some(sharp).filter(|&sharp| sharp < 1.0),
             short: lobes.short,
             flat: lobes.flat,
         })
     }
 
-    /// The extremes of the excess, and the sharp end of the ellipse, where the segment of this size passes it.
-    fn lobes(&self, size: f64, after_sharp_end: f64) -> [Option<Lobe>; 4] {
+    /// The extremes of the excess, and the sharp end.
+    fn starts(&self) -> impl Iterator<Item = f64> {
         let [h, g] = self.excess;
         let outer = (1.0 + 8.0 * h / (3.0 * g)).max(0.0).sqrt();
-        let sharp = 2.0 * (180.0 - after_sharp_end) / size - 1.0;
-        let [first, middle, last] = [-outer, 0.0, outer].map(|v| Some(self.at(v)));
-        [first, middle, last, (sharp < 1.0).then(|| self.at(sharp))]
+        [-outer, 0.0, outer].into_iter().chain(self.sharp)
+    }
+
+    /// The largest distance.
+    fn peak(&self) -> Option<Lobe> {
+        let mut lobes: [Option<Lobe>; 4] = [None; 4];
+        let mut highest = 0.0;
+        for (lobe, v) in lobes.iter_mut().zip(self.starts()) {
+            let at = self.at(v);
+            highest = f64::max(highest, at.top());
+            *lobe = Some(at);
+        }
+        let mut peak: Option<Lobe> = None;
+        for lobe in lobes.into_iter().flatten() {
+            if lobe.top() < RIVAL * highest {
+                continue;
+            }
+            let lobe = self.climbed(lobe);
+            if peak.is_none_or(|peak| lobe.distance > peak.distance) {
+                peak = Some(lobe);
+            }
+        }
+        peak
     }
 
     /// The extreme of the distance beside a lobe.
@@ -239,6 +275,7 @@ impl Segment {
 }
 
 /// A place on a segment beside an extreme of its distance.
+#[derive(Clone, Copy)]
 struct Lobe {
     v: f64,
     /// Its distance, and the product of that with the curvature of the ellipse there.

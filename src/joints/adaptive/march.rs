@@ -6,29 +6,46 @@ use super::{Balance, Joints, MOST, MOST_STEPS};
 use crate::angle::Angle;
 use crate::shape::UnitArc;
 
-/// How many lengths are tried where a longer segment may err less, evenly by their ratio, and how often what lies between two of them is halved.
+/// How many lengths are tried where a longer segment may err less, evenly by their ratio.
 const LONGER: u32 = 12;
-const HALVINGS: u32 = 10;
+
+/// How well the longest of them is known then, as a part of it.
+const SETTLED: f64 = 3e-4;
 
 impl Balance {
-    /// The longest segment from `way`, up to `most`, whose error is `allowed`, starting the search from `guess`.
-    fn longest(&self, way: f64, allowed: f64, guess: f64, most: f64) -> f64 {
-        let is_rough = self.errors.is_rough(allowed);
-        let largest = if is_rough { most } else { self.largest_angle };
+    /// The longest segment from `way`, up to `most`, whose error is `allowed`, starting the search from `guess`; where a longer
+    /// segment may err less, one of `safe` degrees is within it anywhere.
+    fn longest(&self, way: f64, allowed: f64, guess: f64, most: f64, safe: Option<f64>) -> f64 {
+        let largest = if safe.is_some() {
+            most
+        } else {
+            self.largest_angle
+        };
         if let Some(size) = self.longest_by_lobes(way, allowed, guess, largest) {
             return size;
         }
-        if !is_rough {
+        let Some(safe) = safe else {
             return self.settled(way, allowed, guess);
-        }
+        };
         // The sharp ends of a flat ellipse are harmless at a joint, so that a longer segment may err less than a shorter one.
-        let least = self.safe(allowed).min(most);
+        let from = self.past_axis(way);
+        let least = safe.min(most);
         let step = libm::pow(most / least, 1.0 / f64::from(LONGER));
-        let within = |size: f64| size <= most && self.error(way, size) <= allowed;
-        let sizes = (0..=LONGER).map(|i| (least * libm::pow(step, f64::from(i))).min(most));
-        let longest = sizes.filter(|&size| within(size)).fold(least, f64::max);
-        let (mut low, mut high) = (longest, (longest * step).min(most));
-        for _ in 0..HALVINGS {
+        let within = |size: f64| size <= most && self.lobes.is_within(from, size, allowed);
+        let (mut low, mut high) = (most, most);
+        for _ in 0..LONGER {
+            if within(low) {
+                break;
+            }
+            (low, high) = ((low / step).max(least), low);
+        }
+        // A sharp end where the curve crosses the ellipse is harmless too.
+        for size in self.lobes.crossing_sharp_end(from) {
+            if size > low && within(size) {
+                (low, high) = (size, (size * step).min(most));
+            }
+        }
+        while high - low > SETTLED * low {
             let middle = f64::midpoint(low, high);
             if within(middle) {
                 low = middle;
@@ -36,7 +53,7 @@ impl Balance {
                 high = middle;
             }
         }
-        let quarters = (self.past_axis(way) + low) / 90.0;
+        let quarters = (from + low) / 90.0;
         let to_axis = low + 90.0 * (quarters.ceil() - quarters);
         let axes = [to_axis, to_axis + 90.0].into_iter();
         axes.filter(|&size| within(size)).fold(low, f64::max)
@@ -90,9 +107,17 @@ impl Balance {
         joints.clear();
         joints.push(0.0);
         let (mut way, mut size) = (0.0, whole.min(30.0));
+        let is_rough = self.errors.is_rough(allowed);
+        let safe = is_rough.then(|| self.safe(allowed));
         loop {
             size = self
-                .longest(way, allowed, size, self.largest_angle.min(whole - way))
+                .longest(
+                    way,
+                    allowed,
+                    size,
+                    self.largest_angle.min(whole - way),
+                    safe,
+                )
                 .max(whole / (4 * MOST) as f64);
             let left = whole - way;
             if size >= left || joints.len() > most {
