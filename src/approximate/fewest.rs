@@ -27,6 +27,9 @@ const MOST_BEYOND: usize = 8;
 /// How far above the peak a bound by few samples lies, at most and mostly.
 const LOOSE: f64 = 1.15;
 
+/// How far beyond a tolerance, as a part of it, all joints are tried that rounding may bring within.
+const LUCK: f64 = 1.03;
+
 /// The parts of a tolerance, the largest first, for which joints are marched out: the measure decides which of them serves.
 const NEARLY: [f64; 10] = [1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7];
 
@@ -209,8 +212,9 @@ impl Request<'_> {
             let adaptive = balance.joints(count).ok().and_then(within);
             let equal = || within(Joints::equal(&self.outline.unit, count).ok()?);
             let greedy = || {
-                // What only rounding could bring within is not worth a march.
-                if least.is_some() && balance.least_count(tolerance / radius) > Some(count) {
+                // What rounding would have to bring far is not worth a march.
+                let near = LUCK * tolerance / radius;
+                if least.is_some() && balance.least_count(near) > Some(count) {
                     return None;
                 }
                 let marched = marched.get_or_init(|| NEARLY.iter().flat_map(march).collect());

@@ -85,7 +85,7 @@ impl Balance {
     /// The error of a segment of `size` degrees that begins `way` degrees after the start, over the larger radius.
     fn error(&self, way: f64, size: f64) -> f64 {
         let from = self.past_axis(way);
-        if self.errors.is_quick() {
+        if self.errors.is_quick() && size > lobes::SHORTEST {
             self.lobes.size(from, size)
         } else {
             self.errors.of(from, size)

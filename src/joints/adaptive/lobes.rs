@@ -26,6 +26,9 @@ use crate::numeric::foot::foot;
 /// then varies so little along it that a longer segment errs more.
 const LARGEST: f64 = 14.0;
 
+/// The least size of a segment, in degrees: of a shorter one, whose error is below the digits of a coordinate, H and G lose theirs.
+pub(super) const SHORTEST: f64 = 1.0;
+
 /// The largest product of the distance with the curvature of the ellipse beside it, for the same reason.
 const ROUGHEST: f64 = 0.1;
 
@@ -73,7 +76,7 @@ impl Lobes {
     /// The peak of the segment of `size` degrees that begins `from` degrees after the short axis; `None` where it is so long that a longer
     /// one may err less.
     pub(super) fn of(&self, from: f64, size: f64) -> Option<Peak> {
-        if !self.is_tame(from, size) {
+        if size < SHORTEST || !self.is_tame(from, size) {
             return None;
         }
         let segment = Segment::new(self, from, size)?;
