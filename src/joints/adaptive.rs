@@ -76,6 +76,11 @@ impl Balance {
         })
     }
 
+    /// Whether an error costs no search.
+    pub(crate) const fn is_quick(&self) -> bool {
+        self.errors.is_quick()
+    }
+
     /// This many degrees after the start, counted upwards from the short axis: that leaves every distance as it is.
     fn past_axis(&self, way: f64) -> f64 {
         let sign = 1.0_f64.copysign(self.arc.sweep.degrees());
