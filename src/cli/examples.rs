@@ -65,7 +65,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
             "printf 'circle 0 0 5\\ncircle 9 0 5\\n' | curveto batch -o both.svg",
             "echo 'polyline 0 0 1 10 0 0 close' | curveto batch -t 0.001",
         ],
-        "0 done; 1 a failure while running, such as a line that cannot be drawn; 2 a wrong or impossible request.",
+        "0 done; 1 a failure while running, such as a line that cannot be drawn; 2 a wrong or impossible request; 130, 143 ended by SIGINT, SIGTERM.",
     ),
     (
         "spline",
@@ -168,7 +168,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
     ),
 ];
 
-const DRAWS: &str = "0 done; 1 a failure while running; 2 a wrong or impossible request.";
+const DRAWS: &str = "0 done; 1 a failure while running; 2 a wrong or impossible request; 130, 143 ended by SIGINT, SIGTERM.";
 
 /// The examples of a command and its exit codes.
 pub(crate) fn of(command: &str) -> String {

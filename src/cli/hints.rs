@@ -220,7 +220,14 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
         ErrorKind::TooManyValues | ErrorKind::WrongNumberOfValues => {
             of_values(words, command).map(str::to_owned)
         }
-        ErrorKind::ArgumentConflict if command == "measure" => of_measure(words),
+        ErrorKind::ArgumentConflict if command == "measure" => {
+            // Flags of one curve that do not go together stand apart from words in the wrong place.
+            let flag = text(ContextKind::InvalidArg).unwrap_or_default();
+            let apart = ["--fit", "--against"]
+                .iter()
+                .any(|name| flag.starts_with(name));
+            if apart { None } else { of_measure(words) }
+        }
         ErrorKind::MissingRequiredArgument => match command {
             "circle" | "sphere" => Some(format!("for example: curveto {command} 50")),
             "ellipse" => Some("for example: curveto ellipse 30 20".to_owned()),

@@ -47,6 +47,10 @@ fn examples(help: &str) -> Vec<String> {
     let (_, last) = help.rsplit_once("\nExamples:\n").expect(help);
     let (commands, rest) = last.split_once("\n\n").expect(help);
     assert!(rest.starts_with("Exit codes: 0 "), "{help}");
+    let signals = rest
+        .replace('\n', " ")
+        .contains("130, 143 ended by SIGINT, SIGTERM.");
+    assert!(signals || rest.contains("2 trouble"), "{help}");
     commands
         .lines()
         .map(|line| line.trim().to_owned())

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 103] = [
+const MISTAKES: [(&str, &str); 104] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -135,6 +135,10 @@ const MISTAKES: [(&str, &str); 103] = [
     ("oval 5 3", "curveto ellipse 30 20"),
     ("draw circle 5", "curveto circle 50"),
     ("measure drawing.svg", "--file drawing.svg"),
+    (
+        "measure --path M0,0L5,5 --fit auto --against circle:0,0,5",
+        "cannot be used with '--against <circle:CX,CY,R|ellipse:CX,CY,RX,RY,ROT>'\n\nUsage:",
+    ),
     (
         "arc --from 0,0 --to 10,0 --bulge 1 --large",
         "cannot be used with '--large'",
