@@ -173,7 +173,7 @@ impl<'a> Painter<'a> {
             .all(is_line);
         if self.figure.truths.is_empty() && !exact {
             return Err(Error::Picture(
-                "there is no true shape to show: the curve approximates none".to_owned(),
+                "there is no true shape to show: it is known of a circle, an ellipse or an arc that is drawn by itself".to_owned(),
             ));
         }
         Ok(&self.figure.truths)

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 104] = [
+const MISTAKES: [(&str, &str); 105] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -135,6 +135,10 @@ const MISTAKES: [(&str, &str); 104] = [
     ("oval 5 3", "curveto ellipse 30 20"),
     ("draw circle 5", "curveto circle 50"),
     ("measure drawing.svg", "--file drawing.svg"),
+    (
+        "path M0,0A5,5,0,0,1,10,0 -f svg --show truth",
+        "known of a circle, an ellipse or an arc that is drawn by itself",
+    ),
     (
         "measure --path M0,0L5,5 --fit auto --against circle:0,0,5",
         "cannot be used with '--against <circle:CX,CY,R|ellipse:CX,CY,RX,RY,ROT>'\n\nUsage:",
