@@ -100,7 +100,7 @@ fn the_view_holds_the_stroke_and_what_is_shown() {
 
 #[test]
 fn what_is_shown_lies_in_groups_of_its_own() {
-    let document = svg("circle 50 --show joints,handles --show truth,error=500");
+    let document = svg("circle 50 --show joints,handles,truth,error=500");
     let classes: Vec<&str> = document
         .split("<g class=\"")
         .skip(1)
