@@ -10,7 +10,7 @@ ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall dist deb wheel clean
-.PHONY: test judges test-readers test-browser test-tex corpora test-corpora kills fuzz fuzz-random coverage mutants truth numbers lint
+.PHONY: test judges test-readers test-browser test-tex corpora test-corpora test-corpora-back kills fuzz fuzz-random coverage mutants truth numbers lint
 .PHONY: golden gallery
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
@@ -86,16 +86,22 @@ test-tex: ## Compile our TikZ by LaTeX (Debian: texlive-latex-base and texlive-p
 # The icon sets that `convert` is tried on; they are fetched, never committed.
 CORPORA = lucide-static-1.62.0 bootstrap-icons-1.13.2
 
+# Those that have no arcs to begin with, for the way back.
+CORPORA_BACK = mdi-svg-7.4.47 simple-icons-16.37.0
+
 corpora: $(CORPORA:%=corpora/%/package/package.json) ## Fetch the icon sets for test-corpora and bench-convert
 
 corpora/%/package/package.json:
 	@mkdir -p corpora/$*
-	name='$*'; cd corpora && npm pack --silent "$${name%-*}@$${name##*-}" > /dev/null
+	name='$*'; scoped=$$(echo "$${name%-*}" | sed 's,^mdi-,@mdi/,'); cd corpora && npm pack --silent "$$scoped@$${name##*-}" > /dev/null
 	tar -xzf corpora/$*.tgz -C corpora/$*
 	@touch $@
 
 test-corpora: corpora ## Convert the icon sets and judge every file
-	$(CARGO) test --locked --test all -- --ignored --nocapture corpora:: way_back::
+	$(CARGO) test --locked --test all -- --ignored --nocapture corpora::
+
+test-corpora-back: corpora $(CORPORA_BACK:%=corpora/%/package/package.json) ## Bring the arcs of mdi, simple-icons, lucide and bootstrap-icons back and judge every file
+	$(CARGO) test --release --locked --test all -- --ignored --nocapture way_back::
 
 KILLS ?= 100
 

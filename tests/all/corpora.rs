@@ -33,8 +33,13 @@ pub(crate) fn files(set: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("corpora")
         .join(set)
-        .join("package/icons");
-    let mut files: Vec<PathBuf> = std::fs::read_dir(&folder)
+        .join("package");
+    let folder = ["icons", "svg"].map(|name| folder.join(name));
+    let folder = folder
+        .iter()
+        .find(|folder| folder.is_dir())
+        .unwrap_or(&folder[0]);
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
         .unwrap_or_else(|error| panic!("{}: {error}; run `make corpora` first", folder.display()))
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "svg"))

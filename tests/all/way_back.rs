@@ -381,16 +381,120 @@ fn round_trip(file: &PathBuf) -> Tally {
 #[test]
 #[ignore = "needs `make corpora`"]
 fn icons_come_back() {
-    let set = "lucide-static-1.62.0";
-    let tallies = files(set).par_iter().map(round_trip).collect::<Vec<_>>();
-    let tally = tallies.into_iter().fold(Tally::default(), Tally::with);
-    println!(
-        "{set}: {} arcs as they were, {} joined to the one before, {} of another radius, {} still Béziers; {} shapes are paths",
-        tally.same, tally.joined, tally.other_radius, tally.left, tally.no_shape
-    );
-    assert!(
-        tally.complaints.is_empty(),
-        "{}",
-        tally.complaints.join("\n")
-    );
+    for set in ["lucide-static-1.62.0", "bootstrap-icons-1.13.2"] {
+        let tallies = files(set).par_iter().map(round_trip).collect::<Vec<_>>();
+        let tally = tallies.into_iter().fold(Tally::default(), Tally::with);
+        println!(
+            "{set}: {} arcs as they were, {} joined to the one before, {} of another radius, {} still Béziers; {} shapes are paths",
+            tally.same, tally.joined, tally.other_radius, tally.left, tally.no_shape
+        );
+        assert!(
+            tally.complaints.is_empty(),
+            "{}",
+            tally.complaints.join("\n")
+        );
+    }
+}
+
+/// What became of the path data of files that others drew.
+#[derive(Debug, Default, Clone)]
+struct Shrunk {
+    files: usize,
+    changed: usize,
+    before: usize,
+    after: usize,
+    /// The largest part of its tolerance that a file uses.
+    used: f64,
+    /// The pixel that is off the most at 256 pixels a side, of 255.
+    pixel: u8,
+    complaints: Vec<String>,
+}
+
+impl Shrunk {
+    fn with(mut self, other: Self) -> Self {
+        self.files += other.files;
+        self.changed += other.changed;
+        self.before += other.before;
+        self.after += other.after;
+        self.used = self.used.max(other.used);
+        self.pixel = self.pixel.max(other.pixel);
+        self.complaints.extend(other.complaints);
+        self
+    }
+}
+
+/// The bytes of all path data.
+fn data_bytes(text: &str) -> usize {
+    let document = independent::parse(text).unwrap();
+    let data = document
+        .descendants()
+        .filter_map(|node| node.attribute("d"));
+    data.map(str::len).sum()
+}
+
+/// The largest radius of the arcs of outlines.
+fn largest_radius(path: &[Segment]) -> f64 {
+    let radius = |segment: &Segment| match *segment {
+        Segment::Arc([rx, ry], ..) => rx.max(ry),
+        _ => 0.0,
+    };
+    path.iter().map(radius).fold(0.0, f64::max)
+}
+
+/// Converts a file of others at a thousandth of the radius and judges what comes out.
+fn shrink(file: &PathBuf) -> Shrunk {
+    const PART: f64 = 1e-3;
+    let text = std::fs::read_to_string(file).unwrap();
+    let done = document::convert(&text, &options(Some(Tolerance::Relative(PART)), false)).unwrap();
+    let mut found = Shrunk {
+        files: 1,
+        changed: usize::from(done.text != text),
+        before: data_bytes(&text),
+        after: data_bytes(&done.text),
+        ..Shrunk::default()
+    };
+    let mut complain = |why: String| found.complaints.push(format!("{}: {why}", file.display()));
+    for (i, (a, b)) in outlines(&text, &done.text).unwrap().iter().enumerate() {
+        let room = PART * largest_radius(b);
+        match apart(a, b) {
+            // The points stand on chords of the curves.
+            Ok(off) if off <= done.strayed.min(room) + 1e-3 => {
+                if off > 1e-3 {
+                    found.used = found.used.max(off / room);
+                }
+            }
+            other => complain(format!("outline {i}: {other:?}, within {room}")),
+        }
+    }
+    if skeleton(&text) != skeleton(&done.text) {
+        complain("bytes elsewhere changed".to_owned());
+    }
+    if done.text.len() > text.len() {
+        complain("it grew".to_owned());
+    }
+    let pixels = |text: &str| independent::render(text, 256).unwrap();
+    found.pixel = independent::difference(&pixels(&text), &pixels(&done.text), 256, 1);
+    found
+}
+
+#[test]
+#[ignore = "needs `make test-corpora-back`"]
+fn icons_of_others_become_smaller() {
+    for (set, part) in [("mdi-svg-7.4.47", 0.07), ("simple-icons-16.37.0", 0.03)] {
+        let all = files(set).par_iter().map(shrink).collect::<Vec<_>>();
+        let all = all.into_iter().fold(Shrunk::default(), Shrunk::with);
+        let saved = 1.0 - all.after as f64 / all.before as f64;
+        println!(
+            "{set}: {} of {} files, path data {} -> {} bytes ({:.2} % less), at most {:.3} of the tolerance, a pixel off by {} of 255",
+            all.changed,
+            all.files,
+            all.before,
+            all.after,
+            100.0 * saved,
+            all.used,
+            all.pixel
+        );
+        assert!(all.complaints.is_empty(), "{}", all.complaints.join("\n"));
+        assert!(saved >= part, "{set}: {saved}");
+    }
 }
