@@ -257,3 +257,20 @@ pub(crate) fn positive_radii(radii: Vec2) -> Result<Vec2> {
     }
     Ok(radii)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Ellipse, Shape};
+
+    #[test]
+    fn the_short_axis_of_a_rotated_ellipse_is_its_smaller_radius() {
+        for degrees in (0..360).map(f64::from) {
+            for (radii, angle) in [((100.0, 30.0), 90.0), ((30.0, 100.0), 0.0)] {
+                let ellipse = Ellipse::new((7.0, 9.0), radii, Angle::from_degrees(degrees));
+                let outline = Shape::Ellipse(ellipse.unwrap()).outline().unwrap();
+                assert_eq!(outline.axes().angle, angle, "{degrees}");
+            }
+        }
+    }
+}

@@ -4,6 +4,7 @@ use std::process::{Command, Output};
 
 use curveto::document::{Options, convert};
 use curveto::joints::{Joints, MOST_SEGMENTS};
+use curveto::shape::UnitArc;
 use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
 use curveto::{Angle, Circle, Shape};
 use kurbo::Point;
@@ -33,8 +34,14 @@ fn a_closed_shape_ends_at_the_very_point_where_it_starts() {
     let arc = shape.outline().unwrap().unit;
     for start in (0..1000).map(|i| f64::from(i) * 0.37) {
         let angles = [start, start + 100.3, start + 222.2].map(Angle::from_degrees);
-        let joints = Joints::at(&arc, &angles).unwrap();
-        assert_eq!(joints.directions.first(), joints.directions.last());
+        let turned = UnitArc {
+            start: angles[0],
+            ..arc
+        };
+        for joints in [Joints::at(&arc, &angles), Joints::equal(&turned, 3)] {
+            let joints = joints.unwrap();
+            assert_eq!(joints.directions.first(), joints.directions.last());
+        }
     }
 }
 
