@@ -18,6 +18,8 @@ use core::iter;
 
 use kurbo::{CubicBez, Line, ParamCurve, PathSeg, Point, QuadBez, Vec2};
 
+use super::curvature;
+use crate::curve::control_points;
 use crate::numeric::adaptive_integral;
 use crate::numeric::bernstein::{Parameters, Polynomial, binomial};
 use crate::numeric::double::{Double, Twice};
@@ -212,8 +214,26 @@ impl Profile {
             } else {
                 1e-11 * size + rounding(self.excess.sizes().at(t))
             };
+            if distance < -0.5 * self.radii.x {
+                margin += self.nearer(t);
+            }
         }
         [distance - margin, distance + margin]
+    }
+
+    /// How much nearer to the centre a point may be than the one found at t, a root of q·q' but for the rounding of this product.
+    ///
+    /// For a small q the derivatives of the product are |q'|², 3 q'·q'' and 3 |q''|²; the one that counts says how far off the root may
+    /// be. Where the curve turns back at the centre that is some 1e-5, elsewhere next to nothing.
+    fn nearer(&self, t: f64) -> f64 {
+        let points = control_points(&self.own);
+        let [first, second, _] = curvature::derivatives(&points, t).map(Vec2::hypot);
+        let rounding = 64.0 * f64::EPSILON * self.excess.largest();
+        let off = (rounding / (first * first))
+            .min((rounding / (first * second)).sqrt())
+            .min(libm::cbrt(rounding / (second * second)))
+            .min(1.0);
+        first * off + second * off * off
     }
 
     /// Visits the ends and the extremes of the signed distance as (t, distance), positive outside.

@@ -531,3 +531,30 @@ fn degenerate_segments_have_no_curvature_and_still_a_report() {
     let nothing = Curve::default();
     assert!(report(&nothing, &Reference::from(truth), None).is_err());
 }
+
+#[test]
+fn a_curve_that_turns_back_at_the_centre_is_as_near_as_it_is() {
+    // There the derivative of the distance has a triple root, whose place is known to a few digits.
+    for k in 1..60 {
+        let radius = 2.5 + f64::from(k) * 0.037;
+        let turn = Point::new(1.0 + f64::from(k) / 7.0, f64::from(k % 9) / 11.0);
+        let end = Point::new(2.0 * turn.x, 2.0 * turn.y);
+        let off = 1e-13 * 10.0_f64.powi(k % 6);
+        let center = Point::new(turn.x, turn.y - off);
+        let curve = Curve {
+            segments: vec![PathSeg::Quad(QuadBez::new(end, Point::ORIGIN, end))],
+            closed: false,
+        };
+        let truth = Truth::circle(center, radius);
+        let found = report(&curve, &Reference::from(truth), None)
+            .unwrap()
+            .error
+            .inward;
+        // (1/2)² · end + (1/2)² · end is the turning point to the last bit.
+        let least = radius - turn.distance(center);
+        assert!(
+            found >= least && found <= least * (1.0 + 1e-9),
+            "{k}: {found} {least}"
+        );
+    }
+}
