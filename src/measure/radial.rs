@@ -59,7 +59,14 @@ impl FramedPoints {
             PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
             PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
         };
-        Self::of(points.map(|p| exact.point(p)), count, exact)
+        let [a, b, c, d] = &points;
+        let points = [
+            exact.point(*a),
+            exact.point(*b),
+            exact.point(*c),
+            exact.point(*d),
+        ];
+        Self::of(points, count, exact)
     }
 
     /// The same as a cubic.
@@ -79,9 +86,15 @@ impl FramedPoints {
     }
 
     fn of(points: [Twice; 4], count: usize, exact: &Exact) -> Self {
+        let [a, b, c, d] = points;
         Self {
             points,
-            levels: points.map(|q| exact.level(q)),
+            levels: [
+                exact.level(a),
+                exact.level(b),
+                exact.level(c),
+                exact.level(d),
+            ],
             count,
         }
     }

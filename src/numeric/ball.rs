@@ -12,6 +12,52 @@ pub(crate) struct Ball {
 /// A little more than the roundings of an operation and of its radius.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
+/// What formulas need that serve plain numbers and balls alike.
+pub(crate) trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+    /// A number that is known.
+    fn exact(x: f64) -> Self;
+    fn scaled(self, factor: f64) -> Self;
+    fn reciprocal(self) -> Self;
+}
+
+impl Number for f64 {
+    fn exact(x: f64) -> Self {
+        x
+    }
+
+    fn scaled(self, factor: f64) -> Self {
+        self * factor
+    }
+
+    fn reciprocal(self) -> Self {
+        1.0 / self
+    }
+}
+
+impl Number for Ball {
+    fn exact(x: f64) -> Self {
+        Self::new(x, 0.0)
+    }
+
+    fn scaled(self, factor: f64) -> Self {
+        Self::rounded(self.middle * factor, self.radius * factor.abs())
+    }
+
+    /// Of numbers that may be 0, all numbers.
+    fn reciprocal(self) -> Self {
+        let size = self.middle.abs();
+        if size <= self.radius {
+            return Self::new(0.0, f64::INFINITY);
+        }
+        Self::rounded(
+            1.0 / self.middle,
+            self.radius / (size * (size - self.radius)),
+        )
+    }
+}
+
 impl Ball {
     pub(crate) const fn new(middle: f64, radius: f64) -> Self {
         Self { middle, radius }
@@ -22,19 +68,6 @@ impl Ball {
             middle,
             radius: radius + ROUNDING * (radius + middle.abs()),
         }
-    }
-
-    pub(crate) fn scaled(self, factor: f64) -> Self {
-        Self::rounded(self.middle * factor, self.radius * factor.abs())
-    }
-
-    /// The reciprocal of numbers that are farther from 0 than their radius.
-    pub(crate) fn reciprocal(self) -> Self {
-        let size = self.middle.abs();
-        Self::rounded(
-            1.0 / self.middle,
-            self.radius / (size * (size - self.radius)),
-        )
     }
 
     /// The largest size.

@@ -114,7 +114,8 @@ pub(crate) fn foot_by_excess(radii: Vec2, p: Vec2, excess: f64) -> FootByExcess 
         let rest = excess - xm * u * (2.0 + u) - yn * v * (2.0 + v);
         let step = rest / (2.0 * (xm * m * alpha + yn * n * beta));
         s += step;
-        if step.abs() <= 1e-9 * s.abs() {
+        // The digits double with each step.
+        if step.abs() <= 2e-8 * s.abs() {
             break;
         }
     }

@@ -15,14 +15,14 @@ pub(super) struct Part {
     points: [[f64; 4]; 2],
 }
 
-/// A place, or all places, of a part: q about the centre and F, with their derivatives.
-pub(super) struct Motion {
-    pub(super) place: [Ball; 2],
-    pub(super) velocity: [Ball; 2],
-    pub(super) acceleration: [Ball; 2],
+/// A place of a part, or all places: q about the centre and F, with their derivatives.
+pub(super) struct Motion<T> {
+    pub(super) place: [T; 2],
+    pub(super) velocity: [T; 2],
+    pub(super) acceleration: [T; 2],
     pub(super) excess: f64,
-    pub(super) rising: Ball,
-    pub(super) bending: Ball,
+    pub(super) rising: T,
+    pub(super) bending: T,
 }
 
 impl Part {
@@ -83,40 +83,71 @@ impl Part {
         ]
     }
 
+    /// The least |q|, each coordinate on its own, by the control points.
+    pub(super) fn least_place(&self, center: Vec2) -> [f64; 2] {
+        let least = |[a, b, c, d]: [f64; 4], center: f64| {
+            let low = a.min(b).min(c.min(d)) - center;
+            let high = a.max(b).max(c.max(d)) - center;
+            let rounding = 4.0 * f64::EPSILON * (a.abs().max(d.abs()) + center.abs());
+            (low.max(-high) - rounding).max(0.0)
+        };
+        [
+            least(self.points[0], center.x),
+            least(self.points[1], center.y),
+        ]
+    }
+
     /// The control points about a centre.
     pub(super) fn polygon(&self, center: Vec2) -> [Vec2; 4] {
         let [x, y] = self.points;
         core::array::from_fn(|i| Vec2::new(x[i], y[i]) - center)
     }
 
-    /// The motion at a place; the radii are what rounding may have done.
-    pub(super) fn motion_at(&self, t: f64, center: Vec2) -> Motion {
+    /// q about a centre and F in the middle, alone.
+    pub(super) fn middle(&self, center: Vec2) -> (Vec2, f64) {
+        let [x, y] = &self.points;
+        let q = Vec2::new(derivatives(x, 0.5)[0], derivatives(y, 0.5)[0]);
+        (q - center, derivatives(&self.excess, 0.5)[0])
+    }
+
+    /// The motion at a place.
+    pub(super) fn motion_at(&self, t: f64, center: Vec2) -> Motion<f64> {
         let [excess, rising, bending] = derivatives(&self.excess, t);
-        let size = f64::EPSILON * largest(&self.excess);
-        let own = |c: &[f64; 4]| {
-            let size = f64::EPSILON * largest(c);
-            let [place, velocity, acceleration] = derivatives(c, t);
-            [
-                Ball::new(place, 8.0 * size),
-                Ball::new(velocity, 32.0 * size),
-                Ball::new(acceleration, 128.0 * size),
-            ]
-        };
-        let ([x, vx, ax], [y, vy, ay]) = (own(&self.points[0]), own(&self.points[1]));
-        let (cx, cy) = (Ball::new(center.x, 0.0), Ball::new(center.y, 0.0));
+        let [x, vx, ax] = derivatives(&self.points[0], t);
+        let [y, vy, ay] = derivatives(&self.points[1], t);
         Motion {
-            place: [x - cx, y - cy],
+            place: [x - center.x, y - center.y],
             velocity: [vx, vy],
             acceleration: [ax, ay],
             excess,
-            rising: Ball::new(rising, 128.0 * size),
-            bending: Ball::new(bending, 1024.0 * size),
+            rising,
+            bending,
+        }
+    }
+
+    /// The same with what rounding may have done.
+    pub(super) fn rounded(&self, motion: &Motion<f64>) -> Motion<Ball> {
+        let size = f64::EPSILON * largest(&self.excess);
+        let [along, across] = [0, 1].map(|i| f64::EPSILON * largest(&self.points[i]));
+        let pair = |[x, y]: [f64; 2], factor: f64| {
+            [Ball::new(x, factor * along), Ball::new(y, factor * across)]
+        };
+        let [mut x, mut y] = pair(motion.place, 8.0);
+        x.radius += f64::EPSILON * x.middle.abs();
+        y.radius += f64::EPSILON * y.middle.abs();
+        Motion {
+            place: [x, y],
+            velocity: pair(motion.velocity, 32.0),
+            acceleration: pair(motion.acceleration, 128.0),
+            excess: motion.excess,
+            rising: Ball::new(motion.rising, 128.0 * size),
+            bending: Ball::new(motion.bending, 1024.0 * size),
         }
     }
 
     /// The same for all places, the middles of the balls being those at the middle of the part: each derivative differs from there by
     /// half the largest of the next.
-    pub(super) fn spread(&self, middle: &Motion) -> Motion {
+    pub(super) fn spread(&self, middle: &Motion<Ball>) -> Motion<Ball> {
         let third = |&[a, b, c, d]: &[f64; 4]| 3.0 * ((d - a) - 3.0 * (c - b)).abs();
         let third = [third(&self.points[0]), third(&self.points[1])];
         let widened = |ball: Ball, by: f64| Ball::new(ball.middle, ball.radius + by);
@@ -187,10 +218,10 @@ mod tests {
         );
         let center = Vec2::new(0.25, -0.5);
         for part in part.halves() {
-            let all = part.spread(&part.motion_at(0.5, center));
+            let all = part.spread(&part.rounded(&part.motion_at(0.5, center)));
             let [low, high] = part.excess_range();
             for i in 0..=40 {
-                let one = part.motion_at(f64::from(i) / 40.0, center);
+                let one = part.rounded(&part.motion_at(f64::from(i) / 40.0, center));
                 let holds =
                     |all: &Ball, one: &Ball| (all.middle - one.middle).abs() <= all.radius + 1e-15;
                 for axis in 0..2 {

@@ -91,12 +91,12 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             }
             return;
         }
-        let motion = part.motion_at(0.5, self.center);
-        let [gradient, _] = self.gradients(&motion);
-        let x = self.nearness(motion.excess, gradient);
+        let (q, excess) = part.middle(self.center);
+        let gradient = self.alpha[0] * q.x * q.x + self.alpha[1] * q.y * q.y;
+        let x = self.nearness(excess, gradient);
         if x <= NEAR {
-            let least = motion.excess.abs() * (1.0 - 2.0 * x - 1e-9) - self.rounding;
-            let side = usize::from(motion.excess < 0.0);
+            let least = excess.abs() * (1.0 - 2.0 * x - 1e-9) - self.rounding;
+            let side = usize::from(excess < 0.0);
             self.least[side] = self.least[side].max(least / (2.0 * gradient.sqrt()));
         }
         parts.push(part);
@@ -104,35 +104,46 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// Visits an end of the segment, where F is one coefficient.
     fn end(&mut self, whole: &Part, t: f64) {
-        let place = self.place(&whole.motion_at(t, self.center), 0.0);
+        let place = self.place(whole, &whole.motion_at(t, self.center), 0.0);
         self.take(t, &place, 0.0);
     }
 
     /// Bounds the distance on a part, which is halved until none of it can lie above what is known, or its one extreme is found.
     fn bound(&mut self, part: &Part, cuts: u32) {
-        let middle = part.motion_at(0.5, self.center);
-        let motion = part.spread(&middle);
-        let gradients = self.gradients(&motion);
         let [low, high] = part.excess_range();
-        let x = self.nearness(high.max(-low), gradients[0]);
-        if x.is_nan() || x > NEAR {
-            self.bound_far(part, &middle, cuts);
+        let most = high.max(-low);
+        let rounding = self.rounding_of(part);
+        // First by the control points, which cost little.
+        let [p, q] = part.least_place(self.center);
+        let gradient = (self.alpha[0] * p * p + self.alpha[1] * q * q) * (1.0 - 1e-14);
+        if let Some(bounds) = self.bounds([low, high], gradient, rounding)
+            && [0, 1].iter().all(|&side| !self.is_open(side, bounds[side]))
+        {
             return;
         }
-        let rounding = self.rounding_of(part);
-        let weight = (1.0 + 1.3 * x + 1e-14) / (2.0 * gradients[0].sqrt());
-        let mut bounds = [high, -low].map(|excess| (excess + rounding) * weight);
+        let middle = part.motion_at(0.5, self.center);
+        let rounded = part.rounded(&middle);
+        let motion = part.spread(&rounded);
+        let gradients = self.gradients(&motion);
+        let Some(mut bounds) = self.bounds([low, high], gradients[0], rounding) else {
+            self.bound_far(part, &middle, cuts);
+            return;
+        };
         let open = self.open(part, bounds, self.last_place);
         if open == [false; 2] {
             return;
         }
-        let place = self.place(&middle, rounding);
-        let at = middle.slopes(self.alpha, place.multiplier());
+        let x = self.nearness(most, gradients[0]);
+        let place = self.place(part, &middle, rounding);
+        let at = middle.slopes(self.alpha, place.foot.multiplier);
         let mut s = multipliers([low, high], gradients, x, place.multiplier());
         for _ in 0..2 {
             let all = motion.slopes(self.alpha, s);
+            let alpha = self.alpha;
+            let certain = || rounded.slopes(alpha, place.multiplier()).slope;
+            let half = all.bend.size() / 2.0;
             // Either the distance rises or falls all along, or N does.
-            if at.slope.middle.abs() > at.slope.radius + all.bend.size() / 2.0 {
+            if at.slope.abs() > half && at.slope.abs() > half + certain().radius {
                 return;
             }
             let curving = all.bend.middle.abs() - all.bend.radius;
@@ -144,7 +155,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             s.radius = s
                 .radius
                 .min(place.multiplier().radius + all.rate.size() / 2.0);
-            let steepest = at.slope.size() + all.bend.size() / 2.0;
+            let steepest = certain().size() + half;
             let growth = place.margin + 0.6 * steepest / gradients[0].sqrt();
             let distance = place.foot.foot.distance;
             bounds[0] = bounds[0].min(distance + growth);
@@ -155,14 +166,22 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         }
     }
 
+    /// What F and G say of the distance on both sides; `None` where a part is not near.
+    fn bounds(&self, [low, high]: [f64; 2], gradient: f64, rounding: f64) -> Option<[f64; 2]> {
+        let x = self.nearness(high.max(-low), gradient);
+        let weight = (1.0 + 1.3 * x + 1e-14) / (2.0 * gradient.sqrt());
+        (x <= NEAR).then_some([(high + rounding) * weight, (rounding - low) * weight])
+    }
+
     /// The same where the bounds of F say little. The signed distance from a convex shape is a convex function of the point: it is at
     /// most the largest of the control points, and at least that from the tangent at any point of the shape.
-    fn bound_far(&mut self, part: &Part, middle: &Motion, cuts: u32) {
+    fn bound_far(&mut self, part: &Part, middle: &Motion<f64>, cuts: u32) {
         let rounding = self.rounding_of(part);
-        let place = self.place(middle, rounding);
+        let place = self.place(part, middle, rounding);
         self.take(part.parameter(0.5), &place, 0.0);
         let [low, high] = part.excess_range();
         let Foot { distance, outward } = place.foot.foot;
+        let point = self.image(Vec2::new(middle.place[0], middle.place[1]));
         let size = rounding_along(self.image(part.size()), outward);
         let arms = part.arms().map(|q| self.image(q));
         let reach = arms
@@ -188,10 +207,11 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         }
         // The largest of a convex function on a straight part is at one of its ends.
         for t in [0.0, 1.0] {
-            let place = self.place(&part.motion_at(t, self.center), rounding);
+            let place = self.place(part, &part.motion_at(t, self.center), rounding);
             self.take(part.parameter(t), &place, 0.0);
         }
-        if self.open(part, bounds, 1.5 * slack) != [false; 2] {
+        let rounding = 1.5 * slack + self.coordinate_rounding(point);
+        if self.open(part, bounds, rounding) != [false; 2] {
             self.halve(part, cuts, bounds);
         }
     }
@@ -248,19 +268,27 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// Finds the extreme of a part on which |N'| is at least `curving`, from what they are at its middle; whether it did. From a place on, the
     /// distance grows by N² / (2 √g curving) at most.
-    fn settle(&mut self, part: &Part, middle: &Slopes, curving: f64, rounding: f64) -> bool {
-        let (mut t, mut slope, mut bend) = (0.5, middle.slope.middle, middle.bend.middle);
-        for _ in 0..MOST_STEPS {
-            t = (t - slope / bend).clamp(0.0, 1.0);
+    fn settle(&mut self, part: &Part, at: &Slopes<f64>, curving: f64, rounding: f64) -> bool {
+        let mut t = 0.5 - at.slope / at.bend;
+        for steps in 0..MOST_STEPS {
+            t = t.clamp(0.0, 1.0);
             let motion = part.motion_at(t, self.center);
-            let place = self.place(&motion, rounding);
-            let at = motion.slopes(self.alpha, place.multiplier());
-            (slope, bend) = (at.slope.middle, at.bend.middle);
+            let point = self.image(Vec2::new(motion.place[0], motion.place[1]));
+            let foot = foot_by_excess(self.radii, point, motion.excess);
+            let Slopes { slope, bend, .. } = motion.slopes(self.alpha, foot.multiplier);
+            let step = -slope / bend;
+            if step.abs() > 1e-6 && (t + step).clamp(0.0, 1.0) != t && steps + 1 < MOST_STEPS {
+                t += step;
+                continue;
+            }
+            let place = self.place_at(part, &motion, foot, rounding);
+            let at = part.rounded(&motion).slopes(self.alpha, place.multiplier());
             let steep = at.slope.size();
             // g is at least 0.6 G where a part is near.
-            let [gradient, _] = self.gradients(&motion);
+            let gradient: f64 = (0..2)
+                .map(|i| self.alpha[i] * motion.place[i] * motion.place[i])
+                .sum();
             let more = 0.7 * steep * steep / (curving * gradient.sqrt());
-            let step = -slope / bend;
             let is_beyond = (t == 0.0 && step < 0.0) || (t == 1.0 && step > 0.0);
             if is_beyond || more <= LEFT * place.foot.foot.distance.abs() + place.margin {
                 self.take(
@@ -270,12 +298,13 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
                 );
                 return true;
             }
+            t += step;
         }
         false
     }
 
     /// The least and the largest G.
-    fn gradients(&self, motion: &Motion) -> [f64; 2] {
+    fn gradients(&self, motion: &Motion<Ball>) -> [f64; 2] {
         let mut sum = [0.0; 2];
         for (ball, alpha) in motion.place.into_iter().zip(self.alpha) {
             let least = (ball.middle.abs() - ball.radius).max(0.0);
@@ -295,30 +324,48 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// The nearest point at a place where F is off so far at most.
-    fn place(&self, motion: &Motion, rounding: f64) -> Place {
-        let q = motion.place.map(|ball| ball.middle);
-        let point = self.image(Vec2::new(q[0], q[1]));
+    fn place(&self, part: &Part, motion: &Motion<f64>, rounding: f64) -> Place {
+        let [x, y] = motion.place;
+        let point = self.image(Vec2::new(x, y));
         let foot = foot_by_excess(self.radii, point, motion.excess);
-        let size = foot.foot.distance.abs();
+        self.place_at(part, motion, foot, rounding)
+    }
+
+    /// The same where the nearest point is known.
+    fn place_at(
+        &self,
+        part: &Part,
+        motion: &Motion<f64>,
+        foot: FootByExcess,
+        rounding: f64,
+    ) -> Place {
+        let q = motion.place;
+        let point = self.image(Vec2::new(q[0], q[1]));
+        let size = part.size();
+        let off = [
+            f64::EPSILON * (8.0 * size.x + q[0].abs()),
+            f64::EPSILON * (8.0 * size.y + q[1].abs()),
+        ];
+        let distance = foot.foot.distance.abs();
         if !foot.is_exact {
             let along = rounding_along(point, foot.foot.outward);
-            let margin = along + self.coordinate_rounding(point) + 4.0 * f64::EPSILON * size;
+            let margin = along + self.coordinate_rounding(point) + 4.0 * f64::EPSILON * distance;
             return Place { foot, margin };
         }
         // How s, and with it the distance, follows from F and from q.
         let s = foot.multiplier;
-        let (mut off, mut strayed, mut d, mut g) = (0.0, 0.0, 0.0, 0.0);
+        let (mut moved, mut strayed, mut d, mut g) = (0.0, 0.0, 0.0, 0.0);
         for (i, alpha) in self.alpha.into_iter().enumerate() {
             let m = 1.0 / (1.0 + s * alpha);
-            let moved = motion.place[i].radius + self.profile.coordinates * alpha.sqrt();
-            let along = alpha * m * q[i].abs() * moved;
-            off += along * (1.0 + m);
+            let off = off[i] + self.profile.coordinates * alpha.sqrt();
+            let along = alpha * m * q[i].abs() * off;
+            moved += along * (1.0 + m);
             strayed += along * m;
             d += alpha * m * m * m * q[i] * q[i];
             g += alpha * m * m * q[i] * q[i];
         }
-        let share = off / d + strayed / g + 16.0 * f64::EPSILON;
-        let margin = size * share + rounding * 0.6 * g.sqrt() / d;
+        let share = moved / d + strayed / g + 16.0 * f64::EPSILON;
+        let margin = distance * share + rounding * 0.6 * g.sqrt() / d;
         Place { foot, margin }
     }
 

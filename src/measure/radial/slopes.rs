@@ -8,23 +8,22 @@
 //!   V = Σ αᵢ mᵢ² qᵢ qᵢ',  W = Σ αᵢ mᵢ qᵢ qᵢ',  U = Σ αᵢ mᵢ (qᵢ'² + qᵢ qᵢ''),  D = Σ αᵢ mᵢ³ qᵢ².
 
 use super::part::Motion;
-use crate::numeric::ball::Ball;
+use crate::numeric::ball::{Ball, Number};
 
 /// N, N' and s'.
-pub(super) struct Slopes {
-    pub(super) slope: Ball,
-    pub(super) bend: Ball,
-    pub(super) rate: Ball,
+pub(super) struct Slopes<T> {
+    pub(super) slope: T,
+    pub(super) bend: T,
+    pub(super) rate: T,
 }
 
-impl Motion {
+impl<T: Number> Motion<T> {
     /// At a place, or between what they lie on a part, where s is so.
-    pub(super) fn slopes(&self, alpha: [f64; 2], s: Ball) -> Slopes {
-        let nothing = Ball::new(0.0, 0.0);
-        let [mut u, mut v, mut w, mut d] = [nothing; 4];
+    pub(super) fn slopes(&self, alpha: [f64; 2], s: T) -> Slopes<T> {
+        let [mut u, mut v, mut w, mut d] = [T::exact(0.0); 4];
         for (i, alpha) in alpha.into_iter().enumerate() {
             let (q, velocity) = (self.place[i], self.velocity[i]);
-            let m = (Ball::new(1.0, 0.0) + s.scaled(alpha)).reciprocal();
+            let m = (T::exact(1.0) + s.scaled(alpha)).reciprocal();
             let along = (q * velocity).scaled(alpha) * m;
             let turning = velocity * velocity + q * self.acceleration[i];
             let foot = q * m;
@@ -34,11 +33,7 @@ impl Motion {
             d = d + (foot * foot).scaled(alpha) * m;
         }
         let half = self.rising.scaled(0.5);
-        let rate = if d.middle > d.radius {
-            (half - s * (v + w)) * d.reciprocal()
-        } else {
-            Ball::new(0.0, f64::INFINITY)
-        };
+        let rate = (half - s * (v + w)) * d.reciprocal();
         Slopes {
             slope: half - s * w,
             bend: self.bending.scaled(0.5) - rate * v - s * u,
