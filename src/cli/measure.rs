@@ -17,6 +17,7 @@ use curveto::picture::plot::Chart;
 use curveto::write::json;
 use curveto::write::measurement::{Measurement, csv};
 use curveto::write::plot;
+use serde::Serialize;
 
 use super::Outcome;
 use super::args::MeasureArgs;
@@ -147,16 +148,28 @@ fn report_text(
     always_array: bool,
 ) -> Result<String, Failure> {
     let measurements: Vec<&Measurement> = subjects.iter().map(|s| &s.measurement).collect();
-    Ok(match format {
-        ReportFormat::Table => {
-            let tables: Vec<String> = measurements.iter().map(|m| table::render(m)).collect();
-            tables.join("\n")
-        }
-        ReportFormat::Csv => csv(&measurements),
-        ReportFormat::Json => match measurements.as_slice() {
-            [one] if !always_array => json::to_string(one)? + "\n",
-            all => json::to_string(&all)? + "\n",
-        },
+    written(
+        &measurements,
+        format,
+        always_array,
+        |m| table::render(m),
+        csv,
+    )
+}
+
+/// What was found, as a table each, as CSV, or as JSON: one document or an array of them.
+fn written<T: Serialize>(
+    all: &[T],
+    format: ReportFormat,
+    always_array: bool,
+    table: impl Fn(&T) -> String,
+    csv: impl Fn(&[T]) -> String,
+) -> Result<String, Failure> {
+    Ok(match (format, all) {
+        (ReportFormat::Table, all) => all.iter().map(table).collect::<Vec<_>>().join("\n"),
+        (ReportFormat::Csv, all) => csv(all),
+        (ReportFormat::Json, [one]) if !always_array => json::to_string(one)? + "\n",
+        (ReportFormat::Json, all) => json::to_string(&all)? + "\n",
     })
 }
 

@@ -30,7 +30,7 @@ impl From<Quadrature> for curveto::method::Quadrature {
 #[command(next_help_heading = "How it is approximated")]
 pub(crate) struct ApproximationArgs {
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
-    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::MethodReader, hide_possible_values = true, action = ArgAction::Set)]
+    #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::METHOD, hide_possible_values = true, action = ArgAction::Set)]
     method: Vec<Method>,
     /// Exactly N segments, of equal parametric angle; measure takes several, as in 2,3,4
     #[arg(short = 'n', long, value_name = "N", value_delimiter = ',', value_parser = values::count, allow_hyphen_values = true, action = ArgAction::Set, conflicts_with_all = ["tolerance", "joints"])]

@@ -17,7 +17,7 @@ use crate::cli::formats::FileFormat;
 #[derive(Debug, Args)]
 pub(crate) struct CompareArgs {
     /// Methods by id or alias, or all
-    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = values::MethodsReader, hide_possible_values = true, action = ArgAction::Set)]
+    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = values::METHODS, hide_possible_values = true, action = ArgAction::Set)]
     pub(crate) method: Vec<MethodList>,
     /// Numbers of segments
     #[arg(short = 'n', long, value_name = "N,N", value_parser = super::values::count, value_delimiter = ',', action = ArgAction::Set, default_values_t = [2, 3, 4, 5, 6, 8])]

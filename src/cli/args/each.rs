@@ -12,7 +12,7 @@ use crate::cli::failure::Failure;
 #[derive(Debug, Args)]
 pub(crate) struct EachArgs {
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
-    #[arg(short, long, value_name = "ID", value_parser = values::MethodReader, hide_possible_values = true)]
+    #[arg(short, long, value_name = "ID", value_parser = values::METHOD, hide_possible_values = true)]
     method: Option<Method>,
     /// Exactly N segments for each shape and arc, of equal parametric angle
     #[arg(short = 'n', long, value_name = "N", value_parser = values::count, allow_hyphen_values = true, conflicts_with = "tolerance")]

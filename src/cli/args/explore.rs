@@ -43,7 +43,7 @@ pub(crate) struct Explored<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,
     /// Methods to choose from, by id or alias, or all
-    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = values::MethodsReader, hide_possible_values = true, action = ArgAction::Set)]
+    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = values::METHODS, hide_possible_values = true, action = ArgAction::Set)]
     method: Vec<MethodList>,
     /// Numbers of segments to choose from [default: 2,3,4,5,6,8; of an open arc 1,2,3,4,6,8]
     #[arg(short = 'n', long, value_name = "N,N", value_parser = values::count, value_delimiter = ',', action = ArgAction::Set)]

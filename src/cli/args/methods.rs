@@ -8,7 +8,7 @@ use super::values;
 #[derive(Debug, Args)]
 pub(crate) struct MethodsArgs {
     /// One method, by id or alias: its whole card
-    #[arg(value_name = "ID", value_parser = values::MethodReader, hide_possible_values = true)]
+    #[arg(value_name = "ID", value_parser = values::METHOD, hide_possible_values = true)]
     pub(crate) id: Option<Method>,
     /// The format
     #[arg(short, long, value_enum, value_name = "F", default_value_t)]

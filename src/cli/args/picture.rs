@@ -37,7 +37,7 @@ pub(crate) struct PictureArgs {
     /// Show with the curve any of joints, handles, truth, error=K
     ///
     /// truth is the true shape beneath; error=K the deviation drawn K times as large, orange outside and blue inside.
-    #[arg(long, value_name = "WHAT,...", value_delimiter = ',', value_parser = values::ShownReader, hide_possible_values = true, action = ArgAction::Set)]
+    #[arg(long, value_name = "WHAT,...", value_delimiter = ',', value_parser = values::SHOWN, hide_possible_values = true, action = ArgAction::Set)]
     show: Vec<Shown>,
 }
 

@@ -11,7 +11,7 @@ use super::{TalkArgs, values};
 #[derive(Debug, Args)]
 pub(crate) struct ProcsetArgs {
     /// The method whose quarter-circle handle the procedures use
-    #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::MethodReader, hide_possible_values = true)]
+    #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::METHOD, hide_possible_values = true)]
     pub(crate) method: Method,
     /// More of his procedures
     #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',', action = ArgAction::Set)]

@@ -28,7 +28,7 @@ pub(crate) struct SphereArgs {
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, default_value = "0,0")]
     pub(crate) center: Point,
     /// A method by id or alias; 'curveto methods' lists them
-    #[arg(short, long, value_name = "ID", value_parser = values::MethodReader, hide_possible_values = true, default_value_t, help_heading = "How it is approximated")]
+    #[arg(short, long, value_name = "ID", value_parser = values::METHOD, hide_possible_values = true, default_value_t, help_heading = "How it is approximated")]
     pub(crate) method: Method,
     /// Segments of a whole circle [default: 4]
     #[arg(

@@ -26,26 +26,57 @@ pub(super) fn method(text: &str) -> Read<Method> {
     text.parse().map_err(|error| told(&error))
 }
 
-/// Reads a method; help and the completions of shells list the catalogue.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct MethodReader;
+/// A reader with words that the completions of shells list.
+#[derive(Clone)]
+pub(super) struct Listed<T> {
+    read: fn(&str) -> Read<T>,
+    words: fn() -> Vec<PossibleValue>,
+}
 
-impl TypedValueParser for MethodReader {
-    type Value = Method;
+impl<T: Clone + Send + Sync + 'static> TypedValueParser for Listed<T> {
+    type Value = T;
 
     fn parse_ref(
         &self,
         command: &Command,
         arg: Option<&Arg>,
         value: &OsStr,
-    ) -> Result<Method, clap::Error> {
-        method.parse_ref(command, arg, value)
+    ) -> Result<T, clap::Error> {
+        self.read.parse_ref(command, arg, value)
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        Some(Box::new(method_names()))
+        Some(Box::new((self.words)().into_iter()))
     }
 }
+
+/// Reads a method.
+pub(super) const METHOD: Listed<Method> = Listed {
+    read: method,
+    words: || method_names().collect(),
+};
+
+/// Reads a list of methods, or `all`.
+pub(super) const METHODS: Listed<MethodList> = Listed {
+    read: methods,
+    words: || {
+        let all = PossibleValue::new("all").help("every method");
+        std::iter::once(all).chain(method_names()).collect()
+    },
+};
+
+/// Reads what `--show` takes.
+pub(super) const SHOWN: Listed<Shown> = Listed {
+    read: |text| {
+        text.parse()
+            .map_err(|error: curveto::Error| error.to_string())
+    },
+    words: || {
+        ["joints", "handles", "truth", "error=500"]
+            .map(PossibleValue::new)
+            .into()
+    },
+};
 
 /// The ids of the methods and then their aliases: completions list what stands here, and no aliases of it.
 fn method_names() -> impl Iterator<Item = PossibleValue> {
@@ -61,56 +92,11 @@ fn method_names() -> impl Iterator<Item = PossibleValue> {
 /// The methods that were named; a name of its own, since clap reads a plain `Vec` value by value.
 pub(super) type MethodList = Vec<Method>;
 
-/// Reads a list of methods, or `all`.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct MethodsReader;
-
-impl TypedValueParser for MethodsReader {
-    type Value = MethodList;
-
-    fn parse_ref(
-        &self,
-        command: &Command,
-        arg: Option<&Arg>,
-        value: &OsStr,
-    ) -> Result<MethodList, clap::Error> {
-        methods.parse_ref(command, arg, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let all = PossibleValue::new("all").help("every method");
-        Some(Box::new(std::iter::once(all).chain(method_names())))
-    }
-}
-
 fn methods(text: &str) -> Read<MethodList> {
     if text == "all" {
         return Ok(Method::ALL.to_vec());
     }
     text.split(',').map(|name| method(name.trim())).collect()
-}
-
-/// Reads what `--show` takes, which the completions of shells list.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct ShownReader;
-
-impl TypedValueParser for ShownReader {
-    type Value = Shown;
-
-    fn parse_ref(
-        &self,
-        command: &Command,
-        arg: Option<&Arg>,
-        value: &OsStr,
-    ) -> Result<Shown, clap::Error> {
-        let read = |text: &str| text.parse::<Shown>();
-        read.parse_ref(command, arg, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let words = ["joints", "handles", "truth", "error=500"];
-        Some(Box::new(words.into_iter().map(PossibleValue::new)))
-    }
 }
 
 pub(super) fn angle(text: &str) -> Read<Angle> {

@@ -8,7 +8,6 @@ use curveto::measure::Quantity;
 use curveto::number::{Precision, compact, rounded_up};
 use curveto::picture::plot::Chart;
 use curveto::write::conic::{ConicMeasurement, conic_csv};
-use curveto::write::json;
 
 use super::super::args::measure::{Measured, ReportFormat};
 use super::super::args::{ConicShape, PrecisionWord};
@@ -18,7 +17,7 @@ use super::super::formats::choose;
 use super::super::output::Target;
 use super::Outcome;
 use super::table::{close_up, lines, plain};
-use super::{draw_panels, samples, words};
+use super::{draw_panels, samples, words, written};
 
 /// A drawing, and the number of its panel in a plot.
 struct Subject {
@@ -101,12 +100,7 @@ fn chart(subjects: &[&Subject], quantity: Quantity) -> Result<Chart, Failure> {
 /// Every figure of each drawing.
 fn report_text(drawings: &[&Drawing], format: ReportFormat) -> Result<String, Failure> {
     let all: Vec<ConicMeasurement> = drawings.iter().map(|&drawing| drawing.into()).collect();
-    Ok(match (format, all.as_slice()) {
-        (ReportFormat::Table, all) => all.iter().map(table).collect::<Vec<_>>().join("\n"),
-        (ReportFormat::Csv, all) => conic_csv(all),
-        (ReportFormat::Json, [one]) => json::to_string(one)? + "\n",
-        (ReportFormat::Json, all) => json::to_string(&all)? + "\n",
-    })
+    written(&all, format, false, table, conic_csv)
 }
 
 fn table(found: &ConicMeasurement) -> String {

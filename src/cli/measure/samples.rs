@@ -5,13 +5,12 @@ use curveto::conic::Drawing;
 use curveto::measure::samples::{Sample, samples};
 use curveto::number::{compact, significant};
 use curveto::write::conic::{ConicSamples, conic_samples_csv};
-use curveto::write::json;
 use curveto::write::measurement::{Samples, samples_csv};
 
 use super::super::args::measure::ReportFormat;
 use super::super::failure::Failure;
-use super::Subject;
 use super::table::{close_up, lines, plain};
+use super::{Subject, written};
 
 /// The points of every subject.
 pub(super) fn text(
@@ -24,12 +23,7 @@ pub(super) fn text(
         .iter()
         .map(|subject| sampled(subject, count))
         .collect::<Result<_, _>>()?;
-    Ok(match (format, all.as_slice()) {
-        (ReportFormat::Table, all) => all.iter().map(render).collect::<Vec<_>>().join("\n"),
-        (ReportFormat::Csv, all) => samples_csv(all),
-        (ReportFormat::Json, [one]) if !always_array => json::to_string(one)? + "\n",
-        (ReportFormat::Json, all) => json::to_string(&all)? + "\n",
-    })
+    written(&all, format, always_array, render, samples_csv)
 }
 
 fn sampled(subject: &Subject, count: usize) -> Result<Samples<'_>, Failure> {
@@ -50,12 +44,7 @@ pub(super) fn conic_text(
         .iter()
         .map(|drawing| ConicSamples::new(drawing, count))
         .collect::<Result<_, _>>()?;
-    Ok(match (format, all.as_slice()) {
-        (ReportFormat::Table, all) => all.iter().map(render_conic).collect::<Vec<_>>().join("\n"),
-        (ReportFormat::Csv, all) => conic_samples_csv(all),
-        (ReportFormat::Json, [one]) => json::to_string(one)? + "\n",
-        (ReportFormat::Json, all) => json::to_string(&all)? + "\n",
-    })
+    written(&all, format, false, render_conic, conic_samples_csv)
 }
 
 /// The table for people.
