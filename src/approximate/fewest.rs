@@ -106,7 +106,8 @@ impl Request<'_> {
             }
         }
         let curve = sketch.rounded();
-        let near = nearly(curve.segments.iter().copied(), truth);
+        let segments = || curve.segments.iter().copied();
+        let near = nearly(segments(), truth);
         if near.between.is_some_and(|[low, _]| low > tolerance) {
             return false;
         }
@@ -116,7 +117,6 @@ impl Request<'_> {
         if is_certain(near.most) {
             return true;
         }
-        let segments = || curve.segments.iter().copied();
         if is_certain(near.most / LOOSE) && is_certain(bound(segments(), truth)) {
             return true;
         }
@@ -202,11 +202,15 @@ impl Request<'_> {
         // Rounding moves the error either way, and where the lobes do not tell it the weights know it to first order only.
         let march = |part: &f64| balance.greedy(part * allowed);
         let marched: OnceCell<Vec<Joints>> = OnceCell::new();
+        let all = || marched.get_or_init(|| NEARLY.iter().flat_map(march).collect());
         let least = balance.least_count(allowed);
-        let some = if balance.is_quick() { 4 } else { 1 };
         let first = least.or_else(|| {
-            let parts = NEARLY.iter().step_by(some);
-            parts.flat_map(march).map(|joints| joints.count()).min()
+            if balance.is_quick() {
+                let some = NEARLY.iter().step_by(4);
+                some.flat_map(march).map(|joints| joints.count()).min()
+            } else {
+                all().iter().map(Joints::count).min()
+            }
         })?;
         (first..=MOST_SEGMENTS).take(MOST_BEYOND).find_map(|count| {
             let adaptive = balance.joints(count).ok().and_then(within);
@@ -217,8 +221,7 @@ impl Request<'_> {
                 if least.is_some() && balance.least_count(near) > Some(count) {
                     return None;
                 }
-                let marched = marched.get_or_init(|| NEARLY.iter().flat_map(march).collect());
-                let mut of_count = marched.iter().filter(|joints| joints.count() == count);
+                let mut of_count = all().iter().filter(|joints| joints.count() == count);
                 of_count.find_map(|joints| within(joints.clone()))
             };
             adaptive.or_else(equal).or_else(greedy)
