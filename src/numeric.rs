@@ -72,6 +72,16 @@ pub(crate) fn root_near(
     }
 }
 
+/// The top of the parabola through three evenly spaced values, of which the middle one is the largest; that one where there is none.
+pub(crate) fn top([before, middle, after]: [f64; 3]) -> f64 {
+    let (slope, bend) = ((after - before) / 2.0, before - 2.0 * middle + after);
+    if bend < 0.0 {
+        middle - slope * slope / (2.0 * bend)
+    } else {
+        middle
+    }
+}
+
 /// The integral of `f` over `[from, to]` by 24 Gauss-Legendre points.
 pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     let half = (to - from) / 2.0;

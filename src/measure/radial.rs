@@ -59,14 +59,7 @@ impl FramedPoints {
             PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
             PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
         };
-        let [a, b, c, d] = &points;
-        let points = [
-            exact.point(*a),
-            exact.point(*b),
-            exact.point(*c),
-            exact.point(*d),
-        ];
-        Self::of(points, count, exact)
+        Self::of(points.map(|p| exact.point(p)), count, exact)
     }
 
     /// The same as a cubic.
@@ -86,15 +79,9 @@ impl FramedPoints {
     }
 
     fn of(points: [Twice; 4], count: usize, exact: &Exact) -> Self {
-        let [a, b, c, d] = points;
         Self {
             points,
-            levels: [
-                exact.level(a),
-                exact.level(b),
-                exact.level(c),
-                exact.level(d),
-            ],
+            levels: points.map(|q| exact.level(q)),
             count,
         }
     }
@@ -302,12 +289,8 @@ pub(crate) fn nearest(truth: &Truth, p: Point) -> Foot {
     let offset = p - truth.center;
     let axis = truth.axis;
     let own = foot(truth.radii, Vec2::new(offset.dot(axis), axis.cross(offset)));
-    let outward = own.outward;
     Foot {
-        outward: Vec2::new(
-            outward.x * axis.x - outward.y * axis.y,
-            outward.x * axis.y + outward.y * axis.x,
-        ),
+        outward: own.outward.rotate_scale(axis),
         ..own
     }
 }

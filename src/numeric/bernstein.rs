@@ -53,20 +53,11 @@ impl Polynomial {
             return self.coefficients[self.degree];
         }
         // The squares of cubics and their slopes, by loops whose length the compiler knows.
-        let value = match self.degree {
-            5 => casteljau::<6>(self.coefficients(), t),
-            6 => casteljau::<7>(self.coefficients(), t),
-            _ => None,
-        };
-        value.unwrap_or_else(|| {
-            let (mut work, rest) = (self.coefficients, 1.0 - t);
-            for last in (1..=self.degree).rev() {
-                for i in 0..last {
-                    work[i] = rest * work[i] + t * work[i + 1];
-                }
-            }
-            work[0]
-        })
+        match self.degree {
+            5 => casteljau(self.coefficients, 5, t),
+            6 => casteljau(self.coefficients, 6, t),
+            degree => casteljau(self.coefficients, degree, t),
+        }
     }
 
     /// The largest size of a coefficient, which no value exceeds.
@@ -217,16 +208,15 @@ impl Polynomial {
     }
 }
 
-/// De Casteljau's algorithm for so many coefficients.
-#[inline]
-fn casteljau<const COUNT: usize>(coefficients: &[f64], t: f64) -> Option<f64> {
-    let mut work = *coefficients.first_chunk::<COUNT>()?;
-    for last in (1..COUNT).rev() {
+/// De Casteljau's algorithm.
+#[inline(always)]
+fn casteljau(mut work: [f64; MOST], degree: usize, t: f64) -> f64 {
+    for last in (1..=degree).rev() {
         for i in 0..last {
             work[i] = (1.0 - t) * work[i] + t * work[i + 1];
         }
     }
-    Some(work[0])
+    work[0]
 }
 
 /// n over k for n up to 6.

@@ -323,10 +323,9 @@ impl Exact {
         let Some(back) = &self.back else {
             return v;
         };
-        let v = match self.axis.map(|[cos, sin]| (cos.value(), sin.value())) {
-            Some((cos, sin)) => Vec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y),
-            None => v,
-        };
+        let v = self.axis.map_or(v, |[cos, sin]| {
+            v.rotate_scale(Vec2::new(cos.value(), sin.value()))
+        });
         back.forth[0] * v.x + back.forth[1] * v.y
     }
 }

@@ -108,11 +108,7 @@ impl Truth {
     #[inline(always)]
     #[must_use]
     pub(crate) fn image(&self, v: Vec2) -> Vec2 {
-        let (x, y) = (v.x * self.radii.x, v.y * self.radii.y);
-        Vec2::new(
-            self.axis.x * x - self.axis.y * y,
-            self.axis.y * x + self.axis.x * y,
-        )
+        Vec2::new(v.x * self.radii.x, v.y * self.radii.y).rotate_scale(self.axis)
     }
 
     /// The map from the unit circle.

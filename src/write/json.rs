@@ -266,10 +266,7 @@ pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentD
 ///
 /// Where the value cannot be JSON ([`Error::Json`]).
 pub fn to_string(value: &impl Serialize) -> Result<String> {
-    let mut out = Vec::new();
-    serialize(&mut out, value, Layout::default())?;
-    // A serializer writes UTF-8, so that this cannot fail and need not copy.
-    Ok(String::from_utf8(out).unwrap_or_default())
+    text(|out| serialize(out, value, Layout::default()))
 }
 
 /// Any value as one line of JSON.
@@ -278,8 +275,12 @@ pub fn to_string(value: &impl Serialize) -> Result<String> {
 ///
 /// Where the value cannot be JSON ([`Error::Json`]).
 pub fn to_line(value: &impl Serialize) -> Result<String> {
+    text(|out| push_line(out, value))
+}
+
+fn text(push: impl FnOnce(&mut Vec<u8>) -> Result<()>) -> Result<String> {
     let mut out = Vec::new();
-    push_line(&mut out, value)?;
+    push(&mut out)?;
     // A serializer writes UTF-8, so that this cannot fail and need not copy.
     Ok(String::from_utf8(out).unwrap_or_default())
 }

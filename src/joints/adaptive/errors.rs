@@ -4,7 +4,7 @@ use kurbo::{ParamCurve, Point};
 
 use crate::angle::Angle;
 use crate::method::{Method, Rule, Span, ellipse};
-use crate::numeric::root;
+use crate::numeric::{self, root};
 
 /// The parts into which a segment is cut to look for its peak; the peak between two samples follows from a parabola.
 const SAMPLES: usize = 12;
@@ -136,10 +136,5 @@ fn peak(samples: &[f64]) -> f64 {
     ) else {
         return top;
     };
-    let (slope, bend) = ((after - before) / 2.0, before - 2.0 * top + after);
-    if bend < 0.0 {
-        top - slope * slope / (2.0 * bend)
-    } else {
-        top
-    }
+    numeric::top([*before, top, *after])
 }

@@ -241,14 +241,10 @@ impl Segment {
     fn at(&self, v: f64) -> Lobe {
         let [h, g] = self.excess;
         let u = (1.0 - v * v) / 4.0;
-        let turned = |p: Vec2| {
-            let Vec2 { x, y } = self.middle;
-            Vec2::new(p.x * x - p.y * y, p.x * y + p.y * x)
-        };
         let y = v * (self.sin + u * self.lean);
-        let p = turned(Vec2::new(self.cos + 3.0 * u * self.bulge, y));
+        let p = Vec2::new(self.cos + 3.0 * u * self.bulge, y).rotate_scale(self.middle);
         let y = self.sin + (u - 0.5 * v * v) * self.lean;
-        let along = turned(Vec2::new(-1.5 * v * self.bulge, y));
+        let along = Vec2::new(-1.5 * v * self.bulge, y).rotate_scale(self.middle);
         let steep = self.flat * p.x;
         let square = steep * p.x + p.y * p.y;
         let root = square.sqrt();

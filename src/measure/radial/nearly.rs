@@ -17,6 +17,7 @@ use std::sync::LazyLock;
 
 use kurbo::{CubicBez, PathSeg, Point, Vec2};
 
+use crate::numeric;
 use crate::numeric::functions::unit_vector;
 use crate::shape::Truth;
 
@@ -189,13 +190,8 @@ impl<const N: usize> Samples<N> {
         if top == 0 || top == N - 1 {
             return (sample, sample);
         }
-        let (before, after) = (distance(top - 1), distance(top + 1));
-        let (slope, bend) = ((after - before) / 2.0, before - 2.0 * sample + after);
-        if bend < 0.0 {
-            (sample, sample - slope * slope / (2.0 * bend))
-        } else {
-            (sample, sample)
-        }
+        let three = [distance(top - 1), sample, distance(top + 1)];
+        (sample, numeric::top(three))
     }
 
     /// A bound on the distance.
