@@ -240,21 +240,7 @@ fn a_tolerance_is_kept_by_the_fewest_segments() {
 
 #[test]
 fn hyperbolas_are_of_order_six_and_joined_smoothly() {
-    let words = |n: &str| -> Value {
-        let shape = [
-            "measure",
-            "conic",
-            "--from",
-            "0,0",
-            "--control",
-            "1,2",
-            "--to",
-            "3,0",
-            "--weight",
-            "2.5",
-        ];
-        json(&[&shape[..], &["-n", n]].concat())
-    };
+    let words = |n: &str| -> Value { json(&[&measure("2.5")[..], &["-n", n]].concat()) };
     let peak = |n: &str| words(n)["error"]["peak"].as_f64().unwrap();
     let order = (peak("8") / peak("16")).log2();
     assert!((order - 6.0).abs() < 0.1, "{order}");
@@ -351,22 +337,24 @@ fn every_format_holds_a_conic() {
     assert_eq!(moved, "M0 0Q2 4 6 0\n");
 }
 
-/// What measures the hyperbola of weight 2 over (0,0), (1,2), (3,0).
-const MEASURED: [&str; 10] = [
-    "measure",
-    "conic",
-    "--from",
-    "0,0",
-    "--control",
-    "1,2",
-    "--to",
-    "3,0",
-    "--weight",
-    "2",
-];
+/// What measures the conic of this weight over (0,0), (1,2), (3,0).
+const fn measure(weight: &str) -> [&str; 10] {
+    [
+        "measure",
+        "conic",
+        "--from",
+        "0,0",
+        "--control",
+        "1,2",
+        "--to",
+        "3,0",
+        "--weight",
+        weight,
+    ]
+}
 
 fn measured(words: &[&str]) -> String {
-    printed(&[&MEASURED[..], words].concat())
+    printed(&[&measure("2")[..], words].concat())
 }
 
 #[test]
@@ -421,14 +409,12 @@ fn joints_of_a_hyperbola_lie_at_equal_steps_of_its_angle() {
     }
     let table = measured(&["-n", "4", "-m", "minimax,midpoint", "--samples", "3"]);
     assert_eq!(table.matches("of 12 points: peak").count(), 2, "{table}");
-    assert!(refused(&[&MEASURED[..], &["--samples", "1"]].concat()).contains("from 2"));
+    assert!(refused(&[&measure("2")[..], &["--samples", "1"]].concat()).contains("from 2"));
 }
 
 #[test]
 fn an_arc_of_an_ellipse_by_its_weight_is_sampled_as_any_arc() {
-    let mut words = MEASURED;
-    words[9] = "0.5";
-    let csv = printed(&[&words[..], &["--samples", "2", "-f", "csv"]].concat());
+    let csv = printed(&[&measure("0.5")[..], &["--samples", "2", "-f", "csv"]].concat());
     assert!(
         csv.starts_with("subject,method,segment,t,x,y,radius,error,degrees\n"),
         "{csv}"
@@ -456,7 +442,11 @@ fn a_conic_is_plotted_over_its_length() {
     for words in ["minimax", "midpoint", "Curvature: Hyperbola"] {
         assert!(plot.contains(words), "{words}");
     }
-    let lag = [&MEASURED[..], &["--plot", file, "--quantity", "angle-lag"]].concat();
+    let lag = [
+        &measure("2")[..],
+        &["--plot", file, "--quantity", "angle-lag"],
+    ]
+    .concat();
     assert!(refused(&lag).contains("hint: take --quantity error"));
     let drawing = drawn(&conic(SHAPES[1], 2.0), Cut::Count(2));
     assert!(
