@@ -10,6 +10,8 @@
 
 pub(crate) mod decimal;
 pub(crate) mod digits;
+#[cfg(feature = "batch")]
+pub(crate) mod memo;
 mod people;
 #[cfg(feature = "document")]
 pub(crate) mod read;
@@ -113,9 +115,15 @@ pub fn push_shortest(out: &mut Vec<u8>, x: f64) {
     }
     let mut buffer = zmij::Buffer::new();
     let text = buffer.format_finite(x);
+    let bytes = text.as_bytes();
     // Within this range zmij writes plain notation, so that there is no exponent to look for.
     if (1e-4..1e15).contains(&x.abs()) || !text.contains('e') {
-        out.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
+        let short = if let [rest @ .., b'.', b'0'] = bytes {
+            rest
+        } else {
+            bytes
+        };
+        out.extend_from_slice(short);
     } else if let Some((digits, exponent)) = text.split_once("e-") {
         push_tiny(out, digits, exponent.parse().unwrap_or(0));
     } else {

@@ -16,6 +16,6 @@ pub use read::{contours, curve, curves, shortened};
 #[cfg(feature = "document")]
 pub(crate) use text::PathText;
 pub use transform::transform;
-#[cfg(feature = "batch")]
-pub(crate) use write::push_rounded;
 pub use write::{data, data_of_courses, push_curve};
+#[cfg(feature = "batch")]
+pub(crate) use write::{push_kept, push_rounded};

@@ -9,7 +9,12 @@ impl Angle {
         // Both are exact, as in `direction`.
         let within = self.degrees % 360.0;
         let quarters = (within / 90.0).round();
-        let [cos, sin] = exact_sin_cos(within - quarters * 90.0);
+        let rest = within - quarters * 90.0;
+        let [cos, sin] = if rest == 0.0 {
+            [1.0, 0.0].map(Double::of)
+        } else {
+            exact_sin_cos(rest)
+        };
         match (quarters as i64).rem_euclid(4) {
             0 => [cos, sin],
             1 => [sin.scaled(-1.0), cos],

@@ -13,6 +13,7 @@ use crate::contour::{Contour, Target, draw};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::method::Rule;
+use crate::number::memo::Memo;
 use crate::path;
 use crate::shape::Shape;
 use crate::write::path::PathDocument;
@@ -27,6 +28,8 @@ pub struct Worker {
     options: approximate::Options,
     /// What the last circle was drawn by.
     turn: Option<Turn>,
+    /// The last numbers of JSON.
+    memo: Memo,
 }
 
 impl Worker {
@@ -43,6 +46,7 @@ impl Worker {
                 transform: Affine::IDENTITY,
             },
             turn: None,
+            memo: Memo::default(),
         }
     }
 
@@ -103,14 +107,14 @@ impl Worker {
             {
                 return Ok(());
             }
-            return push_spec(out, &spec, self.format, &self.options);
+            return push_spec(out, &spec, self.format, &self.options, &mut self.memo);
         }
         let options = approximate::Options {
             rule: spec.method.map_or(self.options.rule, Rule::Method),
             cut: spec.cut.clone().unwrap_or_else(|| self.options.cut.clone()),
             ..self.options
         };
-        push_spec(out, &spec, self.format, &options)
+        push_spec(out, &spec, self.format, &options, &mut self.memo)
     }
 }
 
@@ -139,9 +143,13 @@ fn push_spec(
     spec: &Spec,
     format: Format,
     options: &approximate::Options,
+    memo: &mut Memo,
 ) -> Result<()> {
     match &spec.subject {
-        Subject::Shape(shape) => push_shape(out, shape, spec.id, format, options),
+        Subject::Shape(shape) => match format {
+            Format::Json => json::push_drawing(out, spec.id, &approximate(shape, options)?, memo),
+            _ => push_shape(out, shape, format, options),
+        },
         Subject::Path(contours) => push_path(out, contours, spec.id, format, options),
     }
 }
@@ -149,29 +157,20 @@ fn push_spec(
 fn push_shape(
     out: &mut Vec<u8>,
     shape: &Shape,
-    id: Option<&str>,
     format: Format,
     options: &approximate::Options,
 ) -> Result<()> {
-    match format {
-        Format::Json => {
-            let document = json::DrawingDocument::from(&approximate(shape, options)?);
-            push_json(out, id, &document)
-        }
-        Format::Ps => {
-            push_operators(out, &sketch(&as_drawellipse(*shape), options)?.rounded());
-            Ok(())
-        }
-        _ => {
-            let sketch = sketch(shape, options)?;
-            if sketch.kept.is_some() {
-                path::push_curve(out, &sketch.rounded(), false);
-            } else {
-                path::push_rounded(out, &sketch.curve, sketch.precision);
-            }
-            Ok(())
-        }
+    if format == Format::Ps {
+        push_operators(out, &sketch(&as_drawellipse(*shape), options)?.rounded());
+        return Ok(());
     }
+    let sketch = sketch(shape, options)?;
+    if sketch.kept.is_some() {
+        path::push_curve(out, &sketch.rounded(), false);
+    } else {
+        path::push_rounded(out, &sketch.curve, sketch.precision);
+    }
+    Ok(())
 }
 
 fn push_path(

@@ -21,7 +21,7 @@ use kurbo::{CubicBez, Line, ParamCurve, PathSeg, Point, QuadBez, Vec2};
 use super::curvature;
 use crate::curve::control_points;
 use crate::numeric::adaptive_integral;
-use crate::numeric::bernstein::{Parameters, Polynomial, binomial};
+use crate::numeric::bernstein::{Parameters, Polynomial};
 use crate::numeric::double::{Double, Twice};
 use crate::numeric::foot::{Foot, foot};
 use crate::radial_error::RadialError;
@@ -88,21 +88,32 @@ impl FramedPoints {
 
     /// |p(t)|² - radius² about the centre.
     fn excess(&self) -> Polynomial {
-        let degree = self.count - 1;
-        let mut coefficients = [0.0; 7];
-        for (k, coefficient) in coefficients.iter_mut().enumerate().take(2 * degree + 1) {
-            let mut sum = Double::difference(0.0, 0.0);
-            // The terms of i with k - i and of k - i with i are the same.
-            for i in k.saturating_sub(degree)..=k / 2 {
-                let (p, q) = (self.points[i], self.points[k - i]);
-                let level = self.levels[i].plus(self.levels[k - i]).scaled(0.5);
-                let term = p[0].times(q[0]).plus(p[1].times(q[1])).plus(level);
-                let twice = if 2 * i == k { 1.0 } else { 2.0 };
-                sum = sum.plus(term.scaled(twice * binomial(degree, i) * binomial(degree, k - i)));
-            }
-            *coefficient = sum.over(binomial(2 * degree, k)).value();
+        let term = |i: usize, j: usize| {
+            let level = self.levels[i].near(self.levels[j]);
+            Double::dot(self.points[i], self.points[j]).near(level.scaled(0.5))
+        };
+        let mean = |one: Double, a: f64, other: Double, b: f64| {
+            one.scaled(a).near(other.scaled(b)).over(a + b).value()
+        };
+        match self.count {
+            2 => Polynomial::new(&[[0, 0], [0, 1], [1, 1]].map(|[i, j]| term(i, j).value())),
+            3 => Polynomial::new(&[
+                term(0, 0).value(),
+                term(0, 1).value(),
+                mean(term(0, 2), 1.0, term(1, 1), 2.0),
+                term(1, 2).value(),
+                term(2, 2).value(),
+            ]),
+            _ => Polynomial::new(&[
+                term(0, 0).value(),
+                term(0, 1).value(),
+                mean(term(0, 2), 2.0, term(1, 1), 3.0),
+                mean(term(0, 3), 1.0, term(1, 2), 9.0),
+                mean(term(1, 3), 2.0, term(2, 2), 3.0),
+                term(2, 3).value(),
+                term(3, 3).value(),
+            ]),
         }
-        Polynomial::new(&coefficients[..=2 * degree])
     }
 
     /// The segment about the origin of the frame, in the user's unit and along the axes `turned` to those of the true shape.

@@ -1,6 +1,8 @@
 //! Decimal numbers, held exactly and written shortly: what rounding a number gives.
 
 use super::digits::{EXACT_POWERS, ROUNDING, ZEROS, digits};
+#[cfg(feature = "batch")]
+use super::memo::Memo;
 use super::{POWERS, push_long, split};
 
 /// A decimal number held exactly: `units` times ten to the minus `decimals`.
@@ -305,6 +307,16 @@ impl After {
             out.insert(start, b' ');
         }
         *self = Self::text(&out[start..]);
+    }
+
+    /// [`After::push_shortest`] by texts that are kept: a number in full never begins with its point.
+    #[cfg(feature = "batch")]
+    pub(crate) fn push_kept(&mut self, out: &mut Vec<u8>, number: f64, memo: &mut Memo) {
+        if self.is_continued(false) && number >= 0.0 {
+            out.push(b' ');
+        }
+        memo.push(out, number);
+        *self = Self::Whole;
     }
 
     /// Appends the space that parts numbers from what stands before, where one is needed.

@@ -1,12 +1,13 @@
 //! Polynomials on [0, 1] in Bernstein form: what the extremes of distance, curvature and angle are the roots of.
 
-use super::root;
-
 /// The most coefficients: those of the square of a cubic.
 const MOST: usize = 7;
 
 /// How often a part is cut in two at most; roots that are closer than that pass for one.
 const MOST_CUTS: u32 = 48;
+
+/// The most steps to a root; halving alone would be done in 60.
+const MOST_STEPS: usize = 100;
 
 /// n over k for n up to 6: [n][k].
 const BINOMIALS: [[f64; MOST]; MOST] = {
@@ -52,12 +53,62 @@ impl Polynomial {
         if t == 1.0 {
             return self.coefficients[self.degree];
         }
+        let [before, after] = self.last_two(t);
+        (1.0 - t) * before + t * after
+    }
+
+    /// The last two numbers of de Casteljau's algorithm: the value lies between them, the slope is a multiple of their difference.
+    fn last_two(&self, t: f64) -> [f64; 2] {
         // The squares of cubics and their slopes, by loops whose length the compiler knows.
         match self.degree {
             5 => casteljau(self.coefficients, 5, t),
             6 => casteljau(self.coefficients, 6, t),
             degree => casteljau(self.coefficients, degree, t),
         }
+    }
+
+    /// The root where the coefficients change their sign once, or where the ends have different signs: by Newton's method from where
+    /// the control polygon crosses 0, halving where that does not converge.
+    fn root(&self) -> f64 {
+        let own = self.coefficients();
+        let rises = own[self.degree] > 0.0;
+        let degree = self.degree as f64;
+        let crossed = own.windows(2).position(|pair| (pair[1] > 0.0) == rises);
+        let crossed = crossed.unwrap_or(0);
+        let (before, after) = (own[crossed], own[crossed + 1]);
+        let mut t = ((crossed as f64 + before / (before - after)) / degree).clamp(0.0, 1.0);
+        // No step comes before the first, and nothing compares with it.
+        let (mut low, mut high, mut last) = (0.0, 1.0, f64::NAN);
+        for _ in 0..MOST_STEPS {
+            let [before, after] = self.last_two(t);
+            let value = (1.0 - t) * before + t * after;
+            if value == 0.0 {
+                return t;
+            }
+            if (value > 0.0) == rises {
+                high = t;
+            } else {
+                low = t;
+            }
+            let newton = t - value / (degree * (after - before));
+            let step = (newton - t).abs();
+            let is_slow = step > 0.5 * last;
+            // The next step would be shorter by as much again as this one, squared; a slow one is rounding.
+            let is_last = step * step * step <= f64::EPSILON * t * last * last;
+            if is_last || (is_slow && step <= 1e-12 * t) {
+                return newton.clamp(low, high);
+            }
+            let next = if newton > low && newton < high && !is_slow {
+                newton
+            } else {
+                f64::midpoint(low, high)
+            };
+            if next == low || next == high {
+                return next;
+            }
+            (last, t) = ((next - t).abs(), next);
+        }
+        t
     }
 
     /// The largest size of a coefficient, which no value exceeds.
@@ -161,8 +212,7 @@ impl Polynomial {
         let (first, last) = (self.coefficients[0], self.coefficients[self.degree]);
         let differ = (first > 0.0 && last < 0.0) || (first < 0.0 && last > 0.0);
         if (changes == 1 || cuts == 0) && differ {
-            let root = root(|t| self.at(t), 0.0, 1.0);
-            found.push(from + (to - from) * root);
+            found.push(from + (to - from) * self.root());
         } else if cuts > 0 {
             let (place, [left, right]) = self.cut();
             let middle = from + (to - from) * place;
@@ -183,8 +233,9 @@ impl Polynomial {
 
     /// The parts before and after a parameter near the middle that is no root.
     fn cut(&self) -> (f64, [Self; 2]) {
-        let places = (0..MOST).map(|i| 0.5 - i as f64 / 64.0);
-        let mut cut = (0.5, [*self; 2]);
+        // Symmetric polynomials have a root in the middle.
+        let places = (0..MOST).map(|i| 0.4375 - i as f64 / 64.0);
+        let mut cut = (0.0, [*self; 2]);
         for place in places {
             cut = (place, self.cut_at(place));
             if cut.1[1].coefficients[0] != 0.0 {
@@ -196,32 +247,43 @@ impl Polynomial {
 
     /// The parts before and after t, by de Casteljau's algorithm.
     fn cut_at(&self, t: f64) -> [Self; 2] {
-        let (mut left, mut right) = (*self, *self);
-        for k in 1..=self.degree {
-            for i in 0..=self.degree - k {
-                let [a, b] = [right.coefficients[i], right.coefficients[i + 1]];
-                right.coefficients[i] = a + t * (b - a);
-            }
-            left.coefficients[k] = right.coefficients[0];
-        }
-        [left, right]
+        let own = self.coefficients;
+        let parts = match self.degree {
+            5 => cut(own, 5, t),
+            6 => cut(own, 6, t),
+            degree => cut(own, degree, t),
+        };
+        parts.map(|coefficients| Self {
+            coefficients,
+            ..*self
+        })
     }
 }
 
-/// De Casteljau's algorithm.
+/// De Casteljau's algorithm but for its last step.
 #[inline(always)]
-fn casteljau(mut work: [f64; MOST], degree: usize, t: f64) -> f64 {
-    for last in (1..=degree).rev() {
+fn casteljau(mut work: [f64; MOST], degree: usize, t: f64) -> [f64; 2] {
+    for last in (2..=degree).rev() {
         for i in 0..last {
             work[i] = (1.0 - t) * work[i] + t * work[i + 1];
         }
     }
-    work[0]
+    // A constant has one coefficient.
+    [work[0], work[degree.min(1)]]
 }
 
-/// n over k for n up to 6.
-pub(crate) fn binomial(n: usize, k: usize) -> f64 {
-    BINOMIALS[n][k]
+/// The coefficients before and after t, by de Casteljau's algorithm.
+#[inline(always)]
+fn cut(own: [f64; MOST], degree: usize, t: f64) -> [[f64; MOST]; 2] {
+    let (mut left, mut right) = (own, own);
+    for last in (0..degree).rev() {
+        for i in 0..=last {
+            let [a, b] = [right[i], right[i + 1]];
+            right[i] = a + t * (b - a);
+        }
+        left[degree - last] = right[0];
+    }
+    [left, right]
 }
 
 /// A handful of parameters in ascending order.

@@ -6,6 +6,8 @@ use super::text::PathText;
 use crate::course::{Course, Step};
 use crate::curve::Curve;
 use crate::number::decimal::{Decimal, Form};
+#[cfg(feature = "batch")]
+use crate::number::memo::Memo;
 use crate::number::{Precision, decimal_sum};
 
 /// The path data of one or more curves.
@@ -43,9 +45,21 @@ pub(crate) fn push_rounded(out: &mut Vec<u8>, curve: &Curve, precision: Precisio
     Writer::new(out, precision, false).curve(curve);
 }
 
+/// Appends the absolute path data of a curve by texts that are kept: the digits are those of [`push_curve`].
+#[cfg(feature = "batch")]
+pub(crate) fn push_kept(out: &mut Vec<u8>, curve: &Curve, memo: &mut Memo) {
+    Writer {
+        memo: Some(memo),
+        ..Writer::new(out, Precision::Full, false)
+    }
+    .curve(curve);
+}
+
 /// Writes one path.
 struct Writer<'a> {
     out: &'a mut Vec<u8>,
+    #[cfg(feature = "batch")]
+    memo: Option<&'a mut Memo>,
     text: PathText,
     precision: Precision,
     relative: bool,
@@ -57,6 +71,8 @@ impl<'a> Writer<'a> {
     const fn new(out: &'a mut Vec<u8>, precision: Precision, relative: bool) -> Self {
         Self {
             out,
+            #[cfg(feature = "batch")]
+            memo: None,
             text: PathText::new(Form::Plain),
             precision,
             relative,
@@ -153,6 +169,10 @@ impl<'a> Writer<'a> {
     fn number(&mut self, x: f64) {
         /// Up to 15 digits are those of the nearest float, too.
         const MOST_UNITS: u64 = 1_000_000_000_000_000;
+        #[cfg(feature = "batch")]
+        if let Some(memo) = &mut self.memo {
+            return self.text.after.push_kept(self.out, x, memo);
+        }
         let number = match self.precision {
             Precision::Fixed(decimals) => Decimal::nearest(x, decimals),
             Precision::Full => None,

@@ -1,5 +1,8 @@
 //! JSON, with the one formatter of numbers.
 
+#[cfg(feature = "batch")]
+mod line;
+
 use std::io::{self, Write};
 
 use kurbo::{Affine, PathSeg, Point};
@@ -16,6 +19,9 @@ use crate::path;
 use crate::power;
 use crate::radial_error::RadialError;
 use crate::shape::Shape;
+
+#[cfg(feature = "batch")]
+pub(crate) use line::push_drawing;
 
 /// The JSON of a drawing.
 #[derive(Debug, Serialize)]
@@ -158,10 +164,6 @@ impl From<&Drawing> for DrawingDocument {
                     .map(|(&from, &to)| [from, to]);
                 segment_document(segment, angles)
             });
-        let corners = drawing
-            .rule
-            .method()
-            .is_some_and(|method| method.card().continuity_equal == Continuity::G0);
         let (iteration, lengths) = (drawing.rule.iteration(), drawing.lengths());
         Self {
             version: 1,
@@ -182,10 +184,17 @@ impl From<&Drawing> for DrawingDocument {
             closed: drawing.curve.closed,
             segments: segments.collect(),
             error: ErrorDocument::new(drawing.error, drawing.relative_peak()),
-            corner: corners.then(|| drawing.largest_corner()),
+            corner: corner(drawing),
             path: path::data([&drawing.curve], false),
         }
     }
+}
+
+/// The largest corner, where a method may make some.
+fn corner(drawing: &Drawing) -> Option<f64> {
+    let method = drawing.rule.method()?;
+    let corners = method.card().continuity_equal == Continuity::G0;
+    corners.then(|| drawing.largest_corner())
 }
 
 fn pair(p: Point) -> [f64; 2] {
@@ -226,38 +235,48 @@ pub fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
 /// The JSON of one segment.
 #[must_use]
 pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentDocument {
-    let points: Vec<[f64; 2]> = control_points(segment).into_iter().map(pair).collect();
-    let [x, y] = [0, 1].map(|axis| {
-        let mut coordinates = [0.0; 4];
-        let coordinates = &mut coordinates[..points.len()];
-        for (coordinate, point) in coordinates.iter_mut().zip(&points) {
-            *coordinate = point[axis];
-        }
-        // Whole multiples of decimals are decimals: no noise in the last digits.
-        let decimals = coordinates.iter().map(|&x| decimals_of(x)).max();
-        let decimals = decimals.unwrap_or(0);
-        let tidy = |c| {
-            if decimals <= 12 {
-                round(c, decimals)
-            } else {
-                c
-            }
-        };
-        let degree = coordinates.len().saturating_sub(1);
-        let slope = |i: usize| tidy(degree as f64 * (coordinates[i + 1] - coordinates[i]));
-        let slopes = if degree == 0 {
-            [0.0; 2]
-        } else {
-            [slope(0), slope(degree - 1)]
-        };
-        (power::coefficients(coordinates).map(tidy), slopes)
-    });
+    let points = control_points(segment);
+    let [(x, xs), (y, ys)] = equations(&points);
     SegmentDocument {
-        power: PowerDocument { x: x.0, y: y.0 },
-        derivatives: [0, 1].map(|end| [x.1[end], y.1[end]]),
-        points,
+        power: PowerDocument { x, y },
+        derivatives: [0, 1].map(|end| [xs[end], ys[end]]),
+        points: points.into_iter().map(pair).collect(),
         angles,
     }
+}
+
+/// The power coefficients of x and of y, and the derivatives at both ends.
+fn equations(points: &[Point]) -> [([f64; 4], [f64; 2]); 2] {
+    [|p: &Point| p.x, |p: &Point| p.y].map(|coordinate| {
+        let mut coordinates = [0.0; 4];
+        let coordinates = &mut coordinates[..points.len()];
+        for (own, point) in coordinates.iter_mut().zip(points) {
+            *own = coordinate(point);
+        }
+        equation(coordinates)
+    })
+}
+
+/// The power coefficients of one coordinate, and its derivatives at both ends.
+fn equation(coordinates: &[f64]) -> ([f64; 4], [f64; 2]) {
+    /// With more decimals than this noise in the last digits is no concern.
+    const MOST_DECIMALS: u8 = 12;
+    // Whole multiples of decimals are decimals: no noise in the last digits.
+    let decimals = coordinates.iter().try_fold(0, |most: u8, &x| {
+        let decimals = (round(x, MOST_DECIMALS) == x).then(|| decimals_of(x));
+        decimals
+            .filter(|&own| own <= MOST_DECIMALS)
+            .map(|own| most.max(own))
+    });
+    let tidy = |c| decimals.map_or(c, |decimals| round(c, decimals));
+    let degree = coordinates.len().saturating_sub(1);
+    let slope = |i: usize| tidy(degree as f64 * (coordinates[i + 1] - coordinates[i]));
+    let slopes = if degree == 0 {
+        [0.0; 2]
+    } else {
+        [slope(0), slope(degree - 1)]
+    };
+    (power::coefficients(coordinates).map(tidy), slopes)
 }
 
 /// Any value as JSON for people and programs: the outermost object a line a key, the objects of an array a line each.
