@@ -227,6 +227,7 @@ fn words(quantity: Quantity) -> &'static str {
         Quantity::CurvatureD1 => "First derivative of curvature by arc length",
         Quantity::CurvatureD2 => "Second derivative of curvature by arc length",
         Quantity::AngleLag => "How far the angle is ahead of linear in t",
+        Quantity::Drawing => "The curve with its control points",
     }
 }
 

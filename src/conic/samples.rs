@@ -5,7 +5,7 @@ use kurbo::{ParamCurve, PathSeg};
 use super::{Drawing, Frame};
 use crate::error::{Error, Result};
 use crate::measure::samples::check_count;
-use crate::measure::{Quantity, curvature};
+use crate::measure::{Quantity, curvature, profile};
 use crate::radial_error::RadialError;
 
 /// What rounding may leave of a place at the start.
@@ -105,12 +105,16 @@ impl Drawing {
                     .to_owned(),
             ));
         }
+        if quantity == Quantity::Drawing {
+            return Ok(profile::points(&self.curve, steps));
+        }
         let bench = Bench::new(self);
         let of_segment = |segment: &PathSeg| {
             let value = |t: f64| {
                 let k = curvature::at(segment, t);
                 Some(match quantity {
-                    Quantity::Error | Quantity::AngleLag => bench.error(segment, t),
+                    Quantity::Error => bench.error(segment, t),
+                    Quantity::AngleLag | Quantity::Drawing => return None,
                     Quantity::Curvature => k?.value * bench.sense,
                     Quantity::CurvatureD1 => k?.d1 * bench.sense,
                     Quantity::CurvatureD2 => k?.d2 * bench.sense,

@@ -3,7 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
-use kurbo::Affine;
+use kurbo::{Affine, ParamCurve as _, PathSeg};
 
 use super::bench::Bench;
 use super::curvature;
@@ -28,16 +28,19 @@ pub enum Quantity {
     CurvatureD2,
     /// How far the angle is ahead of one linear in t, in degrees.
     AngleLag,
+    /// The curve itself with its control points: y over x.
+    Drawing,
 }
 
 impl Quantity {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Error,
         Self::Curvature,
         Self::CurvatureD1,
         Self::CurvatureD2,
         Self::AngleLag,
+        Self::Drawing,
     ];
 
     /// The name by which it is asked for.
@@ -49,6 +52,7 @@ impl Quantity {
             Self::CurvatureD1 => "curvature-d1",
             Self::CurvatureD2 => "curvature-d2",
             Self::AngleLag => "angle-lag",
+            Self::Drawing => "drawing",
         }
     }
 
@@ -61,6 +65,7 @@ impl Quantity {
             Self::CurvatureD1 => "κ′ = dκ/ds (1/unit²)",
             Self::CurvatureD2 => "κ″ = d²κ/ds² (1/unit³)",
             Self::AngleLag => "angle ahead of linear in t (degrees)",
+            Self::Drawing => "y (user units)",
         }
     }
 }
@@ -90,8 +95,20 @@ impl FromStr for Quantity {
     }
 }
 
+/// The points (x, y) of each segment at `steps` + 1 equal steps of t.
+pub(crate) fn points(curve: &Curve, steps: u32) -> Vec<Vec<(f64, f64)>> {
+    let at = |segment: &PathSeg, step| {
+        let point = segment.eval(f64::from(step) / f64::from(steps));
+        (point.x, point.y)
+    };
+    let segments = curve.segments.iter();
+    segments
+        .map(|segment| (0..=steps).map(|step| at(segment, step)).collect())
+        .collect()
+}
+
 /// The quantity along each segment, as (angle in degrees, value) at `steps` + 1 equal steps of t; a segment has fewer points
-/// where the quantity is not defined.
+/// where the quantity is not defined. [`Quantity::Drawing`] has x in place of the angle.
 #[must_use]
 pub fn along(
     curve: &Curve,
@@ -99,6 +116,9 @@ pub fn along(
     quantity: Quantity,
     steps: u32,
 ) -> Vec<Vec<(f64, f64)>> {
+    if quantity == Quantity::Drawing {
+        return points(curve, steps);
+    }
     let unit = largest_coordinate(curve, reference).map_or(1.0, unit_for);
     let curve = curve.transformed(Affine::scale(1.0 / unit));
     let bench = Bench::new(&curve, &reference.scaled(1.0 / unit));
@@ -118,6 +138,7 @@ pub fn along(
                     Quantity::AngleLag => {
                         (framed.lag(t) * sense * bench.reference().handedness()).to_degrees()
                     }
+                    Quantity::Drawing => return None,
                 })
             };
             (0..=steps)

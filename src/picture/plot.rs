@@ -6,7 +6,7 @@ mod sheet;
 
 use core::iter;
 
-use kurbo::{Rect, Vec2};
+use kurbo::{PathSeg, Rect, Vec2};
 
 use super::paint::Paint;
 use super::scene::{Group, Pen, Scene};
@@ -14,7 +14,7 @@ use super::size::Size;
 
 use crate::compare::Comparison;
 use crate::conic;
-use crate::curve::Curve;
+use crate::curve::{self, Curve};
 use crate::error::Result;
 use crate::measure::{Quantity, Reference, profile};
 use scale::Kind;
@@ -48,6 +48,16 @@ fn steps(curve: &Curve) -> u32 {
     (3000 / curve.segments.len().max(1)).clamp(8, 160) as u32
 }
 
+/// The control points of each segment.
+fn control_points<'a>(curves: impl Iterator<Item = &'a Curve>) -> Vec<Vec<(f64, f64)>> {
+    let of_segment = |segment: &PathSeg| {
+        let points = curve::control_points(segment).into_iter();
+        points.map(|point| (point.x, point.y)).collect()
+    };
+    let segments = curves.flat_map(|curve| &curve.segments);
+    segments.map(of_segment).collect()
+}
+
 impl Series {
     fn points(&self) -> impl Iterator<Item = &(f64, f64)> {
         self.parts.iter().flatten()
@@ -74,6 +84,8 @@ pub struct Chart {
     series: Vec<Series>,
     /// Marked x values: the joints.
     marks: Vec<f64>,
+    /// The control points of each segment, in a drawing: both axes then have one scale.
+    control_points: Vec<Vec<(f64, f64)>>,
     names: Names,
     /// What stands below it, each as high.
     below: Vec<Self>,
@@ -95,7 +107,8 @@ impl Chart {
             ((*name).to_owned(), parts)
         };
         let x = ("angle about the centre (degrees)", Kind::Degrees);
-        Self::of_lines(title, quantity, x, curves.iter().map(line))
+        let drawn = curves.iter().map(|&(_, curve, _)| curve);
+        Self::of_lines(title, quantity, x, curves.iter().map(line), drawn)
     }
 
     /// The quantity along drawn parabolas and hyperbolas, each named, over the place along the conic.
@@ -117,16 +130,23 @@ impl Chart {
             "place along the conic (0 its start, 1 its end)",
             Kind::Linear,
         );
-        Ok(Self::of_lines(title, quantity, x, lines.into_iter()))
+        let drawn = drawings.iter().map(|&(_, drawing)| &drawing.curve);
+        Ok(Self::of_lines(title, quantity, x, lines.into_iter(), drawn))
     }
 
-    /// Named lines over an axis with its words, the ends of their parts marked.
-    fn of_lines(
+    /// Named lines over an axis with its words, the ends of their parts marked; of a drawing its control points, over x.
+    fn of_lines<'a>(
         title: &str,
         quantity: Quantity,
         (x_title, x_kind): (&str, Kind),
         lines: impl Iterator<Item = Line>,
+        drawn: impl Iterator<Item = &'a Curve>,
     ) -> Self {
+        let (x_title, x_kind, control_points) = if quantity == Quantity::Drawing {
+            ("x (user units)", Kind::Linear, control_points(drawn))
+        } else {
+            (x_title, x_kind, Vec::new())
+        };
         let mut marks: Vec<f64> = Vec::new();
         let series = lines.enumerate().map(|(i, (name, parts))| {
             for part in &parts {
@@ -143,7 +163,7 @@ impl Chart {
         let series = series.collect();
         marks.sort_by(f64::total_cmp);
         marks.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
-        if marks.len() > MOST_MARKED_JOINTS {
+        if marks.len() > MOST_MARKED_JOINTS || !control_points.is_empty() {
             marks.clear();
         }
         Self {
@@ -154,6 +174,7 @@ impl Chart {
             y_kind: Kind::Linear,
             series,
             marks,
+            control_points,
             names: Names::Legend,
             below: Vec::new(),
         }
@@ -186,6 +207,7 @@ impl Chart {
             y_kind: Kind::Log,
             series: series.filter(|s| s.points().count() > 0).collect(),
             marks: Vec::new(),
+            control_points: Vec::new(),
             names: Names::AtEnds,
             below: Vec::new(),
         }

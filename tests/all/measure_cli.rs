@@ -424,6 +424,7 @@ fn every_plot_renders_and_says_what_it_shows() {
         "curvature-d1",
         "curvature-d2",
         "angle-lag",
+        "drawing",
     ] {
         for extension in ["svg", "png"] {
             let plot = folder.path().join(format!("{quantity}.{extension}"));
@@ -454,6 +455,48 @@ fn every_plot_renders_and_says_what_it_shows() {
                 resvg::usvg::Tree::from_data(&bytes, &resvg::usvg::Options::default()).unwrap();
             assert_eq!((tree.size().width(), tree.size().height()), (640.0, 400.0));
         }
+    }
+}
+
+#[test]
+fn a_drawing_has_its_control_points_at_one_scale() {
+    let folder = tempfile::tempdir().unwrap();
+    let plot = folder.path().join("plot.svg");
+    let file = plot.to_str().unwrap();
+    let shapes = [
+        &["arc", "1", "--sweep", "90"][..],
+        // An arc of a hyperbola that is its own mirror image about y = x.
+        &[
+            "conic",
+            "--from",
+            "1,0",
+            "--control",
+            "1,1",
+            "--to",
+            "0,1",
+            "--weight",
+            "2",
+        ],
+    ];
+    for shape in shapes {
+        let words = ["-n", "1", "--plot", file, "--quantity", "drawing"];
+        printed(&[&["measure"], shape, &words[..]].concat());
+        let text = fs::read_to_string(&plot).unwrap();
+        let number = |tag: &str, name: &str| -> f64 {
+            let value = tag.split(&format!("{name}=\"")).nth(1).unwrap();
+            value.split('"').next().unwrap().parse().unwrap()
+        };
+        let dots: Vec<[f64; 2]> = text
+            .split("<circle")
+            .skip(1)
+            .map(|tag| [number(tag, "cx"), number(tag, "cy")])
+            .collect();
+        let [[x0, y0], [x1, y1], [x2, y2], [x3, y3]] = dots[..] else {
+            panic!("{dots:?}");
+        };
+        assert!((x0 - x1).abs() < 0.02 && (y2 - y3).abs() < 0.02, "{dots:?}");
+        assert!(((y0 - y1) - (x2 - x3)).abs() < 0.04, "{dots:?}");
+        assert!(y0 - y1 > 50.0 && y0 > y3, "{dots:?}");
     }
 }
 

@@ -163,7 +163,7 @@ pub(crate) struct ReportArgs {
     /// Draw the quantity along the curve too; the extension says how: svg, eps, png or pdf
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
-    /// What the plot shows, several one below the other [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag]
+    /// What the plot shows, several one below the other [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag, drawing]
     #[arg(long, value_name = "Q,Q,...", requires = "plot", value_delimiter = ',', action = ArgAction::Set, value_parser = |text: &str| text.parse::<Quantity>())]
     pub(crate) quantity: Vec<Quantity>,
     /// The size of the plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt

@@ -115,6 +115,11 @@ impl Axis {
             .unwrap_or((rough / 360.0).ceil() * 360.0);
     }
 
+    /// From its low end to its high one.
+    pub(super) fn length(&self) -> f64 {
+        self.high - self.low
+    }
+
     /// Where a value lies, from 0 at the low end to 1 at the high one.
     pub(super) fn position(&self, value: f64) -> f64 {
         if self.kind.is_log() {

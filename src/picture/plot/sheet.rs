@@ -32,7 +32,8 @@ const JOINT_DASH: [f64; 2] = [2.0, 3.0];
 
 /// What a chart of this size shows.
 pub(super) fn groups(chart: &Chart, size: Vec2) -> Vec<Group> {
-    let points = || chart.series.iter().flat_map(Series::points);
+    let lines = || chart.series.iter().flat_map(Series::points);
+    let points = || lines().chain(chart.control_points.iter().flatten());
     let mut sheet = Sheet {
         chart,
         x: Axis::new(chart.x_kind.clone(), points().map(|p| p.0), size.x / 90.0),
@@ -98,10 +99,17 @@ impl Sheet<'_> {
             (self.size.x - right).max(left + 10.0),
             (self.size.y - 52.0).max(top + 10.0),
         );
+        if !self.chart.control_points.is_empty() {
+            let scale = self.frame.width() / self.x.length();
+            let scale = scale.min(self.frame.height() / self.y.length());
+            self.frame.x1 = left + scale * self.x.length();
+            self.frame.y0 = self.frame.y1 - scale * self.y.length();
+        }
         let title = self.chart.title.as_str();
         let size = TITLE.min(TITLE * (self.size.x - 32.0) / width(title, TITLE).max(1.0));
         self.text((16.0, 26.0), title, size, Anchor::Start);
         self.axes();
+        self.control_points();
         self.lines();
         if self.chart.names == Names::AtEnds {
             self.end_labels();
@@ -254,6 +262,17 @@ impl Sheet<'_> {
             anchor: Anchor::Middle,
             upwards: true,
         }));
+    }
+
+    fn control_points(&mut self) {
+        for points in &self.chart.control_points {
+            let points: Vec<Point> = points.iter().map(|&p| self.place(p)).collect();
+            self.line("handles", &Pen::stroked(FRAME, LEADER_WIDTH), &points);
+            for at in points {
+                let dot = Circle::new(tidy(at), DOT_RADIUS);
+                self.add("points", &Pen::filled(FRAME), Mark::Dot(dot));
+            }
+        }
     }
 
     fn lines(&mut self) {
