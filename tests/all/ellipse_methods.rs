@@ -99,21 +99,25 @@ proptest! {
         b in 0.05..1.0_f64,
         start in -180.0..180.0_f64,
         sweep in 20.0..120.0_f64,
-        turn in 0.0..6.3_f64,
-        reach in -6.0..-3.0_f64,
+        turn in 0.0..0.7_f64,
+        reach in -6.0..-2.0_f64,
     ) {
         let drawing = arc(b, start, sweep, Method::MinimaxEllipse);
         let truth = drawing.outline.unwrap().truth;
         let cubic = first_cubic(&drawing);
-        let by = Vec2::new(turn.cos(), turn.sin()) * 10_f64.powf(reach);
-        let other = CubicBez::new(
-            cubic.p0,
-            cubic.p0 + (cubic.p1 - cubic.p0) * (1.0 + by.x),
-            cubic.p3 + (cubic.p2 - cubic.p3) * (1.0 + by.y),
-            cubic.p3,
-        );
-        let peak = radial::error([&PathSeg::Cubic(other)], &truth).peak();
-        prop_assert!(peak >= drawing.error.peak() - 1e-14, "{peak:e} {:e}", drawing.error.peak());
+        // All round the pair of handles.
+        for eighth in 0..8_i32 {
+            let turn = turn + f64::from(eighth) * std::f64::consts::FRAC_PI_4;
+            let by = Vec2::new(turn.cos(), turn.sin()) * 10_f64.powf(reach);
+            let other = CubicBez::new(
+                cubic.p0,
+                cubic.p0 + (cubic.p1 - cubic.p0) * (1.0 + by.x),
+                cubic.p3 + (cubic.p2 - cubic.p3) * (1.0 + by.y),
+                cubic.p3,
+            );
+            let peak = radial::error([&PathSeg::Cubic(other)], &truth).peak();
+            prop_assert!(peak >= drawing.error.peak() - 1e-14, "{peak:e} {:e}", drawing.error.peak());
+        }
         prop_assert!((drawing.error.outward - drawing.error.inward).abs() < 1e-11);
     }
 
@@ -124,6 +128,30 @@ proptest! {
         let count = |method| approximate(&ellipse, &options(method, tolerance.clone())).unwrap().curve.segments.len();
         prop_assert!(count(Method::MinimaxEllipse) <= count(Method::Minimax));
     }
+}
+
+/// The number of segments of an ellipse within a tolerance.
+fn fewest(radii: [&str; 2], tolerance: &str, method: &str) -> usize {
+    let words = ["ellipse", radii[0], radii[1], "-t", tolerance, "-m", method];
+    let drawing = crate::judges::program::json(&words);
+    assert!(drawing["error"]["peak"].as_f64().unwrap() <= tolerance.parse().unwrap());
+    drawing["segments"].as_array().unwrap().len()
+}
+
+#[test]
+fn they_need_fewer_segments_where_that_is_possible() {
+    for (radii, tolerance, [affine, best]) in [
+        (["100", "20"], "0.01", [5, 4]),
+        (["100", "50"], "0.014", [5, 4]),
+        (["100", "10"], "0.001", [6, 5]),
+        (["100", "5"], "0.0001", [8, 7]),
+    ] {
+        assert_eq!(fewest(radii, tolerance, "minimax"), affine);
+        assert_eq!(fewest(radii, tolerance, "minimax-ellipse"), best);
+    }
+    // With the ends off the ellipse too, in quarters.
+    assert_eq!(fewest(["100", "50"], "0.01", "minimax-ellipse"), 5);
+    assert_eq!(fewest(["100", "50"], "0.01", "minimax-ellipse-free"), 4);
 }
 
 #[test]
