@@ -15,8 +15,8 @@
 //! The extremes are not looked for anew in every step: each goes one step of Newton's method of its own, d' = p'·n and
 //! d'' = p''·n + κ(p'·T)²/(1+κd), and its distance is corrected by d'²/(2d''), so that what is left is of third order. Then it goes
 //! where the new handles move it, by -(∂d'/∂k · δk)/d'', and no step moves an extreme far: on a short segment k0 - k1 hardly changes
-//! the peak and moves the extremes much. Where that does not settle (1 in 200 arcs, beside the tip of a flat ellipse), the extremes
-//! are looked for.
+//! the peak and moves the extremes much. Where that does not settle soon (1 in 15 arcs, beside the tip of a flat ellipse) it begins anew
+//! from the extremes of the start, which are looked for; where that does not either, they are looked for in each step.
 
 use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Point, Vec2};
 
@@ -33,6 +33,9 @@ const LARGEST_ANGLE: f64 = 170.0;
 
 /// Four or five steps reach the last digits, more where the extremes have far to go.
 const MOST_STEPS: usize = 24;
+
+/// After so many steps from about where the extremes are it is cheaper, by trial, to look for them.
+const MOST_BLIND_STEPS: usize = 10;
 
 /// Where the extremes of a circle's segment lie, about.
 const TIMES: [f64; 3] = [0.182, 0.5, 0.818];
@@ -275,13 +278,25 @@ impl Segment {
         if fit.peak < FINEST {
             return Some(fit);
         }
-        self.settled(fit, false).or_else(|| self.settled(fit, true))
+        let from_start = || {
+            let times = self.extremes(&self.cubic(&fit))?;
+            self.settled(fit, times, MOST_STEPS, false)
+        };
+        self.settled(fit, TIMES, MOST_BLIND_STEPS, false)
+            .or_else(from_start)
+            .or_else(|| self.settled(fit, TIMES, MOST_STEPS, true))
     }
 
-    /// The best handles from these, where they settle, the extremes followed or looked for in each step.
-    fn settled(&self, mut fit: Fit, looks: bool) -> Option<Fit> {
-        let mut times = TIMES;
-        for _ in 0..MOST_STEPS {
+    /// The best handles from these, where they settle in so many steps, the extremes followed from these times or looked for in
+    /// each step.
+    fn settled(
+        &self,
+        mut fit: Fit,
+        mut times: [f64; 3],
+        most_steps: usize,
+        looks: bool,
+    ) -> Option<Fit> {
+        for _ in 0..most_steps {
             if looks {
                 times = self.extremes(&self.cubic(&fit))?;
             }
