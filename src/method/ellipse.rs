@@ -18,12 +18,12 @@
 //! the peak and moves the extremes much. Where that does not settle soon (1 in 15 arcs, beside the tip of a flat ellipse) it begins anew
 //! from the extremes of the start, which are looked for; where that does not either, they are looked for in each step.
 
-use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Point, Vec2};
+use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Vec2};
 
 use super::{Degree, Method, Piece, Span, minimax};
 use crate::angle::Angle;
 use crate::error::Result;
-use crate::numeric::foot::{Foot, foot, foot_by_excess};
+use crate::numeric::foot::{Foot, foot_by_excess};
 use crate::numeric::root;
 use crate::shape::Axes;
 
@@ -119,8 +119,9 @@ impl Segment {
         CubicBez::new(p0, p1, p2, p3)
     }
 
-    fn foot(&self, p: Point) -> Foot {
-        foot(self.radii, p.to_vec2())
+    fn foot(&self, p: Vec2) -> Foot {
+        let relative = Vec2::new(p.x / self.radii.x, p.y);
+        foot_by_excess(self.radii, p, relative.hypot2() - 1.0).foot
     }
 
     /// The parameters of the three extremes of the distance between the ends, if there are three.
@@ -130,7 +131,7 @@ impl Segment {
             derivative
                 .eval(t)
                 .to_vec2()
-                .dot(self.foot(cubic.eval(t)).outward)
+                .dot(self.foot(cubic.eval(t).to_vec2()).outward)
         };
         let place = |i: u32| f64::from(i) / f64::from(PLACES);
         let mut found = [0.0; 3];
@@ -165,9 +166,7 @@ impl Segment {
             + (a * (1.0 + s + s * s) + b * (t * (1.0 + 2.0 * s)) + c * (t * t)) * t;
         let velocity = (a * (s * s) + b * (2.0 * s * t) + c * (t * t)) * 3.0;
         let acceleration = ((b - a) * s + (c - b) * t) * 6.0;
-        let relative = Vec2::new(p.x / self.radii.x, p.y);
-        let Foot { distance, outward } =
-            foot_by_excess(self.radii, p, relative.hypot2() - 1.0).foot;
+        let Foot { distance, outward } = self.foot(p);
         // The radius of curvature where the normal is n: a²b²/h³, h² = a²nx² + b²ny².
         let bend = self.on_ellipse(outward).hypot() / self.radii.x;
         let curvature = bend * bend * bend * self.radii.x;
