@@ -45,6 +45,8 @@ pub struct Options {
     pub on_error: OnError,
     /// How many threads, at least one.
     pub jobs: usize,
+    /// Whether [`Summary::worst`] is found; JSON and pictures state it in any case, path data and PostScript take several times as long.
+    pub measure: bool,
 }
 
 impl Default for Options {
@@ -56,6 +58,7 @@ impl Default for Options {
             precision: None,
             on_error: OnError::Stop,
             jobs: 1,
+            measure: false,
         }
     }
 }
@@ -75,12 +78,24 @@ pub enum OnError {
 }
 
 /// How a run went.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Summary {
     /// The lines that were read, up to the one that ended the run.
     pub lines: u64,
     /// The lines that could not be drawn.
     pub failed: u64,
+    /// The largest peak error of an answer as it is written, and its line.
+    pub worst: Option<Worst>,
+}
+
+/// A line, from 1, and the peak error of its answer, in user units.
+pub type Worst = (u64, f64);
+
+/// Takes up the error of one more line.
+fn worsen(worst: &mut Option<Worst>, line: u64, peak: f64) {
+    if worst.is_none_or(|(_, before)| peak > before) {
+        *worst = Some((line, peak));
+    }
 }
 
 /// The answers to the lines of one chunk.
@@ -94,6 +109,8 @@ pub struct Answers {
     pub lines: u64,
     /// What could not be drawn, with its line counted from 1 within the chunk.
     pub failures: Vec<(u64, Error)>,
+    /// The largest peak error that was stated or measured, with its line counted as those.
+    pub worst: Option<Worst>,
 }
 
 /// Answers every line of `input` and writes the answers to `output`; `complain` gets the number of each line that cannot be drawn.
@@ -171,6 +188,9 @@ impl<W: Write, C: FnMut(u64, &Error)> Writer<W, C> {
         self.output.flush()?;
         for (line, error) in &answers.failures {
             (self.complain)(self.summary.lines + line, error);
+        }
+        if let Some((line, peak)) = answers.worst {
+            worsen(&mut self.summary.worst, self.summary.lines + line, peak);
         }
         self.summary.lines += answers.lines;
         self.summary.failed += answers.failures.len() as u64;

@@ -120,6 +120,8 @@ pub struct Options {
     pub only: Only,
     /// The doubts that are set aside.
     pub trust: Trust,
+    /// Whether the error of the Béziers is measured, for [`Converted::strayed`]: it takes several times as long as drawing them.
+    pub measure: bool,
 }
 
 impl Options {
@@ -216,7 +218,8 @@ pub struct Converted<'a> {
     pub replaced: Counts,
     /// What was left, and why.
     pub notes: Vec<Note>,
-    /// A bound, both ways, of the distance of new arcs and shapes from the Béziers before them; 0 on the way to Béziers.
+    /// A bound of how far, in the user units of each element, what was made lies from what stood there: of new arcs and shapes both ways
+    /// from the Béziers before them, of Béziers as printed from the true arcs, where [`Options::measure`] asks for it, else 0.
     pub strayed: f64,
 }
 
@@ -271,7 +274,8 @@ pub struct ConvertedFile<'a> {
     pub replaced: Counts,
     /// What was left, and why.
     pub notes: Vec<Note>,
-    /// A bound, both ways, of the distance of new arcs and shapes from the Béziers before them; 0 on the way to Béziers.
+    /// A bound of how far, in the user units of each element, what was made lies from what stood there: of new arcs and shapes both ways
+    /// from the Béziers before them, of Béziers as printed from the true arcs, where [`Options::measure`] asks for it, else 0.
     pub strayed: f64,
 }
 

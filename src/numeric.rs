@@ -5,6 +5,7 @@ pub(crate) mod bernstein;
 pub(crate) mod double;
 pub(crate) mod foot;
 pub(crate) mod functions;
+pub(crate) mod linear;
 pub(crate) mod tridiagonal;
 
 use kurbo::common::GAUSS_LEGENDRE_COEFFS_24;

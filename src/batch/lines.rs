@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
 use super::turn::Turn;
-use super::{Answers, OnError, Options};
+use super::{Answers, OnError, Options, worsen};
 use crate::angle::Angle;
 use crate::approximate::{self, approximate, sketch};
 use crate::batch::spec::{Spec, Subject};
@@ -19,10 +19,18 @@ use crate::shape::Shape;
 use crate::write::path::PathDocument;
 use crate::write::{Format, json, postscript};
 
+/// What an answer is.
+#[derive(Debug, Clone, Copy)]
+struct Form {
+    format: Format,
+    /// Whether its error is measured where the format does not state it.
+    measures: bool,
+}
+
 /// Answers lines, one at a time.
 #[derive(Debug)]
 pub struct Worker {
-    format: Format,
+    form: Form,
     on_error: OnError,
     /// What holds where a line does not say otherwise.
     options: approximate::Options,
@@ -37,7 +45,10 @@ impl Worker {
     #[must_use]
     pub fn new(options: Options) -> Self {
         Self {
-            format: options.format,
+            form: Form {
+                format: options.format,
+                measures: options.measure,
+            },
             on_error: options.on_error,
             options: approximate::Options {
                 rule: options.rule,
@@ -65,6 +76,7 @@ impl Worker {
     ) -> Option<usize> {
         answers.text.clear();
         answers.failures.clear();
+        answers.worst = None;
         answers.lines = 0;
         // Most answers are some times as long as their line.
         answers.text.reserve((4 * lines.len()).min(most));
@@ -75,7 +87,12 @@ impl Worker {
             answers.lines += 1;
             let start = answers.text.len();
             match self.push_answer(line, &mut answers.text) {
-                Ok(()) => answers.text.push(b'\n'),
+                Ok(peak) => {
+                    if let Some(peak) = peak {
+                        worsen(&mut answers.worst, answers.lines, peak);
+                    }
+                    answers.text.push(b'\n');
+                }
                 Err(error) => {
                     answers.text.truncate(start);
                     answers.failures.push((answers.lines, error));
@@ -94,27 +111,27 @@ impl Worker {
         }
     }
 
-    /// Appends the answer to one line, without the newline.
-    fn push_answer(&mut self, line: &[u8], out: &mut Vec<u8>) -> Result<()> {
+    /// Appends the answer to one line, without the newline, and tells its peak error where that is stated or measured.
+    fn push_answer(&mut self, line: &[u8], out: &mut Vec<u8>) -> Result<Option<f64>> {
         let Some(line) = text_of(line)? else {
-            return Ok(());
+            return Ok(None);
         };
         let spec = Spec::parse(line)?;
         if spec.method.is_none() && spec.cut.is_none() {
-            if let (Subject::Shape(Shape::Circle(circle)), Format::Path) =
-                (&spec.subject, self.format)
+            if let (Subject::Shape(Shape::Circle(circle)), Format::Path, false) =
+                (&spec.subject, self.form.format, self.form.measures)
                 && Turn::push(&mut self.turn, out, circle, &self.options).is_some()
             {
-                return Ok(());
+                return Ok(None);
             }
-            return push_spec(out, &spec, self.format, &self.options, &mut self.memo);
+            return push_spec(out, &spec, self.form, &self.options, &mut self.memo);
         }
         let options = approximate::Options {
             rule: spec.method.map_or(self.options.rule, Rule::Method),
             cut: spec.cut.clone().unwrap_or_else(|| self.options.cut.clone()),
             ..self.options
         };
-        push_spec(out, &spec, self.format, &options, &mut self.memo)
+        push_spec(out, &spec, self.form, &options, &mut self.memo)
     }
 }
 
@@ -141,36 +158,46 @@ pub(super) fn without_last_end(chunk: &[u8]) -> &[u8] {
 fn push_spec(
     out: &mut Vec<u8>,
     spec: &Spec,
-    format: Format,
+    form: Form,
     options: &approximate::Options,
     memo: &mut Memo,
-) -> Result<()> {
+) -> Result<Option<f64>> {
     match &spec.subject {
-        Subject::Shape(shape) => match format {
-            Format::Json => json::push_drawing(out, spec.id, &approximate(shape, options)?, memo),
-            _ => push_shape(out, shape, format, options),
-        },
-        Subject::Path(contours) => push_path(out, contours, spec.id, format, options),
+        Subject::Shape(shape) => push_shape(out, shape, spec.id, form, options, memo),
+        Subject::Path(contours) => {
+            push_path(out, contours, spec.id, form.format, options).map(Some)
+        }
     }
 }
 
 fn push_shape(
     out: &mut Vec<u8>,
     shape: &Shape,
-    format: Format,
+    id: Option<&str>,
+    form: Form,
     options: &approximate::Options,
-) -> Result<()> {
-    if format == Format::Ps {
-        push_operators(out, &sketch(&as_drawellipse(*shape), options)?.rounded());
-        return Ok(());
+    memo: &mut Memo,
+) -> Result<Option<f64>> {
+    let as_lancaster = (form.format == Format::Ps).then(|| as_drawellipse(*shape));
+    let shape = as_lancaster.as_ref().unwrap_or(shape);
+    if form.format == Format::Json || form.measures {
+        let drawing = approximate(shape, options)?;
+        match form.format {
+            Format::Json => json::push_drawing(out, id, &drawing, memo)?,
+            Format::Ps => push_operators(out, &drawing.curve),
+            _ => path::push_curve(out, &drawing.curve, false),
+        }
+        return Ok(Some(drawing.error.peak()));
     }
     let sketch = sketch(shape, options)?;
-    if sketch.kept.is_some() {
+    if form.format == Format::Ps {
+        push_operators(out, &sketch.rounded());
+    } else if sketch.kept.is_some() {
         path::push_curve(out, &sketch.rounded(), false);
     } else {
         path::push_rounded(out, &sketch.curve, sketch.precision);
     }
-    Ok(())
+    Ok(None)
 }
 
 fn push_path(
@@ -179,10 +206,10 @@ fn push_path(
     id: Option<&str>,
     format: Format,
     options: &approximate::Options,
-) -> Result<()> {
+) -> Result<f64> {
     let drawing = draw(contours, Target::Beziers, options)?;
     match format {
-        Format::Json => return push_json(out, id, &PathDocument::from(&drawing)),
+        Format::Json => push_json(out, id, &PathDocument::from(&drawing))?,
         Format::Ps => {
             for (i, curve) in drawing.curves().enumerate() {
                 if i > 0 {
@@ -197,7 +224,7 @@ fn push_path(
             }
         }
     }
-    Ok(())
+    Ok(drawing.error().peak())
 }
 
 /// Appends PostScript in one line: it takes any white space between its words.

@@ -6,7 +6,7 @@ use kurbo::Affine;
 
 use super::lines::text_of;
 use super::spec::{Spec, Subject};
-use super::{BYTE_ORDER_MARK, LONGEST_LINE, OnError, Options, Summary};
+use super::{BYTE_ORDER_MARK, LONGEST_LINE, OnError, Options, Summary, worsen};
 use crate::approximate::{self, approximate};
 use crate::arcs;
 use crate::contour::{Contour, Step, Target, draw};
@@ -90,7 +90,7 @@ pub fn figure(
     let exact = options.rule == Rule::default() && options.cut == Cut::Quarters;
     let mut picture = Picture::default();
     let mut input = BufReader::new(input);
-    let (mut line, mut segments, mut worst) = (Vec::new(), 0, 0.0_f64);
+    let (mut line, mut segments) = (Vec::new(), 0);
     loop {
         line.clear();
         let most = LONGEST_LINE as u64 + 1;
@@ -113,7 +113,7 @@ pub fn figure(
             })) => {
                 picture.courses.push(courses);
                 segments += layer.curves.iter().map(|c| c.segments.len()).sum::<usize>();
-                worst = worst.max(peak);
+                worsen(&mut picture.summary.worst, picture.summary.lines, peak);
                 picture.figure.layers.push(layer);
             }
             Ok(None) => {}
@@ -131,6 +131,7 @@ pub fn figure(
             ));
         }
     }
+    let worst = picture.summary.worst.map_or(0.0, |(_, peak)| peak);
     describe(&mut picture.figure, worst);
     Ok(picture)
 }

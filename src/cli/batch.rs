@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use curveto::batch::{self, OnError, Options, Summary};
+use curveto::number::{compact, rounded_up};
 use curveto::write::{Format, Image, write};
 
 use super::Outcome;
@@ -98,10 +99,19 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
         Format::Path | Format::Json | Format::Ps => lines(input, &options, names, complain)?,
         _ => picture(input, &options, &looks, names, complain)?,
     };
-    let Summary { lines, failed } = summary;
+    let Summary {
+        lines,
+        failed,
+        worst,
+    } = summary;
     args.talk.state(|| {
         let s = if lines == 1 { "" } else { "s" };
-        format!("{name}: {lines} line{s} read, {failed} could not be drawn")
+        let within = worst.map(|(line, peak)| {
+            let peak = compact(rounded_up(peak, 3), 3);
+            format!("; each within {peak} of its true shape, the farthest on line {line}")
+        });
+        let within = within.unwrap_or_default();
+        format!("{name}: {lines} line{s} read, {failed} could not be drawn{within}")
     });
     Ok(ExitCode::from(u8::from(failed > 0)))
 }

@@ -68,7 +68,7 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
     if reports.iter().any(FileReport::is_closed_pipe) {
         return Ok(ExitCode::SUCCESS);
     }
-    report::tell(&reports, args.report, args.talk);
+    report::tell(&reports, args.report, args.talk, args.goes_back());
     if let Some(signal) = interrupt.signal() {
         let (done, all) = (reports.len(), jobs.len());
         tell(&format!(

@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use kurbo::{Point, Vec2};
+use kurbo::{PathSeg, Point, Vec2};
 
 use super::bezier;
 use super::collapse;
@@ -14,9 +14,11 @@ use super::curve_text::{absolute, relative};
 use super::path_data::{Segment, Segments};
 use super::position::{Position, Trail, is_nearly_whole};
 use super::scratch::Scratch;
+use super::segments::Beziers;
 use super::style::property::Markers;
 use super::{Options, Reason};
 use crate::Angle;
+use crate::measure::radial;
 use crate::number::decimal::{After, Decimal, Form};
 use crate::path::PathText;
 use crate::shape::endpoint::SvgArc;
@@ -30,12 +32,14 @@ pub(super) struct Context<'a> {
 }
 
 /// What became of one path.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Outcome {
     /// Arc commands replaced.
     pub(super) arcs: usize,
     /// Smooth commands that had to be spelled out.
     pub(super) smooth: usize,
+    /// The largest peak error of their curves, where it is measured.
+    pub(super) strayed: f64,
 }
 
 /// Receives the edits, in order, and the notes with their place in the data.
@@ -101,6 +105,26 @@ fn lettered(end: &mut PathText, out: &mut Vec<u8>, arc: &Segment, small: u8) {
     }
     let large = if arc.is_relative() { 0 } else { 0x20 };
     end.letter(out, small ^ large);
+}
+
+/// The peak error of the curve of an arc as it is printed, whose end is the arc's own.
+fn strayed(arc: &SvgArc, drawn: &Beziers) -> f64 {
+    let decimals = drawn.decimals;
+    let rounded = |x: f64| Decimal::round(x, decimals).value();
+    let printed = |offset: Vec2| {
+        let at = arc.from + offset;
+        Point::new(rounded(at.x), rounded(at.y))
+    };
+    let mut segments: Vec<PathSeg> = drawn.path_segments(arc.from, printed).collect();
+    match segments.last_mut() {
+        Some(PathSeg::Cubic(cubic)) => cubic.p3 = arc.to,
+        Some(PathSeg::Quad(quad)) => quad.p2 = arc.to,
+        _ => {}
+    }
+    let outline = arc.shape().ok().and_then(|shape| shape.outline());
+    outline.map_or(0.0, |outline| {
+        radial::error(&segments, &outline.truth).peak()
+    })
 }
 
 struct Writer<'a, 'b, S> {
@@ -282,6 +306,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         self.end.after.part(out, curve.text);
         out.extend_from_slice(curve.text);
         self.end.after = curve.after;
+        self.outcome.strayed = self.outcome.strayed.max(curve.strayed);
         self.respell = respell;
         Ok(())
     }
@@ -391,6 +416,11 @@ impl<S: Sink> Writer<'_, '_, S> {
             relative(self.text, segment, beziers, &mut body.text)?
         } else {
             absolute(self.text, segment, self.at.point, beziers, &mut body.text)?
+        };
+        body.strayed = if self.context.options.measure {
+            strayed(arc, beziers)
+        } else {
+            0.0
         };
         Ok(())
     }

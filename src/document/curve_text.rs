@@ -21,6 +21,8 @@ pub(super) struct Body {
     pub(super) segments: usize,
     /// The end point of an arc, as its numbers give it.
     pub(super) to: Option<[f64; 2]>,
+    /// Their peak error, where it was measured.
+    pub(super) strayed: f64,
 }
 
 /// The arguments of curves, wherever they are kept.
@@ -33,6 +35,8 @@ pub(super) struct Curve<'a> {
     pub(super) segments: usize,
     /// The end point of an arc, as its numbers give it.
     pub(super) to: Option<[f64; 2]>,
+    /// Their peak error, where it was measured.
+    pub(super) strayed: f64,
 }
 
 impl Body {
@@ -43,6 +47,7 @@ impl Body {
             quadratic: self.quadratic,
             segments: self.segments,
             to: self.to,
+            strayed: self.strayed,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! How many decimals a curve deserves.
 
-use kurbo::{ParamCurve, PathSeg, Point, Vec2};
+use kurbo::{PathSeg, Point, Vec2};
 
 use super::Options;
 use super::segments::Beziers;
@@ -32,32 +32,15 @@ pub(super) fn decimals(
     if truth.is_circle() {
         return fewest(error * truth.radii.x, largest);
     }
-    if let Some([low, high]) = nearly(path_segments(start, base, drawn), truth).between {
+    let segments = || drawn.path_segments(base + start, |offset| base + offset);
+    if let Some([low, high]) = nearly(segments(), truth).between {
         let most = fewest(low, largest);
         if most == fewest(high, largest) {
             return most;
         }
     }
-    let segments: Vec<PathSeg> = path_segments(start, base, drawn).collect();
+    let segments: Vec<PathSeg> = segments().collect();
     fewest(radial::error(&segments, truth).peak(), largest)
-}
-
-/// The segments of a curve in the plane.
-fn path_segments(start: Vec2, base: Point, drawn: &Beziers) -> impl Iterator<Item = PathSeg> {
-    let mut from = base + start;
-    drawn.segments().map(move |points| {
-        let segment = match points {
-            [p1, p2] => PathSeg::Quad(kurbo::QuadBez::new(from, base + *p1, base + *p2)),
-            _ => PathSeg::Cubic(kurbo::CubicBez::new(
-                from,
-                base + points[0],
-                base + points[1],
-                base + points[2],
-            )),
-        };
-        from = segment.end();
-        segment
-    })
 }
 
 /// The fewest decimals for this peak error; no more than coordinates up to `largest` have digits.

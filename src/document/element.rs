@@ -13,6 +13,7 @@ use super::style::property::Kind;
 use super::{Options, Reason};
 use crate::Angle;
 use crate::number::decimal::Decimal;
+use crate::shape::Truth;
 use crate::shape::endpoint::SvgArc;
 
 /// A shape with its used values: `auto` resolved, radii clamped.
@@ -116,13 +117,13 @@ fn clamp(radius: Length, side: Length) -> Length {
     }
 }
 
-/// Writes the path data of a shape to `out`.
+/// Writes the path data of a shape to `out`; returns how far it lies from the shape at most, where that is to be measured.
 pub(super) fn path_data(
     shape: &Shape,
     options: &Options,
     scratch: &mut Scratch,
     out: &mut Vec<u8>,
-) -> Result<(), Reason> {
+) -> Result<f64, Reason> {
     out.clear();
     match shape {
         Shape::Ellipse(center, radii) => {
@@ -139,14 +140,17 @@ pub(super) fn path_data(
             let mut pen = Pen::new(options.precision, drawn.decimals, out);
             pen.known = [radii[0], radii[1]];
             pen.base = *center;
+            pen.truth = options.measure.then(|| {
+                let [cx, cy] = center.map(|length| length.value);
+                Truth::new(Point::new(cx, cy), Vec2::new(rx, ry), Vec2::new(1.0, 0.0))
+            });
             pen.move_to(pen.place(start));
             pen.curves(drawn, true);
-            pen.close();
+            Ok(pen.close())
         }
-        Shape::Rect(corner, size, radii) => rect(*corner, *size, *radii, options, scratch, out)?,
-        Shape::Square => {}
+        Shape::Rect(corner, size, radii) => rect(*corner, *size, *radii, options, scratch, out),
+        Shape::Square => Ok(0.0),
     }
-    Ok(())
 }
 
 /// Refuses what arithmetic or the precision asked for cannot hold.
@@ -172,7 +176,7 @@ fn rect(
     options: &Options,
     scratch: &mut Scratch,
     out: &mut Vec<u8>,
-) -> Result<(), Reason> {
+) -> Result<f64, Reason> {
     let [rx, ry] = radii.map(|radius| radius.value);
     check_size(&[&corner, &size, &radii], options, rx.min(ry))?;
     let [x, y] = corner.map(|length| length.exact);
@@ -191,9 +195,8 @@ fn rect(
     pen.known = radii;
     for (index, (start, to, line)) in corners.into_iter().enumerate() {
         // As for an ellipse: where a precision is asked for, it is points that are rounded.
-        let from = options.precision.map_or(Point::ZERO, |_| {
-            Point::new(start[0].value(), start[1].value())
-        });
+        let place = Point::new(start[0].value(), start[1].value());
+        let from = options.precision.map_or(Point::ZERO, |_| place);
         let arc = SvgArc {
             from,
             radii: Vec2::new(rx, ry),
@@ -214,10 +217,18 @@ fn rect(
             value: exact.value(),
             exact,
         });
+        pen.truth = options.measure.then(|| {
+            let center = place
+                + Vec2::from(if index % 2 == 0 {
+                    (0.0, to.1)
+                } else {
+                    (to.0, 0.0)
+                });
+            Truth::new(center, Vec2::new(rx, ry), Vec2::new(1.0, 0.0))
+        });
         pen.curves(&scratch.beziers, index == 3);
     }
-    pen.close();
-    Ok(())
+    Ok(pen.close())
 }
 
 #[cfg(test)]

@@ -28,12 +28,13 @@ struct Written {
     quadratic: bool,
     segments: u32,
     to: Option<[f64; 2]>,
+    strayed: f64,
 }
 
 /// The tables.
 #[derive(Debug, Default)]
 pub(super) struct Memo {
-    made_for: Option<(Rule, Cut, Option<u8>)>,
+    made_for: Option<(Rule, Cut, Option<u8>, bool)>,
     /// One more than the index of an arc, or 0.
     places: Vec<u32>,
     arcs: Vec<Written>,
@@ -46,13 +47,21 @@ impl Memo {
         let same = self
             .made_for
             .as_ref()
-            .is_some_and(|(rule, cut, precision)| {
-                *rule == options.rule && *cut == options.cut && *precision == options.precision
+            .is_some_and(|(rule, cut, precision, measure)| {
+                *rule == options.rule
+                    && *cut == options.cut
+                    && *precision == options.precision
+                    && *measure == options.measure
             });
         if !same {
             self.forget_arcs();
             self.spans.clear();
-            self.made_for = Some((options.rule, options.cut.clone(), options.precision));
+            self.made_for = Some((
+                options.rule,
+                options.cut.clone(),
+                options.precision,
+                options.measure,
+            ));
         }
     }
 
@@ -96,6 +105,7 @@ impl Memo {
             quadratic: written.quadratic,
             segments: written.segments as usize,
             to: written.to,
+            strayed: written.strayed,
         }
     }
 
@@ -128,6 +138,7 @@ impl Memo {
             quadratic: curve.quadratic,
             segments: curve.segments as u32,
             to: curve.to,
+            strayed: curve.strayed,
         });
         if let Some(entry) = self.places.get_mut(place) {
             *entry = self.arcs.len() as u32;

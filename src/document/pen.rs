@@ -1,11 +1,13 @@
 //! Path data for a shape: exact vertices, rounded control points, and of the absolute and the relative form the shorter.
 
-use kurbo::Vec2;
+use kurbo::{CubicBez, Point, QuadBez, Vec2};
 
 use super::length::Length;
 use super::segments::Beziers;
+use crate::measure::radial;
 use crate::number::decimal::{Decimal, Form};
 use crate::path::PathText;
+use crate::shape::Truth;
 
 /// A point by its digits.
 type Place = [Decimal; 2];
@@ -23,6 +25,9 @@ pub(super) struct Pen<'a> {
     /// Offsets whose digits are known: a point there is written exactly.
     pub(super) known: [Length; 2],
     current: Place,
+    /// What curves are measured against, and how far they lie from it at most.
+    pub(super) truth: Option<Truth>,
+    strayed: f64,
 }
 
 /// Writes points, counted from the origin where there is one.
@@ -48,6 +53,8 @@ impl<'a> Pen<'a> {
             base: [Length::zero(); 2],
             known: [Length::zero(); 2],
             current: [Length::zero().exact; 2],
+            truth: None,
+            strayed: 0.0,
         }
     }
 
@@ -106,6 +113,7 @@ impl<'a> Pen<'a> {
                 *place = self.place(*offset);
             }
             let places = &places[..offsets.len()];
+            self.measure(places);
             let (mut text_absolute, mut text_relative) = (self.text, self.text);
             absolute.clear();
             text_absolute.letter(&mut absolute, letter.to_ascii_uppercase());
@@ -130,8 +138,22 @@ impl<'a> Pen<'a> {
         }
     }
 
-    /// Closes the path.
-    pub(super) fn close(self) {
+    /// Measures a segment from the current point, where there is something to measure it against.
+    fn measure(&mut self, places: &[Place]) {
+        let Some(truth) = &self.truth else { return };
+        let point = |place: &Place| Point::new(place[0].value(), place[1].value());
+        let from = point(&self.current);
+        let segment = match places {
+            [p1, p2, p3] => CubicBez::new(from, point(p1), point(p2), point(p3)).into(),
+            [p1, p2] => QuadBez::new(from, point(p1), point(p2)).into(),
+            _ => return,
+        };
+        self.strayed = self.strayed.max(radial::error([&segment], truth).peak());
+    }
+
+    /// Closes the path and tells how far its curves lie from what they were measured against.
+    pub(super) fn close(self) -> f64 {
         self.out.push(b'Z');
+        self.strayed
     }
 }

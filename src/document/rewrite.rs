@@ -265,6 +265,7 @@ impl<'a> Rewriter<'a, '_> {
             data.text,
             &mut self.output.splice,
         );
+        self.strayed = self.strayed.max(data.strayed);
         self.counts.count(kind, 1);
         true
     }
@@ -363,5 +364,6 @@ impl<'a> Rewriter<'a, '_> {
         let outcome = arcs::rewrite(text, span, context, self.scratch, &mut sink);
         self.counts.count(Kind::Path, outcome.arcs);
         self.counts.smooth += outcome.smooth;
+        self.strayed = self.strayed.max(outcome.strayed);
     }
 }

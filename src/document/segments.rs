@@ -1,6 +1,6 @@
 //! Bézier segments between the joints of an arc, in a buffer that serves one arc after the other.
 
-use kurbo::Vec2;
+use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, QuadBez, Vec2};
 
 use crate::method::{Degree, Piece};
 
@@ -18,6 +18,28 @@ impl Beziers {
     /// The segments.
     pub(super) fn segments(&self) -> impl ExactSizeIterator<Item = &[Vec2]> {
         self.points.chunks_exact(self.per_segment.max(1))
+    }
+
+    /// The segments in the plane, from a start, their points where `place` puts them.
+    pub(super) fn path_segments(
+        &self,
+        start: Point,
+        place: impl Fn(Vec2) -> Point,
+    ) -> impl Iterator<Item = PathSeg> {
+        let mut from = start;
+        self.segments().map(move |points| {
+            let segment = match points {
+                [p1, p2] => PathSeg::Quad(QuadBez::new(from, place(*p1), place(*p2))),
+                _ => PathSeg::Cubic(CubicBez::new(
+                    from,
+                    place(points[0]),
+                    place(points[1]),
+                    place(points[2]),
+                )),
+            };
+            from = segment.end();
+            segment
+        })
     }
 
     /// All points in their order.

@@ -48,7 +48,7 @@ pub(super) fn find(
     let mut data = core::mem::take(&mut scratch.body.text);
     let drawn = element::path_data(&shape, options, scratch, &mut data);
     scratch.body.text = data;
-    drawn?;
+    scratch.body.strayed = drawn?;
     scratch.body.to = None;
     if spelled {
         scratch.memo.keep(key, &scratch.body.curve());

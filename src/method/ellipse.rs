@@ -24,7 +24,7 @@ use super::{Degree, Method, Piece, Span, minimax};
 use crate::angle::Angle;
 use crate::error::Result;
 use crate::numeric::foot::{Foot, foot_by_excess};
-use crate::numeric::root;
+use crate::numeric::{linear, root};
 use crate::shape::Axes;
 
 /// The flattest ellipse that was tried, and the longest segment.
@@ -230,7 +230,7 @@ impl Segment {
                 -(fall * n.dot(t1) + last * turning.dot(t1)) / bends,
             ];
         }
-        let [k0, k1, peak] = solved(&rows, &misses)?;
+        let [k0, k1, peak] = linear::solve(rows, misses)?;
         let moves = pulls.map(|[by_k0, by_k1]| by_k0 * k0 + by_k1 * k1);
         let longest = moves
             .iter()
@@ -315,24 +315,6 @@ impl Segment {
         }
         None
     }
-}
-
-/// The solution of three linear equations, by Cramer's rule.
-fn solved(rows: &[[f64; 3]; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
-    let determinant = |m: &[[f64; 3]; 3]| {
-        let minor = |i: usize, j: usize| m[1][i] * m[2][j] - m[1][j] * m[2][i];
-        m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1)
-    };
-    let whole = determinant(rows);
-    let mut solution = [0.0; 3];
-    for (column, value) in solution.iter_mut().enumerate() {
-        let mut replaced = *rows;
-        for (row, right) in replaced.iter_mut().zip(right) {
-            row[column] = *right;
-        }
-        *value = determinant(&replaced) / whole;
-    }
-    (whole != 0.0).then_some(solution)
 }
 
 /// The best handles of a segment that begins `from` degrees after an end of the short axis; `None` where the method does not serve.

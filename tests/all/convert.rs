@@ -630,3 +630,27 @@ fn bombs_end_quickly() {
         start.elapsed()
     );
 }
+
+#[test]
+fn the_error_of_every_kind_is_measured_again_where_it_was_met_before() {
+    let measure = Options {
+        measure: true,
+        ..Options::default()
+    };
+    let strayed = |inner: &str, options: &Options| {
+        document::convert(&svg(inner), options).unwrap().strayed
+    };
+    let quarter = strayed(r#"<path d="M0 0a9 9 0 0 1 9 9"/>"#, &measure);
+    assert!(quarter > 1.9e-4 * 9.0 && quarter < 2.2e-4 * 9.0, "{quarter}");
+    for inner in [
+        r#"<path d="M0 0a9 9 0 0 1 9 9"/>"#,
+        r#"<path d="M0 0a9 9 0 0 1 9 9a9 9 0 0 1 9 9"/>"#,
+        r#"<path d="M0 0A9 9 0 0 1 9 9"/>"#,
+        r#"<rect x="3" y="4" width="50" height="60" rx="9"/>"#,
+        r#"<circle cx="7" r="9"/>"#,
+    ] {
+        let found = strayed(inner, &measure);
+        assert!((found - quarter).abs() < 2e-6, "{inner}: {found} {quarter}");
+        assert_eq!(strayed(inner, &Options::default()), 0.0);
+    }
+}

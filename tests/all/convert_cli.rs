@@ -124,7 +124,8 @@ fn folders_are_converted_in_place_and_what_has_nothing_to_do_is_not_touched() {
     );
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(
-        text(&output.stderr).ends_with("3 of 4 files: 3 circles replaced\n"),
+        text(&output.stderr)
+            .ends_with("3 of 4 files: 3 circles replaced, within 9.85e-4 of the true shapes\n"),
         "{}",
         text(&output.stderr)
     );

@@ -142,7 +142,20 @@ fn verbose_states_what_was_done_and_quiet_keeps_notes() {
     assert!(piped(&["convert"], svg)[1].starts_with("note: "));
     assert_eq!(piped(&["convert", "-q"], svg)[1], "");
     let svg = br#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/></svg>"#;
-    assert!(piped(&["convert", "-v"], svg)[1].contains("1 circle replaced"));
+    assert_eq!(
+        piped(&["convert", "-v"], svg)[1],
+        "<stdin>: 1 circle replaced, within 9.85e-4 of the true shapes\n"
+    );
+    let lines = b"circle 0 0 5\ncircle 0 0 50\n\npath M0 0H9";
+    for format in ["path", "ps", "json", "svg"] {
+        let said = &piped(&["batch", "-v", "-f", format], lines)[1];
+        let start = "<stdin>: 4 lines read, 0 could not be drawn; each within 0.0098";
+        assert!(said.starts_with(start), "{format}: {said}");
+        assert!(
+            said.ends_with(" of its true shape, the farthest on line 2\n"),
+            "{format}: {said}"
+        );
+    }
 }
 
 #[test]

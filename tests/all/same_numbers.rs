@@ -95,14 +95,18 @@ fn smallest_radius(asked: &Asked) -> f64 {
     }
 }
 
-fn single(asked: &Asked, options: &Options) -> Option<Vec<Point>> {
+/// The points of a curve, and its peak error as it is stated.
+type Curve = (Vec<Point>, f64);
+
+fn single(asked: &Asked, options: &Options) -> Option<Curve> {
     let Subject::Shape(shape) = Spec::parse(&asked.line).ok()?.subject else {
         return None;
     };
-    Some(of(&approximate(&shape, options).ok()?.curve.segments))
+    let drawing = approximate(&shape, options).ok()?;
+    Some((of(&drawing.curve.segments), drawing.error.peak()))
 }
 
-fn by_batch(asked: &Asked, options: &Options) -> Option<Vec<Point>> {
+fn by_batch(asked: &Asked, options: &Options) -> Option<Curve> {
     let options = batch::Options {
         rule: options.rule,
         cut: options.cut.clone(),
@@ -110,13 +114,21 @@ fn by_batch(asked: &Asked, options: &Options) -> Option<Vec<Point>> {
         on_error: batch::OnError::Blank,
         ..batch::Options::default()
     };
-    let (mut out, line) = (Vec::new(), asked.line.clone());
-    batch::run(std::io::Cursor::new(line), &mut out, &options, |_, _| ()).unwrap();
-    let text = String::from_utf8(out).unwrap();
-    (!text.trim().is_empty()).then(|| points(text.trim()))
+    let answer = |measure| {
+        let options = batch::Options {
+            measure,
+            ..options.clone()
+        };
+        let (mut out, line) = (Vec::new(), asked.line.clone());
+        let run = batch::run(std::io::Cursor::new(line), &mut out, &options, |_, _| ());
+        (String::from_utf8(out).unwrap(), run.unwrap().worst)
+    };
+    let (text, worst) = answer(true);
+    assert_eq!(text, answer(false).0);
+    (!text.trim().is_empty()).then(|| (points(text.trim()), worst.unwrap().1))
 }
 
-fn by_convert(asked: &Asked, options: &Options) -> Option<Vec<Point>> {
+fn by_convert(asked: &Asked, options: &Options) -> Option<Curve> {
     let precision = match options.precision {
         Some(Precision::Fixed(decimals)) => Some(decimals),
         _ => None,
@@ -125,15 +137,17 @@ fn by_convert(asked: &Asked, options: &Options) -> Option<Vec<Point>> {
         rule: options.rule,
         cut: options.cut.clone(),
         precision,
+        measure: true,
         ..document::Options::default()
     };
     let svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\">{}</svg>",
         asked.element
     );
-    let text = document::convert(&svg, &options).ok()?.text.into_owned();
+    let converted = document::convert(&svg, &options).ok()?;
+    let text = converted.text.into_owned();
     let data = text.split(" d=\"").nth(1)?.split('"').next()?;
-    (!data.contains('A')).then(|| points(data))
+    (!data.contains('A')).then(|| (points(data), converted.strayed))
 }
 
 proptest! {
@@ -156,7 +170,9 @@ proptest! {
         prop_assert_eq!(&one, &by_batch(&asked, &options), "batch");
         // A file keeps what a coarse precision would make a dot.
         if smallest_radius(&asked) * f64::powi(10.0, decimals.into()) > 0.5 {
-            prop_assert_eq!(&one, &by_convert(&asked, &options), "convert");
+            let (one, other) = (one.unzip(), by_convert(&asked, &options).unzip());
+            prop_assert_eq!(one.0, other.0, "convert");
+            prop_assert_eq!(one.1, other.1, "convert");
         }
     }
 

@@ -109,6 +109,7 @@ impl BatchArgs {
                 OnErrorArg::Report => OnError::Report,
             },
             jobs,
+            measure: self.talk.verbose,
         })
     }
 }

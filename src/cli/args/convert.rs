@@ -120,6 +120,7 @@ impl ConvertArgs {
             to: self.target()?,
             only,
             trust: Trust::of(&self.trust),
+            measure: self.talk.verbose || self.report.is_some(),
             ..document::Options::default()
         };
         if options.to == Target::Beziers {
@@ -130,6 +131,11 @@ impl ConvertArgs {
         }
         options.check()?;
         Ok(options)
+    }
+
+    /// Whether Béziers become arcs.
+    pub(crate) fn goes_back(&self) -> bool {
+        self.to == TargetArg::Arcs
     }
 
     fn target(&self) -> Result<Target, Failure> {

@@ -19,7 +19,7 @@ pub(super) struct FileReport {
     pub(super) changed: bool,
     replaced: Counts,
     notes: Vec<Note>,
-    /// How far new arcs and shapes lie from their Béziers at most.
+    /// How far what was made lies from what stood there at most, in the user units of each element.
     #[serde(skip_serializing_if = "is_zero")]
     strayed: f64,
     /// Why it failed.
@@ -88,18 +88,14 @@ fn is_zero(distance: &f64) -> bool {
 }
 
 /// Tells about all files: errors and what was left, and with `--report` or `--verbose` the counts.
-pub(super) fn tell(reports: &[FileReport], form: Option<Report>, talk: TalkArgs) {
+pub(super) fn tell(reports: &[FileReport], form: Option<Report>, talk: TalkArgs, back: bool) {
     let mut out = BufWriter::new(io::stderr().lock());
     // Where standard error is gone, nobody is left to tell.
     let _ = if form == Some(Report::Json) {
         json(reports, &mut out)
     } else {
-        text(
-            reports,
-            form.is_some() || talk.verbose,
-            !talk.quiet,
-            &mut out,
-        )
+        let counts = (form.is_some() || talk.verbose).then_some(back);
+        text(reports, counts, !talk.quiet, &mut out)
     };
 }
 
@@ -125,7 +121,13 @@ fn json(reports: &[FileReport], out: &mut impl Write) -> io::Result<()> {
     writeln!(out)
 }
 
-fn text(reports: &[FileReport], counts: bool, notes: bool, out: &mut impl Write) -> io::Result<()> {
+/// `counts`: whether Béziers became arcs, where the counts are told.
+fn text(
+    reports: &[FileReport],
+    counts: Option<bool>,
+    notes: bool,
+    out: &mut impl Write,
+) -> io::Result<()> {
     let mut say = |line: &str| out.write_all(fit_for_terminals(line).as_bytes());
     for report in reports {
         let file = &report.file;
@@ -146,27 +148,25 @@ fn text(reports: &[FileReport], counts: bool, notes: bool, out: &mut impl Write)
                 "note: {file}:{line}:{column}: <{element}> is left: {reason}\n"
             ))?;
         }
-        if counts && report.error.is_none() {
-            say(&format!(
-                "{file}: {}\n",
-                told(&report.replaced, report.strayed)
-            ))?;
+        if let Some(back) = counts.filter(|_| report.error.is_none()) {
+            let told = told(&report.replaced, report.strayed, back);
+            say(&format!("{file}: {told}\n"))?;
         }
     }
-    if counts && reports.len() > 1 {
+    if let Some(back) = counts.filter(|_| reports.len() > 1) {
         let changed = reports.iter().filter(|report| report.changed).count();
         let strayed = reports
             .iter()
             .map(|report| report.strayed)
             .fold(0.0, f64::max);
-        let (files, told) = (reports.len(), told(&total(reports), strayed));
+        let (files, told) = (reports.len(), told(&total(reports), strayed, back));
         say(&format!("{changed} of {files} files: {told}\n"))?;
     }
     Ok(())
 }
 
-/// The counts in words, and how far new arcs and shapes lie from their Béziers: on the way to Béziers there are none.
-fn told(counts: &Counts, strayed: f64) -> String {
+/// The counts in words, and how far what was made lies from what stood there.
+fn told(counts: &Counts, strayed: f64, back: bool) -> String {
     let words: Vec<String> = Kind::ALL
         .into_iter()
         .filter(|kind| counts.of(*kind) > 0)
@@ -181,11 +181,13 @@ fn told(counts: &Counts, strayed: f64) -> String {
         })
         .collect();
     if words.is_empty() {
-        "nothing to replace".to_owned()
-    } else if strayed > 0.0 {
-        let within = compact(rounded_up(strayed, 3), 3);
-        format!("{} made, within {within} of the curves", words.join(", "))
+        return "nothing to replace".to_owned();
+    }
+    let within = compact(rounded_up(strayed, 3), 3);
+    let words = words.join(", ");
+    if back {
+        format!("{words} made, within {within} of the curves")
     } else {
-        format!("{} replaced", words.join(", "))
+        format!("{words} replaced, within {within} of the true shapes")
     }
 }

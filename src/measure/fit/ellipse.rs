@@ -8,6 +8,7 @@ use kurbo::{Point, Vec2};
 
 use super::super::radial::nearest;
 use crate::numeric::functions::unit_vector;
+use crate::numeric::linear;
 use crate::shape::Truth;
 
 /// The most steps; from the conic a handful do.
@@ -86,49 +87,20 @@ fn gauss_newton(points: &[Point], truth: &Truth) -> Option<Truth> {
 
 /// The five unknowns with the least sum of (row · unknowns - right)².
 fn least_squares(rows: impl Iterator<Item = ([f64; 5], f64)>, damping: f64) -> Option<[f64; 5]> {
-    let mut equations = [[0.0; 6]; 5];
+    let (mut equations, mut sums) = ([[0.0; 5]; 5], [0.0; 5]);
     for (row, right) in rows {
-        for (equation, factor) in equations.iter_mut().zip(row) {
-            let terms = row.iter().chain([&right]);
-            for (sum, term) in equation.iter_mut().zip(terms) {
+        for (i, factor) in row.into_iter().enumerate() {
+            for (sum, term) in equations[i].iter_mut().zip(row) {
                 *sum += factor * term;
             }
+            sums[i] += factor * right;
         }
     }
     let trace: f64 = equations.iter().enumerate().map(|(i, row)| row[i]).sum();
     for (i, equation) in equations.iter_mut().enumerate() {
         equation[i] += damping * trace;
     }
-    solve(equations)
-}
-
-/// Gaussian elimination with the largest pivot of each column; `None` where the equations do not determine the unknowns.
-fn solve(mut rows: [[f64; 6]; 5]) -> Option<[f64; 5]> {
-    for i in 0..5 {
-        let size = |row: &[f64; 6]| row[i].abs();
-        let best = (i..5).max_by(|&j, &k| size(&rows[j]).total_cmp(&size(&rows[k])))?;
-        rows.swap(i, best);
-        let pivot = rows[i];
-        if pivot[i] == 0.0 || !pivot[i].is_finite() {
-            return None;
-        }
-        for (j, row) in rows.iter_mut().enumerate() {
-            let part = row[i] / pivot[i];
-            if j != i {
-                for (entry, above) in row.iter_mut().zip(pivot) {
-                    *entry -= part * above;
-                }
-            }
-        }
-    }
-    let mut unknowns = [0.0; 5];
-    for (i, (unknown, row)) in unknowns.iter_mut().zip(rows).enumerate() {
-        *unknown = row[5] / row[i];
-    }
-    unknowns
-        .iter()
-        .all(|x: &f64| x.is_finite())
-        .then_some(unknowns)
+    linear::solve(equations, sums)
 }
 
 #[cfg(test)]
