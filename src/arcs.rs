@@ -144,6 +144,7 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
         course: None,
         error: RadialError::balanced(error),
         room: plan.left(error),
+        truths: Vec::new(),
         radius: plan.size,
     })
 }

@@ -1,17 +1,22 @@
 //! Contours: lines and Béziers as they were given, and arcs that become Béziers, joined at shared points.
 
-use kurbo::{CubicBez, Line, PathSeg, Point, QuadBez, Rect};
+mod quadratics;
 
-use crate::approximate::{self, ROUNDING_SHARE, Sketch, automatic_precision, sketch};
+use core::ops::Range;
+
+use kurbo::{Line, PathSeg, Point, Rect};
+
+use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
 use crate::curve::Curve;
-use crate::error::{Error, Result, positive};
-use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
+use crate::error::Result;
+use crate::joints::{Cut, Tolerance};
 use crate::measure::radial;
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::radial_error::RadialError;
-use crate::shape::{Arc, Shape};
+use crate::shape::{Arc, Outline, Shape};
+use quadratics::{count_of_quadratics, distance_of_quadratics, quadratics};
 
 /// A chain of steps, each of which starts where the one before it ends.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -111,6 +116,8 @@ pub struct Subpath {
     pub error: RadialError,
     /// How far rounding may move it yet within its tolerance, where it has one.
     pub room: Option<f64>,
+    /// The true shapes of its arcs, and which segments of the curve approximate each.
+    pub truths: Vec<(Range<usize>, Outline)>,
     /// What its error is compared with: the largest radius of its arcs, or half the larger side of its box where it has none.
     pub radius: f64,
 }
@@ -254,6 +261,7 @@ impl Finisher<'_> {
         let mut segments = Vec::new();
         let mut error = RadialError::default();
         let mut radius = 0.0_f64;
+        let mut truths = Vec::new();
         for (step, sketch) in contour.steps.iter().zip(arcs) {
             match (step, sketch) {
                 (Step::Arc(arc), Some(sketch)) => {
@@ -261,9 +269,13 @@ impl Finisher<'_> {
                     let curve = sketch.curve.rounded(self.precision, kept);
                     let outline = Shape::Arc(*arc).outline();
                     if let Some(outline) = outline {
-                        let truth = outline.transformed(self.options.transform)?.truth;
-                        error = error.with(radial::error(&curve.segments, &truth));
-                        radius = radius.max(truth.larger_radius());
+                        let outline = outline.transformed(self.options.transform)?;
+                        error = error.with(radial::error(&curve.segments, &outline.truth));
+                        radius = radius.max(outline.truth.larger_radius());
+                        truths.push((
+                            segments.len()..segments.len() + curve.segments.len(),
+                            outline,
+                        ));
                     }
                     segments.extend(curve.segments);
                 }
@@ -287,6 +299,7 @@ impl Finisher<'_> {
             course: None,
             error,
             room: None,
+            truths,
             radius,
         })
     }
@@ -333,36 +346,6 @@ impl Target {
     }
 }
 
-/// How many quadratics a cubic becomes: the fewest of equal parameter length that stay, with the tenth that rounding may add,
-/// within the tolerance, or within a thousandth of the larger side of its control points' box.
-fn count_of_quadratics(cubic: &CubicBez, cut: &Cut) -> Result<usize> {
-    let bounds = Rect::from_points(cubic.p0, cubic.p3)
-        .union_pt(cubic.p1)
-        .union_pt(cubic.p2);
-    let size = bounds.width().max(bounds.height());
-    let tolerance = match *cut {
-        Cut::Tolerance(Tolerance::Absolute(distance)) => positive("tolerance", distance)?,
-        Cut::Tolerance(Tolerance::Relative(share)) => share * size / 2.0,
-        _ => size / 1000.0,
-    };
-    let whole = (1.0 + ROUNDING_SHARE) * distance_of_quadratics(cubic, 1);
-    if whole == 0.0 {
-        return Ok(1);
-    }
-    // The distance falls with the third power of the count.
-    let count = libm::cbrt(whole / tolerance).ceil().max(1.0);
-    if count >= MOST_SEGMENTS as f64 {
-        return Err(Error::Count {
-            count: count as usize,
-            most: MOST_SEGMENTS,
-        });
-    }
-    // The rounding of the root may have cost one.
-    let count = count as usize;
-    let short = (1.0 + ROUNDING_SHARE) * distance_of_quadratics(cubic, count) > tolerance;
-    Ok(count + usize::from(short))
-}
-
 /// How far control points moved at most.
 fn largest_move(before: &Curve, after: &Curve) -> f64 {
     let points = |curve: &Curve| -> Vec<Point> {
@@ -371,28 +354,4 @@ fn largest_move(before: &Curve, after: &Curve) -> f64 {
     };
     let moved = points(before).into_iter().zip(points(after));
     moved.map(|(p, q)| p.distance(q)).fold(0.0, f64::max)
-}
-
-/// A cubic cut into parts of equal parameter length, each of them as the quadratic that meets its ends and lies nearest to it in
-/// the middle: P1 = (3(p1 + p2) - p0 - p3)/4.
-fn quadratics(cubic: &CubicBez, count: usize) -> impl Iterator<Item = QuadBez> {
-    let mut last = cubic.p0;
-    (0..count).map(move |i| {
-        let part = |k: usize| k as f64 / count as f64;
-        let piece = kurbo::ParamCurve::subsegment(cubic, part(i)..part(i + 1));
-        let end = if i + 1 == count { cubic.p3 } else { piece.p3 };
-        let [p0, p1, p2, p3] = [last, piece.p1, piece.p2, end].map(Point::to_vec2);
-        last = end;
-        let control = (3.0 * (p1 + p2) - p0 - p3) / 4.0;
-        QuadBez::new(p0.to_point(), control.to_point(), end)
-    })
-}
-
-/// How far those quadratics lie from the cubic at most: the difference is |p3 - 3p2 + 3p1 - p0|/n³ times t(1-t)|1-2t|/2, whose
-/// largest value is sqrt(3)/36.
-fn distance_of_quadratics(cubic: &CubicBez, count: usize) -> f64 {
-    let [p0, p1, p2, p3] = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(Point::to_vec2);
-    let third = (p3 - 3.0 * p2 + 3.0 * p1 - p0).length();
-    let count = count as f64;
-    3.0_f64.sqrt() / 36.0 * third / (count * count * count)
 }

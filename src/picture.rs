@@ -14,3 +14,4 @@ pub mod size;
 pub mod style;
 #[cfg(feature = "plot")]
 pub mod text;
+pub mod words;

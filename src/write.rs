@@ -37,13 +37,14 @@ use crate::course::Course;
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::number::Precision;
-use crate::picture::figure::{self, Figure};
+use crate::picture::figure::Figure;
 #[cfg(feature = "plot")]
 use crate::picture::plot::Chart;
 use crate::picture::scene::Scene;
 #[cfg(feature = "plot")]
 use crate::picture::size::Size;
 use crate::picture::style::Style;
+use crate::picture::words;
 use dxf::Trace;
 
 /// The most segments beside which joints, handles and the deviation are shown.
@@ -78,7 +79,7 @@ impl Writable for Drawing {
     }
 
     fn summary(&self) -> String {
-        figure::summary(self)
+        words::summary(self)
     }
 
     #[cfg(feature = "serde")]

@@ -107,6 +107,7 @@ impl Builder<'_> {
             course: Some(self.course),
             error: RadialError::balanced(self.error),
             room: self.plan.left(self.error),
+            truths: Vec::new(),
             radius: self.plan.size,
         })
     }

@@ -14,7 +14,7 @@ use crate::course::Course;
 use crate::error::{Error, Result};
 use crate::joints::Cut;
 use crate::method::Rule;
-use crate::picture::figure::{Figure, Layer};
+use crate::picture::figure::{Approximated, Figure, Layer};
 use crate::shape::Shape;
 use crate::write::Writable;
 use crate::write::dxf::{self, Trace};
@@ -50,6 +50,21 @@ impl Writable for Picture {
 }
 
 impl Picture {
+    /// Adds what the last line that was read draws; so many curves stand before it.
+    fn add(&mut self, found: Found, curves: &mut usize) {
+        let counted = |truth: Approximated| Approximated {
+            curve: *curves + truth.curve,
+            ..truth
+        };
+        self.figure
+            .truths
+            .extend(found.truths.into_iter().map(counted));
+        *curves += found.layer.curves.len();
+        self.courses.push(found.courses);
+        worsen(&mut self.summary.worst, self.summary.lines, found.peak);
+        self.figure.layers.push(found.layer);
+    }
+
     /// A DXF file, each shape on a layer of its id: lines, arcs and bulges themselves where [`Picture::courses`] has them.
     #[must_use]
     pub fn dxf(&self) -> String {
@@ -90,7 +105,7 @@ pub fn figure(
     let exact = options.rule == Rule::default() && options.cut == Cut::Quarters;
     let mut picture = Picture::default();
     let mut input = BufReader::new(input);
-    let (mut line, mut segments) = (Vec::new(), 0);
+    let (mut line, mut curves, mut segments) = (Vec::new(), 0, 0);
     loop {
         line.clear();
         let most = LONGEST_LINE as u64 + 1;
@@ -106,15 +121,10 @@ pub fn figure(
         };
         picture.summary.lines += 1;
         match shape(bytes, options, exact) {
-            Ok(Some(Found {
-                layer,
-                peak,
-                courses,
-            })) => {
-                picture.courses.push(courses);
-                segments += layer.curves.iter().map(|c| c.segments.len()).sum::<usize>();
-                worsen(&mut picture.summary.worst, picture.summary.lines, peak);
-                picture.figure.layers.push(layer);
+            Ok(Some(found)) => {
+                let drawn = &found.layer.curves;
+                segments += drawn.iter().map(|c| c.segments.len()).sum::<usize>();
+                picture.add(found, &mut curves);
             }
             Ok(None) => {}
             Err(error) => {
@@ -158,6 +168,8 @@ fn describe(figure: &mut Figure, worst: f64) {
 struct Found {
     layer: Layer,
     peak: f64,
+    /// The true shapes of its curves, counted among themselves.
+    truths: Vec<Approximated>,
     /// Its lines and circular arcs, where it is such.
     courses: Option<Vec<Course>>,
 }
@@ -175,7 +187,7 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
         precision: options.precision,
         transform: Affine::IDENTITY,
     };
-    let (curves, peak, courses) = match &spec.subject {
+    let (curves, peak, truths, courses) = match &spec.subject {
         Subject::Shape(shape) => {
             let drawing = approximate(shape, &how)?;
             let course = match (shape, &drawing.outline) {
@@ -183,7 +195,8 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
                 _ => None,
             };
             let courses = course.filter(|_| exact).map(|course| vec![course]);
-            (vec![drawing.curve], drawing.error.peak(), courses)
+            let truths = Approximated::of_drawing(&drawing).into_iter().collect();
+            (vec![drawing.curve], drawing.error.peak(), truths, courses)
         }
         Subject::Path(contours) => {
             let drawing = draw(contours, Target::Beziers, &how)?;
@@ -192,7 +205,8 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
                 .flatten()
                 .map(|found| found.courses().cloned().collect());
             let peak = drawing.error().peak();
-            (drawing.curves().cloned().collect(), peak, courses)
+            let truths = Approximated::of_path(&drawing).collect();
+            (drawing.curves().cloned().collect(), peak, truths, courses)
         }
     };
     let layer = Layer {
@@ -205,6 +219,7 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
     Ok(Some(Found {
         layer,
         peak,
+        truths,
         courses,
     }))
 }

@@ -6,19 +6,17 @@
 
 use core::ops::Range;
 
-use kurbo::{PathSeg, Point, Vec2};
+use kurbo::{Point, Vec2};
 
 use super::bezier;
 use super::collapse;
-use super::curve_text::{absolute, relative};
+use super::curve_text::{absolute, relative, strayed};
 use super::path_data::{Segment, Segments};
 use super::position::{Position, Trail, is_nearly_whole};
 use super::scratch::Scratch;
-use super::segments::Beziers;
 use super::style::property::Markers;
 use super::{Options, Reason};
 use crate::Angle;
-use crate::measure::radial;
 use crate::number::decimal::{After, Decimal, Form};
 use crate::path::PathText;
 use crate::shape::endpoint::SvgArc;
@@ -105,26 +103,6 @@ fn lettered(end: &mut PathText, out: &mut Vec<u8>, arc: &Segment, small: u8) {
     }
     let large = if arc.is_relative() { 0 } else { 0x20 };
     end.letter(out, small ^ large);
-}
-
-/// The peak error of the curve of an arc as it is printed, whose end is the arc's own.
-fn strayed(arc: &SvgArc, drawn: &Beziers) -> f64 {
-    let decimals = drawn.decimals;
-    let rounded = |x: f64| Decimal::round(x, decimals).value();
-    let printed = |offset: Vec2| {
-        let at = arc.from + offset;
-        Point::new(rounded(at.x), rounded(at.y))
-    };
-    let mut segments: Vec<PathSeg> = drawn.path_segments(arc.from, printed).collect();
-    match segments.last_mut() {
-        Some(PathSeg::Cubic(cubic)) => cubic.p3 = arc.to,
-        Some(PathSeg::Quad(quad)) => quad.p2 = arc.to,
-        _ => {}
-    }
-    let outline = arc.shape().ok().and_then(|shape| shape.outline());
-    outline.map_or(0.0, |outline| {
-        radial::error(&segments, &outline.truth).peak()
-    })
 }
 
 struct Writer<'a, 'b, S> {
@@ -417,11 +395,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         } else {
             absolute(self.text, segment, self.at.point, beziers, &mut body.text)?
         };
-        body.strayed = if self.context.options.measure {
-            strayed(arc, beziers)
-        } else {
-            0.0
-        };
+        body.strayed = strayed(arc, self.context.options, beziers);
         Ok(())
     }
 }

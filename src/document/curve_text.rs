@@ -1,12 +1,14 @@
 //! The arguments of the curve commands that an arc becomes.
 
-use kurbo::Vec2;
+use kurbo::{PathSeg, Point, Vec2};
 
-use super::Reason;
 use super::path_data::Segment;
 use super::segments::Beziers;
+use super::{Options, Reason};
+use crate::measure::radial;
 use crate::number::decimal::{After, Decimal, Form};
 use crate::number::read as number;
+use crate::shape::endpoint::SvgArc;
 
 /// Coordinates beyond this are left alone.
 const FARTHEST: f64 = 1e15;
@@ -114,6 +116,29 @@ pub(super) fn relative(
         after.push(out, y.minus(joint[1]), Form::Short);
     }
     Ok(after)
+}
+
+/// The peak error of the curve of an arc as it is printed, whose end is the arc's own, where it is to be measured.
+pub(super) fn strayed(arc: &SvgArc, options: &Options, drawn: &Beziers) -> f64 {
+    if !options.measure {
+        return 0.0;
+    }
+    let decimals = drawn.decimals;
+    let rounded = |x: f64| Decimal::round(x, decimals).value();
+    let printed = |offset: Vec2| {
+        let at = arc.from + offset;
+        Point::new(rounded(at.x), rounded(at.y))
+    };
+    let mut segments: Vec<PathSeg> = drawn.path_segments(arc.from, printed).collect();
+    match segments.last_mut() {
+        Some(PathSeg::Cubic(cubic)) => cubic.p3 = arc.to,
+        Some(PathSeg::Quad(quad)) => quad.p2 = arc.to,
+        _ => {}
+    }
+    let outline = arc.shape().ok().and_then(|shape| shape.outline());
+    outline.map_or(0.0, |outline| {
+        radial::error(&segments, &outline.truth).peak()
+    })
 }
 
 /// The two numbers of an arc's end point, as exactly as they can be held.

@@ -217,18 +217,21 @@ fn rect(
             value: exact.value(),
             exact,
         });
-        pen.truth = options.measure.then(|| {
-            let center = place
-                + Vec2::from(if index % 2 == 0 {
-                    (0.0, to.1)
-                } else {
-                    (to.0, 0.0)
-                });
-            Truth::new(center, Vec2::new(rx, ry), Vec2::new(1.0, 0.0))
-        });
+        pen.truth = options.measure.then(|| corner_truth(place, to, index));
         pen.curves(&scratch.beziers, index == 3);
     }
     Ok(pen.close())
+}
+
+/// The true shape of a corner of this number that begins there and ends so far away: its centre lies above, below or beside its start in turn.
+fn corner_truth(start: Point, to: (f64, f64), number: usize) -> Truth {
+    let to_center = if number.is_multiple_of(2) {
+        Vec2::new(0.0, to.1)
+    } else {
+        Vec2::new(to.0, 0.0)
+    };
+    let radii = Vec2::new(to.0.abs(), to.1.abs());
+    Truth::new(start + to_center, radii, Vec2::new(1.0, 0.0))
 }
 
 #[cfg(test)]

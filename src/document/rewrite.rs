@@ -357,10 +357,8 @@ impl<'a> Rewriter<'a, '_> {
             self.strayed = self.strayed.max(found.strayed);
             return found.write(&mut sink);
         }
-        let context = arcs::Context {
-            options: self.options,
-            markers,
-        };
+        let options = self.options;
+        let context = arcs::Context { options, markers };
         let outcome = arcs::rewrite(text, span, context, self.scratch, &mut sink);
         self.counts.count(Kind::Path, outcome.arcs);
         self.counts.smooth += outcome.smooth;

@@ -13,7 +13,7 @@ use crate::compare::Criterion;
 use crate::error::{Error, Result};
 use crate::method::{Degree, Method, Rule};
 use crate::number::{Precision, text};
-use crate::picture::figure::describe;
+use crate::picture::words::describe;
 use crate::shape::{Arc, Ellipse, Outline, Shape};
 use crate::write::json;
 

@@ -12,7 +12,7 @@ use crate::measure::radial::Profile;
 use crate::measure::{Reference, report};
 use crate::method::Rule;
 use crate::number::{Precision, rounded_up};
-use crate::picture::figure::describe;
+use crate::picture::words::describe;
 use crate::radial_error::RadialError;
 use crate::shape::{Outline, Shape, Truth};
 use crate::write::json::{DrawingDocument, shape_document};

@@ -24,9 +24,9 @@ pub(super) struct Lobes {
 }
 
 impl Lobes {
-    /// Adds the regions of a curve, its deviation drawn `factor` times as large.
-    pub(super) fn add(&mut self, curve: &Curve, truth: &Truth, factor: f64) {
-        for segment in &curve.segments {
+    /// Adds the regions of segments, their deviation drawn `factor` times as large.
+    pub(super) fn add(&mut self, segments: &[PathSeg], truth: &Truth, factor: f64) {
+        for segment in segments {
             let equation = Equation::from(segment);
             let magnified = |factor| Magnified {
                 equation,
@@ -140,7 +140,11 @@ mod tests {
     fn lobes(method: Method, factor: f64) -> Lobes {
         let drawing = circle(method);
         let mut lobes = Lobes::default();
-        lobes.add(&drawing.curve, &drawing.outline.unwrap().truth, factor);
+        lobes.add(
+            &drawing.curve.segments,
+            &drawing.outline.unwrap().truth,
+            factor,
+        );
         lobes
     }
 
@@ -165,7 +169,11 @@ mod tests {
         let ellipse = crate::Ellipse::new((0.0, 0.0), (30.0, 10.0), crate::Angle::ZERO).unwrap();
         let drawing = approximate(&Shape::Ellipse(ellipse), &Options::default()).unwrap();
         let mut lobes = Lobes::default();
-        lobes.add(&drawing.curve, &drawing.outline.unwrap().truth, 100.0);
+        lobes.add(
+            &drawing.curve.segments,
+            &drawing.outline.unwrap().truth,
+            100.0,
+        );
         assert!(!lobes.outward.is_empty());
         for segment in lobes
             .outward

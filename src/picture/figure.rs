@@ -1,18 +1,24 @@
 //! What is drawn: curves in layers, and the true shapes that they approximate.
 
+use core::ops::Range;
+
 use kurbo::Rect;
 
 use super::paint::Paint;
 use super::style::{Style, default_stroke_width};
+use super::words::{
+    conic_summary, conic_title, describe, describe_sphere, describe_spline, name, path_summary,
+    sentence,
+};
 use crate::approximate::Drawing;
 use crate::conic;
-use crate::contour::{Closeness, Maker, PathDrawing};
+use crate::contour::{Closeness, PathDrawing};
 use crate::course::Course;
 use crate::curve::Curve;
-use crate::number::{compact, rounded_up, significant, text};
-use crate::shape::{Outline, Shape};
+use crate::number::{rounded_up, significant, text};
+use crate::shape::Outline;
 use crate::sphere::{Part, Picture};
-use crate::spline::{Ends, Spline};
+use crate::spline::Spline;
 
 /// What a writer sees.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -26,11 +32,47 @@ pub struct Figure {
     /// The curves, those beneath first.
     pub layers: Vec<Layer>,
     /// The true shapes that the curves approximate.
-    pub truths: Vec<Outline>,
+    pub truths: Vec<Approximated>,
     /// Lines and circular arcs in place of curves.
     pub courses: Vec<Course>,
     /// How closely lines and arcs follow the Béziers in whose place they stand.
     pub closeness: Option<Closeness>,
+}
+
+/// A true shape, and what approximates it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Approximated {
+    /// The true shape.
+    pub outline: Outline,
+    /// The number of the curve among all curves.
+    pub curve: usize,
+    /// Which of its segments; `None` where the curve is nothing else.
+    pub segments: Option<Range<usize>>,
+}
+
+impl Approximated {
+    /// What a drawing approximates.
+    pub(crate) fn of_drawing(drawing: &Drawing) -> Option<Self> {
+        let whole = |outline| Self {
+            outline,
+            curve: 0,
+            segments: None,
+        };
+        drawing.outline.map(whole)
+    }
+
+    /// What a path approximates.
+    pub(crate) fn of_path(drawing: &PathDrawing) -> impl Iterator<Item = Self> {
+        let subpaths = drawing.subpaths.iter().enumerate();
+        subpaths.flat_map(move |(i, subpath)| {
+            let of_arc = move |(segments, outline): &(Range<usize>, Outline)| Self {
+                outline: *outline,
+                curve: i,
+                segments: Some(segments.clone()),
+            };
+            subpath.truths.iter().map(of_arc)
+        })
+    }
 }
 
 /// Curves that are drawn alike.
@@ -69,13 +111,12 @@ impl Figure {
         self.layers.iter().flat_map(|layer| &layer.curves)
     }
 
-    /// The true shape of the curve of this number: there is one for all curves, or one for each.
+    /// The true shape of the curve of this number, where it is nothing else.
     #[must_use]
     pub fn truth(&self, number: usize) -> Option<&Outline> {
-        match self.truths.as_slice() {
-            [only] => Some(only),
-            several => several.get(number),
-        }
+        let mut truths = self.truths.iter();
+        let found = truths.find(|truth| truth.curve == number && truth.segments.is_none());
+        found.map(|truth| &truth.outline)
     }
 
     /// The smallest rectangle around the curves themselves, not their control points.
@@ -135,7 +176,7 @@ impl From<&Drawing> for Figure {
                 curves: vec![drawing.curve.clone()],
                 ..Layer::default()
             }],
-            truths: drawing.outline.into_iter().collect(),
+            truths: Approximated::of_drawing(drawing).into_iter().collect(),
             courses: Vec::new(),
             closeness: None,
         }
@@ -155,7 +196,7 @@ impl Figure {
                 joined: true,
                 ..Layer::default()
             }],
-            truths: Vec::new(),
+            truths: Approximated::of_path(drawing).collect(),
             courses: drawing.courses().cloned().collect(),
             closeness: drawing.closeness(),
         }
@@ -177,120 +218,6 @@ impl Figure {
             }],
             ..Self::default()
         }
-    }
-}
-
-fn conic_title(conic: &conic::Conic) -> String {
-    let [from, to] = [conic.from, conic.to].map(|p| text(p.x) + "," + &text(p.y));
-    format!("{} from {from} to {to}", conic.kind().name())
-}
-
-/// A parabola or a hyperbola and how closely it was drawn, in a line; the figure is rounded up.
-pub(crate) fn conic_summary(drawing: &conic::Drawing) -> String {
-    let count = drawing.curve.segments.len();
-    let closeness = match (drawing.error.peak(), drawing.method) {
-        (0.0, None) => ", exact".to_owned(),
-        (peak, method) => format!(
-            "{}, within {}",
-            method.map_or_else(String::new, |method| format!(" by {method}")),
-            significant(rounded_up(peak, 3), 3)
-        ),
-    };
-    let title = conic_title(&drawing.conic);
-    format!("{title}: {count} segment{}{closeness}", plural(count))
-}
-
-/// A path and how closely it was drawn, in a line; the figures are rounded up.
-pub(crate) fn path_summary(drawing: &PathDrawing) -> String {
-    let count = drawing.subpaths.len();
-    let segments = drawing.curves().map(|curve| curve.segments.len());
-    let steps = drawing.courses().map(|course| course.steps.len());
-    let segments: usize = segments.chain(steps).sum();
-    let closeness = match drawing.error().peak() {
-        0.0 => "exact".to_owned(),
-        peak => format!(
-            "{}within {}",
-            match drawing.maker {
-                Maker::Rule(rule) => format!("arcs by {}, ", rule.id()),
-                Maker::Lines | Maker::Arcs => String::new(),
-            },
-            significant(rounded_up(peak, 3), 3)
-        ),
-    };
-    format!(
-        "path of {count} subpath{}: {segments} segment{}, {closeness}",
-        plural(count),
-        plural(segments)
-    )
-}
-
-const fn plural(count: usize) -> &'static str {
-    if count == 1 { "" } else { "s" }
-}
-
-/// With a capital first letter.
-fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|letter| letter.to_ascii_uppercase());
-    first.into_iter().chain(letters).collect()
-}
-
-/// What was drawn and how closely, in a line; the figures are rounded up.
-pub(crate) fn summary(drawing: &Drawing) -> String {
-    let title = describe(&drawing.shape);
-    let mut letters = title.chars();
-    let first = letters
-        .next()
-        .map_or_else(String::new, |c| c.to_lowercase().to_string());
-    let title = first + letters.as_str();
-    if drawing.outline.is_none() {
-        return format!("{title}: exact");
-    }
-    let count = drawing.curve.segments.len();
-    format!(
-        "{title}: {count} segment{} by {}, within {} ({} of the larger radius)",
-        plural(count),
-        drawing.rule.id(),
-        significant(rounded_up(drawing.error.peak(), 3), 3),
-        compact(rounded_up(drawing.relative_peak(), 3), 3),
-    )
-}
-
-/// A shape in a word.
-const fn name(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Circle(_) => "circle",
-        Shape::Ellipse(_) => "ellipse",
-        Shape::Arc(_) => "arc",
-        Shape::Line(_) => "line",
-        Shape::Empty => "empty",
-    }
-}
-
-/// A shape in a few words.
-#[must_use]
-pub fn describe(shape: &Shape) -> String {
-    let n = |x| significant(x, 9);
-    match shape {
-        Shape::Circle(c) => format!("Circle of radius {}", n(c.radius)),
-        Shape::Ellipse(e) => format!("Ellipse with radii {} and {}", n(e.radii.x), n(e.radii.y)),
-        Shape::Arc(a) if a.radii.x == a.radii.y => {
-            format!(
-                "Arc of radius {} over {} degrees",
-                n(a.radii.x),
-                n(a.sweep.degrees())
-            )
-        }
-        Shape::Arc(a) => {
-            format!(
-                "Arc with radii {} and {} over {} degrees",
-                n(a.radii.x),
-                n(a.radii.y),
-                n(a.sweep.degrees())
-            )
-        }
-        Shape::Line(_) => "Line".to_owned(),
-        Shape::Empty => "Empty path".to_owned(),
     }
 }
 
@@ -340,22 +267,6 @@ impl Figure {
     }
 }
 
-fn describe_sphere(picture: &Picture, title: &str) -> String {
-    format!(
-        "{title} seen from longitude {longitude}, latitude {latitude} degrees; {meridians} meridians and {parallels} parallels by {method}; in space within {peak} of the true circles ({relative} of the radius)",
-        longitude = text(picture.view.longitude.degrees()),
-        latitude = text(picture.view.latitude.degrees()),
-        meridians = picture.sphere.meridians,
-        parallels = picture.sphere.parallels,
-        method = picture.options.rule.id(),
-        peak = significant(rounded_up(picture.error.peak(), 3), 3),
-        relative = significant(
-            rounded_up(picture.error.peak() / picture.sphere.radius, 3),
-            3
-        ),
-    )
-}
-
 impl Figure {
     /// A spline's curve, as [`Spline::curve`] gives it.
     #[must_use]
@@ -378,22 +289,4 @@ impl Figure {
             closeness: None,
         }
     }
-}
-
-/// How the curve runs through its points.
-fn describe_spline(spline: &Spline) -> String {
-    let settled = match spline.rounds {
-        0 => String::new(),
-        rounds => format!(", settled in {rounds} rounds"),
-    };
-    let ends = match spline.options.ends {
-        Ends::Cyclic => "cyclic",
-        Ends::Free => "free",
-        Ends::Natural => "natural",
-        Ends::Fixed(_) => "fixed",
-    };
-    let unit = spline.options.unit_tangents.then_some(", unit tangents");
-    let tangents = unit.unwrap_or_default();
-    let parametrization = spline.options.parametrization.name();
-    format!("{parametrization} parametrization{settled}, {ends} ends{tangents}")
 }

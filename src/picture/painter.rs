@@ -3,7 +3,7 @@
 use kurbo::{Circle, Line, ParamCurveArea as _, PathSeg, Point, Rect};
 
 use super::deviation::Lobes;
-use super::figure::{Figure, Layer};
+use super::figure::{Approximated, Figure, Layer};
 use super::paint::Paint;
 use super::palette::{GREEN, ORANGE, SKY_BLUE};
 use super::scene::{Group, Mark, Pen, Scene};
@@ -12,7 +12,6 @@ use crate::curve::{Curve, control_points};
 use crate::error::{Error, Result, finite};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
 use crate::numeric::functions::power;
-use crate::shape::Outline;
 
 /// The true shape, a broad band beneath the curve.
 const TRUTH: Paint = Paint::rgb(0xc4, 0xc9, 0xd0);
@@ -164,7 +163,7 @@ impl<'a> Painter<'a> {
     }
 
     /// The true shapes; a figure of straight lines is its own true shape.
-    fn truths(&self) -> Result<&'a [Outline]> {
+    fn truths(&self) -> Result<&'a [Approximated]> {
         let is_line = |segment: &PathSeg| matches!(segment, PathSeg::Line(_));
         let exact = self
             .figure
@@ -173,7 +172,8 @@ impl<'a> Painter<'a> {
             .all(is_line);
         if self.figure.truths.is_empty() && !exact {
             return Err(Error::Picture(
-                "there is no true shape to show: it is known of a circle, an ellipse or an arc that is drawn by itself".to_owned(),
+                "there is no true shape to show: it is known of circles, ellipses and arcs"
+                    .to_owned(),
             ));
         }
         Ok(&self.figure.truths)
@@ -187,20 +187,21 @@ impl<'a> Painter<'a> {
             pen: Pen::stroked(TRUTH, TRUTH_WIDTH * self.mark),
             marks: truths
                 .iter()
-                .copied()
-                .map(Box::new)
-                .map(Mark::Truth)
+                .map(|truth| Mark::Truth(Box::new(truth.outline)))
                 .collect(),
         }))
     }
 
     fn deviation(&self, factor: f64) -> Result<[Group; 2]> {
-        self.truths()?;
         let mut lobes = Lobes::default();
-        for (i, curve) in self.figure.curves().enumerate() {
-            if let Some(outline) = self.figure.truth(i) {
-                lobes.add(curve, &outline.truth, factor);
-            }
+        let curves: Vec<&Curve> = self.figure.curves().collect();
+        for truth in self.truths()? {
+            let segments = curves.get(truth.curve).map(|curve| &curve.segments[..]);
+            let segments = segments.and_then(|segments| match &truth.segments {
+                Some(range) => segments.get(range.clone()),
+                None => Some(segments),
+            });
+            lobes.add(segments.unwrap_or_default(), &truth.outline.truth, factor);
         }
         // Where the curve touches the true shape, rounding noise makes regions that nobody sees.
         let least = power(self.unit / 1000.0, 2);

@@ -3,6 +3,7 @@
 mod lines;
 mod scale;
 mod sheet;
+mod spread;
 
 use core::iter;
 

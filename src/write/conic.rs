@@ -5,7 +5,8 @@ mod document;
 
 use super::Writable;
 use crate::conic::Drawing;
-use crate::picture::figure::{Figure, conic_summary};
+use crate::picture::figure::Figure;
+use crate::picture::words::conic_summary;
 #[cfg(feature = "serde")]
 pub use document::{
     ConicDocument, ConicMeasurement, ConicSamples, ConicShapeDocument, conic_csv, conic_samples_csv,

@@ -9,7 +9,7 @@ use crate::measure::samples::Sample;
 use crate::measure::{Reference, Report, report};
 use crate::method::Rule;
 use crate::number::text;
-use crate::picture::figure::describe;
+use crate::picture::words::describe;
 
 /// A report with what it is about.
 #[derive(Debug, Serialize)]

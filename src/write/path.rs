@@ -5,7 +5,8 @@ mod document;
 
 use super::Writable;
 use crate::contour::PathDrawing;
-use crate::picture::figure::{self, Figure};
+use crate::picture::figure::Figure;
+use crate::picture::words;
 #[cfg(feature = "serde")]
 pub use document::{ArcDocument, PathDocument, PathSegmentDocument, SubpathDocument};
 
@@ -15,7 +16,7 @@ impl Writable for PathDrawing {
     }
 
     fn summary(&self) -> String {
-        figure::path_summary(self)
+        words::path_summary(self)
     }
 
     #[cfg(feature = "serde")]

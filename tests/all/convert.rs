@@ -637,11 +637,13 @@ fn the_error_of_every_kind_is_measured_again_where_it_was_met_before() {
         measure: true,
         ..Options::default()
     };
-    let strayed = |inner: &str, options: &Options| {
-        document::convert(&svg(inner), options).unwrap().strayed
-    };
+    let strayed =
+        |inner: &str, options: &Options| document::convert(&svg(inner), options).unwrap().strayed;
     let quarter = strayed(r#"<path d="M0 0a9 9 0 0 1 9 9"/>"#, &measure);
-    assert!(quarter > 1.9e-4 * 9.0 && quarter < 2.2e-4 * 9.0, "{quarter}");
+    assert!(
+        quarter > 1.9e-4 * 9.0 && quarter < 2.2e-4 * 9.0,
+        "{quarter}"
+    );
     for inner in [
         r#"<path d="M0 0a9 9 0 0 1 9 9"/>"#,
         r#"<path d="M0 0a9 9 0 0 1 9 9a9 9 0 0 1 9 9"/>"#,

@@ -136,8 +136,8 @@ const MISTAKES: [(&str, &str); 105] = [
     ("draw circle 5", "curveto circle 50"),
     ("measure drawing.svg", "--file drawing.svg"),
     (
-        "path M0,0A5,5,0,0,1,10,0 -f svg --show truth",
-        "known of a circle, an ellipse or an arc that is drawn by itself",
+        "path M0,0Q5,5,10,0 -f svg --show truth",
+        "known of circles, ellipses and arcs",
     ),
     (
         "measure --path M0,0L5,5 --fit auto --against circle:0,0,5",

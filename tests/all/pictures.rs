@@ -128,6 +128,35 @@ fn what_is_shown_lies_in_groups_of_its_own() {
 }
 
 #[test]
+fn the_true_arcs_of_a_path_and_of_lines_lie_beneath() {
+    // Two arcs among lines and a Bézier: as many true shapes, and the same lobes as the arc alone has.
+    let lobes = |document: &str| {
+        let group = |class: &str| {
+            let inside = document.split(&format!("class=\"{class}\"")).nth(1);
+            inside
+                .map_or("", |text| text.split("</g>").next().unwrap())
+                .matches("<path")
+                .count()
+        };
+        (group("truth"), group("outward"), group("inward"))
+    };
+    let arc = lobes(&svg("arc 10 --sweep 90 -n 1 --show truth,error=500"));
+    assert_eq!(arc, (1, 2, 1));
+    let path =
+        "path M20,0L10,0A10,10,0,0,1,0,10C-9,10,-9,9,-9,0A9,9,0,0,1,0,-9Z --show truth,error=500";
+    assert_eq!(lobes(&svg(path)), (2, 4, 2));
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("lines");
+    std::fs::write(
+        &file,
+        "arc 0 0 10 0 90\n\npath M30 0H40A10 10 0 0 1 30 10Z\n",
+    )
+    .unwrap();
+    let batch = format!("batch {} --show truth,error=500", file.display());
+    assert_eq!(lobes(&svg(&batch)), (2, 4, 2));
+}
+
+#[test]
 fn a_small_shape_far_away_keeps_its_digits_and_no_idle_ones() {
     let document = svg("circle 1e-6 --center 1e6,0");
     let numbers = attribute(&document, "viewBox").split(' ');
