@@ -8,14 +8,12 @@ use core::ops::Range;
 
 use kurbo::{Point, Vec2};
 
-use super::bezier;
-use super::collapse;
 use super::curve_text::{absolute, relative, strayed};
 use super::path_data::{Segment, Segments};
 use super::position::{Position, Trail, is_nearly_whole};
 use super::scratch::Scratch;
 use super::style::property::Markers;
-use super::{Options, Reason};
+use super::{Options, Reason, bezier, collapse};
 use crate::Angle;
 use crate::number::decimal::{After, Decimal, Form};
 use crate::path::PathText;
