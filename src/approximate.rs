@@ -25,6 +25,10 @@ use crate::shape::{Outline, Shape};
 /// The part of the peak error, or of the tolerance, that rounding for output may add.
 pub(crate) const ROUNDING_SHARE: f64 = 0.1;
 
+/// How far a peak by the lobes of the pieces may be off, as a part of it, and how large it has to be beside the coordinates.
+const LOBES_OFF: f64 = 0.01;
+const OVER_ROUNDING: f64 = 4000.0 * f64::EPSILON;
+
 /// How to draw.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
@@ -248,7 +252,7 @@ impl<'a> Request<'a> {
         let peak = self.peak_by_formula(&joints);
         let precision = self.options.precision.unwrap_or_else(|| {
             let most = tolerance.unwrap_or(f64::INFINITY);
-            self.automatic(peak, most, &curve.segments)
+            self.automatic(peak, most, &joints, &curve.segments)
         });
         let sketch = Sketch {
             joints: Some(joints),
@@ -266,20 +270,40 @@ impl<'a> Request<'a> {
         Ok(sketch)
     }
 
-    /// The precision for a peak error of at most `most`. Mostly samples ask for as many decimals as the exact peak.
-    fn automatic(&self, peak: Option<f64>, most: f64, segments: &[PathSeg]) -> Precision {
-        let for_peak = |peak: f64| automatic_precision(peak.min(most), segments);
+    /// The precision for a peak error of at most `most`. Mostly what the lobes of the pieces or samples tell of the peak asks for as many
+    /// decimals as the exact one.
+    fn automatic(
+        &self,
+        peak: Option<f64>,
+        most: f64,
+        joints: &Joints,
+        segments: &[PathSeg],
+    ) -> Precision {
+        let largest = largest_coordinate(segments);
+        let for_peak =
+            |peak: f64| Precision::moving_at_most(ROUNDING_SHARE * peak.min(most), largest);
         if let Some(peak) = peak {
             return for_peak(peak);
         }
         let truth = &self.outline.truth;
-        if let Some([low, high]) = nearly(segments.iter().copied(), truth).between {
+        let between = match self.by_lobes(joints) {
+            Some(peak) => Some([1.0 - LOBES_OFF, 1.0 + LOBES_OFF].map(|part| part * peak)),
+            None => nearly(segments.iter().copied(), truth).between,
+        };
+        if let Some([low, high]) = between {
             let precision = for_peak(low);
             if precision == for_peak(high) {
                 return precision;
             }
         }
         for_peak(radial::error(segments, truth).peak())
+    }
+
+    /// The peak error on an ellipse by the lobes of the pieces, where rounding does not count beside it.
+    fn by_lobes(&self, joints: &Joints) -> Option<f64> {
+        let balance = Balance::new(&self.outline, self.options.rule)?;
+        let peak = balance.nearly(joints)? * self.outline.truth.larger_radius();
+        (peak > OVER_ROUNDING * self.reach()).then_some(peak)
     }
 
     /// The pieces between these joints: the only methods that see an ellipse are those that are best on it.

@@ -83,13 +83,13 @@ pub(crate) enum Command {
     /// Tell what is known of the methods
     Methods(Deferred<MethodsArgs>),
     /// Measure a curve: its error, length, area, curvature and joints
-    Measure(Box<MeasureArgs>),
+    Measure(Deferred<Box<MeasureArgs>, true>),
     /// Compare methods by their error and the number of segments
     Compare(Deferred<CompareArgs>),
     /// Tell how far two drawings lie apart
     Diff(Deferred<diff::DiffArgs>),
     /// Write a page to look at: choose methods and counts, magnify, compare, copy
-    Explore(Box<ExploreArgs>),
+    Explore(Deferred<Box<ExploreArgs>, true>),
     /// Replace circles, ellipses, rounded rectangles and path arcs in SVG files by Béziers; every other byte stays
     Convert(Deferred<ConvertArgs>),
     /// Print a completion script for a shell

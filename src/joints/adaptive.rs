@@ -97,6 +97,18 @@ impl Balance {
         }
     }
 
+    /// The peak error of the segments between these joints, over the larger radius and off by a few thousandths of itself at most; `None`
+    /// where the lobes do not tell.
+    pub(crate) fn nearly(&self, joints: &Joints) -> Option<f64> {
+        let mut peak = 0.0_f64;
+        for (angle, span) in joints.angles.iter().zip(&joints.spans) {
+            let from = joints.sign * (angle - self.axis);
+            let lobes = self.errors.is_quick().then_some(&self.lobes)?;
+            peak = peak.max(lobes.of(from, span.degrees())?.size);
+        }
+        Some(peak)
+    }
+
     /// Whether a closed shape starts on an axis, so that its halves mirror one another.
     fn mirrors(&self) -> bool {
         self.arc.closed && self.on_axis(self.arc.start.degrees())
@@ -290,5 +302,40 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_lobes_tell_the_peak_of_any_joints() {
+        let mut told = 0;
+        for i in 0..2000 {
+            let at = |k: usize| (i * k % 1009) as f64 / 1009.0;
+            let radii = (100.0, 100.0 * libm::pow(0.02, at(7)));
+            let degrees = Angle::from_degrees;
+            let (start, sweep) = (degrees(360.0 * at(11)), degrees(720.0 * at(17) - 360.0));
+            let arc = crate::Arc::new((3.0, -2.0), radii, degrees(180.0 * at(23)), start, sweep);
+            let shape = Shape::Arc(arc.unwrap());
+            let outline = shape.outline().unwrap();
+            let count = 1 + i % 7;
+            let options = Options {
+                cut: Cut::Count(count),
+                precision: Some(crate::number::Precision::Full),
+                ..Options::default()
+            };
+            let (Some(balance), Ok(drawing)) = (
+                Balance::new(&outline, options.rule),
+                approximate(&shape, &options),
+            ) else {
+                continue;
+            };
+            let joints = Joints::equal(&outline.unit, count).unwrap();
+            let peak = drawing.error.peak() / 100.0;
+            if let Some(near) = balance.nearly(&joints)
+                && peak > 1e-11
+            {
+                told += 1;
+                assert!((near / peak - 1.0).abs() < 0.005, "{i}: {near} {peak}");
+            }
+        }
+        assert!(told > 1000, "{told}");
     }
 }

@@ -146,14 +146,14 @@ impl Frame {
         let [a, b] = self.squares.map(f64::recip);
         let mut samples = Samples {
             excess: [0.0; N],
-            gradient: [0.0; N],
+            steepness: [0.0; N],
             long: if a < b { y } else { x },
             turns: turns(&points),
         };
         for i in 0..N {
             let (xx, yy) = (x[i] * x[i], y[i] * y[i]);
             samples.excess[i] = xx + yy - 1.0;
-            samples.gradient[i] = (xx * a + yy * b) / (xx + yy);
+            samples.steepness[i] = 1.0 / (xx * a + yy * b);
         }
         samples
     }
@@ -170,9 +170,9 @@ fn turns(points: &[[f64; 2]; 4]) -> bool {
 
 /// A segment's samples.
 struct Samples<const N: usize> {
-    /// F, and G.
+    /// F, and 1/Q.
     excess: [f64; N],
-    gradient: [f64; N],
+    steepness: [f64; N],
     /// The coordinate that vanishes on the long axis.
     long: [f64; N],
     turns: bool,
@@ -181,11 +181,10 @@ struct Samples<const N: usize> {
 impl<const N: usize> Samples<N> {
     /// The largest sample of Sampson's distance |F|/(2√Q), and the peak of the parabola through it and its neighbours.
     fn peak(&self) -> (f64, f64) {
-        let square = |i: usize| {
-            self.excess[i] * self.excess[i] / (self.gradient[i] * (1.0 + self.excess[i]))
-        };
-        let top = (0..N).fold(0, |top, i| if square(i) > square(top) { i } else { top });
-        let distance = |i: usize| square(i).sqrt() / 2.0;
+        let squares: [f64; N] =
+            core::array::from_fn(|i| self.excess[i] * self.excess[i] * self.steepness[i]);
+        let top = (0..N).fold(0, |top, i| if squares[i] > squares[top] { i } else { top });
+        let distance = |i: usize| squares[i].sqrt() / 2.0;
         let sample = distance(top);
         if top == 0 || top == N - 1 {
             return (sample, sample);
@@ -204,21 +203,23 @@ impl<const N: usize> Samples<N> {
             return f64::INFINITY;
         }
         let between = largest * (DEGREE * DEGREE * step * step / 8.0);
-        let [a, b] = frame.squares.map(f64::recip);
+        let [a, b] = frame.squares;
+        // 1/G.
+        let slack: [f64; N] = core::array::from_fn(|i| (1.0 + self.excess[i]) * self.steepness[i]);
         let (mut square, mut ratio) = (0.0_f64, 0.0_f64);
         for i in 0..N - 1 {
             let excess = sizes[i].max(sizes[i + 1]) + between;
-            let gradient = if self.long[i] * self.long[i + 1] > 0.0 {
-                self.gradient[i].min(self.gradient[i + 1])
+            let slack = if self.long[i] * self.long[i + 1] > 0.0 {
+                slack[i].max(slack[i + 1])
             } else {
-                a.min(b)
+                a.max(b)
             };
-            let part = excess / gradient;
+            let part = excess * slack;
             ratio = ratio.max(part);
             square = square.max(part * excess);
         }
         let inner = 1.0 - largest;
-        let root = (1.0 - ratio * a.max(b) / inner).sqrt();
+        let root = (1.0 - ratio / (a.min(b) * inner)).sqrt();
         let most = (square / inner).sqrt() / (1.0 + root);
         if most.is_finite() {
             most
