@@ -12,7 +12,7 @@ use kurbo::{Affine, PathSeg};
 
 use crate::curve::{Curve, largest_coordinate, turn};
 use crate::error::{Error, Result};
-use crate::joints::adaptive::Balance;
+use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Cut, Joints, quarters};
 use crate::measure::radial::{self, nearly::nearly};
 use crate::method::{Method, Piece, Rule, ellipse};
@@ -24,10 +24,6 @@ use crate::shape::{Outline, Shape};
 
 /// The part of the peak error, or of the tolerance, that rounding for output may add.
 pub(crate) const ROUNDING_SHARE: f64 = 0.1;
-
-/// How far a peak by the lobes of the pieces may be off, as a part of it, and how large it has to be beside the coordinates.
-const LOBES_OFF: f64 = 0.01;
-const OVER_ROUNDING: f64 = 4000.0 * f64::EPSILON;
 
 /// How to draw.
 #[derive(Debug, Clone, PartialEq)]
@@ -286,10 +282,9 @@ impl<'a> Request<'a> {
             return for_peak(peak);
         }
         let truth = &self.outline.truth;
-        let between = match self.by_lobes(joints) {
-            Some(peak) => Some([1.0 - LOBES_OFF, 1.0 + LOBES_OFF].map(|part| part * peak)),
-            None => nearly(segments.iter().copied(), truth).between,
-        };
+        let between = self
+            .by_lobes(joints)
+            .or_else(|| nearly(segments.iter().copied(), truth).between);
         if let Some([low, high]) = between {
             let precision = for_peak(low);
             if precision == for_peak(high) {
@@ -299,11 +294,19 @@ impl<'a> Request<'a> {
         for_peak(radial::error(segments, truth).peak())
     }
 
-    /// The peak error on an ellipse by the lobes of the pieces, where rounding does not count beside it.
-    fn by_lobes(&self, joints: &Joints) -> Option<f64> {
-        let balance = Balance::new(&self.outline, self.options.rule)?;
-        let peak = balance.nearly(joints)? * self.outline.truth.larger_radius();
-        (peak > OVER_ROUNDING * self.reach()).then_some(peak)
+    /// Between what the peak error on an ellipse lies by the lobes of the pieces.
+    fn by_lobes(&self, joints: &Joints) -> Option<[f64; 2]> {
+        let truth = &self.outline.truth;
+        let pieces = joints.angles.iter().zip(&joints.spans);
+        let sizes = [truth.larger_radius(), self.reach()];
+        adaptive::nearly(
+            self.options.rule,
+            self.outline.axes(),
+            sizes,
+            joints.sign,
+            pieces.map(|(angle, span)| (*angle, span.degrees())),
+        )
+        .filter(|_| !truth.is_circle())
     }
 
     /// The pieces between these joints: the only methods that see an ellipse are those that are best on it.

@@ -5,7 +5,7 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 
-use super::decimals::{decimals, most};
+use super::decimals::{Pieces, decimals, most};
 use super::memo::Memo;
 use super::segments::{Beziers, Joint};
 use super::{Options, Reason};
@@ -15,8 +15,9 @@ use crate::curve::control_points;
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Degree, Ends, Method, Rule};
 use crate::number::Precision;
+use crate::numeric::functions::angle_of;
 use crate::shape::endpoint::{Chord, SvgArc};
-use crate::shape::{Ellipse, Outline, Shape, Truth};
+use crate::shape::{Axes, Ellipse, Outline, Shape, Truth};
 
 /// From this many decimals on the last digits of every sum show, and they are to be those of the engine.
 const LAST_DIGITS: u32 = 12;
@@ -52,9 +53,7 @@ fn arc_by(
     out: &mut Beziers,
 ) -> Result<(), Reason> {
     let chord = arc.chord().map_err(|error| refused(&error))?;
-    let Some(chord) = chord else {
-        return Err(Reason::TooLarge);
-    };
+    let chord = chord.ok_or(Reason::TooLarge)?;
     let count = count(options, Angle::from_degrees(chord.sweep));
     if count == Some(1) {
         single(arc, &chord, options, memo, out)?;
@@ -89,8 +88,9 @@ pub(super) fn ellipse(
         return by_engine(approximate, &shape, center, options, out);
     };
     let truth = Truth::new(Point::ZERO, radii, Vec2::new(1.0, 0.0));
+    let size = 360.0 / count as f64;
     let (piece, error) = memo
-        .piece(options.rule, 360.0 / count as f64)
+        .piece(options.rule, size)
         .map_err(|error| refused(&error))?;
     out.begin(piece.degree);
     let place = |v: Vec2| Vec2::new(radii.x * v.x, radii.y * v.y);
@@ -104,7 +104,14 @@ pub(super) fn ellipse(
         let inner = [before.control(&piece, 1.0), after.control(&piece, -1.0)];
         out.segment(inner[0], inner[1], after.radius, place);
     }
-    out.decimals = decimals(&truth, start, Point::ZERO, error, options, out);
+    let pieces = Pieces {
+        error,
+        axes: Axes::of(radii),
+        count,
+        size,
+        from: |i| i as f64 * size,
+    };
+    out.decimals = decimals(&truth, start, Point::ZERO, &pieces, options, out);
     Ok(start)
 }
 
@@ -176,7 +183,14 @@ fn single(
     let joint = |radius, offset| Joint { radius, offset };
     let ends = [joint(first, Vec2::ZERO), joint(last, arc.to - arc.from)];
     out.between(ends, &piece, sign, |way| truth.image(way));
-    out.decimals = decimals(&truth, Vec2::ZERO, arc.from, error, options, out);
+    let pieces = Pieces {
+        error,
+        axes: Axes::of(truth.radii),
+        count: 1,
+        size: chord.sweep,
+        from: |_| angle_of(first).to_degrees(),
+    };
+    out.decimals = decimals(&truth, Vec2::ZERO, arc.from, &pieces, options, out);
     Ok(())
 }
 
@@ -228,7 +242,14 @@ fn equal(
         out.between([before, after], &piece, sign, place);
         before = after;
     }
-    out.decimals = decimals(&outline.truth, Vec2::ZERO, arc.from, error, options, out);
+    let pieces = Pieces {
+        error,
+        axes: outline.axes(),
+        count,
+        size: sweep / count as f64,
+        from: |i| start + sweep * (i as f64 / count as f64),
+    };
+    out.decimals = decimals(&outline.truth, Vec2::ZERO, arc.from, &pieces, options, out);
     Ok(())
 }
 

@@ -5,18 +5,41 @@ use kurbo::{PathSeg, Point, Vec2};
 use super::Options;
 use super::segments::Beziers;
 use crate::approximate::ROUNDING_SHARE;
+use crate::joints::adaptive;
 use crate::measure::radial::{self, nearly::nearly};
+use crate::method::Rule;
 use crate::number::Precision;
 use crate::number::decimal::MAX_DECIMALS;
-use crate::shape::Truth;
+use crate::shape::{Axes, Truth};
+
+/// Equal pieces of the unit circle that a curve is the image of.
+pub(super) struct Pieces<F> {
+    /// Their peak error.
+    pub(super) error: f64,
+    pub(super) axes: Axes,
+    pub(super) count: usize,
+    /// Their size in degrees, with the sign of their direction.
+    pub(super) size: f64,
+    /// The angle that each runs from.
+    pub(super) from: F,
+}
+
+impl<F: Fn(usize) -> f64> Pieces<F> {
+    /// Between what the peak error lies on an ellipse of this larger radius, by their lobes.
+    fn between(&self, rule: Rule, larger: f64, largest: f64) -> Option<[f64; 2]> {
+        let pieces = (0..self.count).map(|i| ((self.from)(i), self.size.abs()));
+        let sizes = [larger, larger + largest];
+        adaptive::nearly(rule, self.axes, sizes, 1.0_f64.copysign(self.size), pieces)
+    }
+}
 
 /// The decimals for the control points: those asked for, or the fewest d for which 10^-d/√2 is at most a tenth of the peak error.
-/// The curve begins at `start`; that and its points are offsets from `base`. On the unit circle its peak error is `error`.
+/// The curve begins at `start`; that and its points are offsets from `base`.
 pub(super) fn decimals(
     truth: &Truth,
     start: Vec2,
     base: Point,
-    error: f64,
+    pieces: &Pieces<impl Fn(usize) -> f64>,
     options: &Options,
     drawn: &Beziers,
 ) -> u32 {
@@ -30,10 +53,13 @@ pub(super) fn decimals(
         .map(size)
         .fold(f64::MIN_POSITIVE, f64::max);
     if truth.is_circle() {
-        return fewest(error * truth.radii.x, largest);
+        return fewest(pieces.error * truth.radii.x, largest);
     }
     let segments = || drawn.path_segments(base + start, |offset| base + offset);
-    if let Some([low, high]) = nearly(segments(), truth).between {
+    let between = pieces
+        .between(options.rule, truth.larger_radius(), largest)
+        .or_else(|| nearly(segments(), truth).between);
+    if let Some([low, high]) = between {
         let most = fewest(low, largest);
         if most == fewest(high, largest) {
             return most;

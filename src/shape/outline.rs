@@ -160,6 +160,17 @@ pub(crate) struct Axes {
     pub(crate) angle: f64,
 }
 
+impl Axes {
+    /// Those of an ellipse whose unit circle lies along them.
+    pub(crate) fn of(radii: Vec2) -> Self {
+        let (x, y) = (radii.x, radii.y);
+        Self {
+            short: x.min(y) / x.max(y),
+            angle: if x < y { 0.0 } else { 90.0 },
+        }
+    }
+}
+
 impl Outline {
     /// The axes; those of a circle lie anywhere.
     ///

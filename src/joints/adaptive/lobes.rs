@@ -197,7 +197,13 @@ impl Segment {
     fn starts(&self) -> impl Iterator<Item = f64> {
         let [h, g] = self.excess;
         let outer = (1.0 + 8.0 * h / (3.0 * g)).max(0.0).sqrt();
-        [-outer, 0.0, outer].into_iter().chain(self.sharp)
+        // Curves that stay on one side have one lobe.
+        let [before, after] = [-outer, outer].map(|v| (outer < 1.0).then_some(v));
+        before
+            .into_iter()
+            .chain([0.0])
+            .chain(after)
+            .chain(self.sharp)
     }
 
     /// The largest distance.
