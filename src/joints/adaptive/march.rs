@@ -85,10 +85,20 @@ impl Balance {
     /// The length at which the error is `allowed`, near `guess`.
     pub(super) fn settled(&self, way: f64, allowed: f64, guess: f64) -> f64 {
         let mut size = guess.min(self.largest_angle);
+        // The power of the size that the error grows with, by the last two of them.
+        let (mut power, mut before) = (self.order, None::<[f64; 2]>);
         for _ in 0..MOST_STEPS {
-            let next = self.resized(size, allowed / self.error(way, size));
+            let error = self.error(way, size);
+            if let Some([size_before, error_before]) = before {
+                let growth = libm::log(error / error_before) / libm::log(size / size_before);
+                if growth.is_finite() {
+                    power = growth.clamp(0.5 * self.order, 2.0 * self.order);
+                }
+            }
+            let factor = libm::pow(allowed / error, 1.0 / power).clamp(0.25, 4.0);
+            let next = (size * factor).min(self.largest_angle);
             let settled = (next - size).abs() <= 1e-7 * size;
-            size = next;
+            (before, size) = (Some([size, error]), next);
             if settled {
                 break;
             }
