@@ -291,7 +291,7 @@ impl<'a> Request<'a> {
                 return precision;
             }
         }
-        for_peak(radial::error(segments, truth).peak())
+        for_peak(radial::error_within(segments, truth, most).peak())
     }
 
     /// Between what the peak error on an ellipse lies by the lobes of the pieces.

@@ -11,7 +11,7 @@ pub(crate) mod tridiagonal;
 use kurbo::common::GAUSS_LEGENDRE_COEFFS_24;
 
 /// The most steps of a root search; bisection alone would be done in 60.
-const MOST_STEPS: usize = 100;
+const MOST_STEPS: usize = 400;
 
 /// How many halvings an integral may take in all: a kink or a pole takes about 50, and an integrand that is rounding noise would
 /// take any number.

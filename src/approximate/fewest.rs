@@ -120,7 +120,7 @@ impl Request<'_> {
         if is_certain(near.most / LOOSE) && is_certain(bound(segments(), truth)) {
             return true;
         }
-        let error = radial::error(&curve.segments, truth);
+        let error = radial::error_within(&curve.segments, truth, tolerance);
         sketch.measured = Some(error);
         error.peak() <= tolerance
     }

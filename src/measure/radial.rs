@@ -6,35 +6,57 @@
 //! the roots of its derivative. On an ellipse the true distance along the normal is taken, from the nearest point.
 
 mod ellipse;
+mod far;
+mod framed;
 pub(crate) mod nearly;
 mod part;
 mod peaks;
+mod pending;
+mod place;
 mod search;
+mod settle;
 mod slopes;
+mod tangents;
 
 pub(crate) use search::visit_between;
 
 use core::iter;
 
-use kurbo::{CubicBez, Line, ParamCurve, PathSeg, Point, QuadBez, Vec2};
+use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 
+use self::framed::FramedPoints;
 use super::curvature;
-use crate::curve::control_points;
+use crate::curve::{control_points, largest_coordinate};
 use crate::numeric::adaptive_integral;
 use crate::numeric::bernstein::{Parameters, Polynomial};
-use crate::numeric::double::{Double, Twice};
+use crate::numeric::double::Double;
 use crate::numeric::foot::{Foot, foot};
 use crate::radial_error::RadialError;
 use crate::shape::{Exact, Truth};
 
+/// How far distances may be off that are formed in twice the digits, some 106 bits, as a part of the larger radius; a 0 is an exact one.
+const NOISE: f64 = f64::EPSILON * f64::EPSILON * 1024.0;
+
 /// The largest distances of these segments from the true shape, rounded outward: docs/methods.md says how far they can be trusted.
 #[must_use]
 pub fn error<'a>(segments: impl IntoIterator<Item = &'a PathSeg>, truth: &Truth) -> RadialError {
+    error_within(segments, truth, f64::INFINITY)
+}
+
+/// The same where they are within a limit; else those of the segments up to the first that is not.
+pub(crate) fn error_within<'a>(
+    segments: impl IntoIterator<Item = &'a PathSeg>,
+    truth: &Truth,
+    limit: f64,
+) -> RadialError {
     let mut range = RadialError::default();
     let exact = truth.frame.exact(truth.radii);
     for segment in segments {
         let profile = Profile::within(segment, truth, &exact);
         profile.visit_bounds(|_, bounds| range.take_in_all(bounds));
+        if range.peak() > limit {
+            break;
+        }
     }
     range
 }
@@ -42,91 +64,6 @@ pub fn error<'a>(segments: impl IntoIterator<Item = &'a PathSeg>, truth: &Truth)
 /// Visits the ends and every extreme of the signed distance of a segment as (t, distance), positive outside.
 pub fn visit_extremes(segment: &PathSeg, truth: &Truth, visit: impl FnMut(f64, f64)) {
     Profile::new(segment, truth).visit_extremes(visit);
-}
-
-/// A segment's points in the frame of a true shape: about its centre, or about an end of its chord.
-struct FramedPoints {
-    points: [Twice; 4],
-    /// What is added to the dot products: minus the square of the radius, or the pencil's linear part at each point.
-    levels: [Double; 4],
-    count: usize,
-}
-
-impl FramedPoints {
-    fn new(segment: &PathSeg, exact: &Exact) -> Self {
-        let (points, count) = match *segment {
-            PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
-            PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
-            PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
-        };
-        Self::of(points.map(|p| exact.point(p)), count, exact)
-    }
-
-    /// The same as a cubic.
-    fn raised(self, exact: &Exact) -> Self {
-        let [a, b, c, _] = self.points;
-        // (u + n v) / (n + 1)
-        let between = |u: Twice, v: Twice, n: f64| {
-            let part = |i: usize| u[i].plus(v[i].scaled(n)).over(n + 1.0);
-            [part(0), part(1)]
-        };
-        let points = match self.count {
-            2 => [a, between(b, a, 2.0), between(a, b, 2.0), b],
-            3 => [a, between(a, b, 2.0), between(c, b, 2.0), c],
-            _ => return self,
-        };
-        Self::of(points, 4, exact)
-    }
-
-    fn of(points: [Twice; 4], count: usize, exact: &Exact) -> Self {
-        Self {
-            points,
-            levels: points.map(|q| exact.level(q)),
-            count,
-        }
-    }
-
-    /// |p(t)|² - radius² about the centre.
-    fn excess(&self) -> Polynomial {
-        let term = |i: usize, j: usize| {
-            let level = self.levels[i].near(self.levels[j]);
-            Double::dot(self.points[i], self.points[j]).near(level.scaled(0.5))
-        };
-        let mean = |one: Double, a: f64, other: Double, b: f64| {
-            one.scaled(a).near(other.scaled(b)).over(a + b).value()
-        };
-        match self.count {
-            2 => Polynomial::new(&[[0, 0], [0, 1], [1, 1]].map(|[i, j]| term(i, j).value())),
-            3 => Polynomial::new(&[
-                term(0, 0).value(),
-                term(0, 1).value(),
-                mean(term(0, 2), 1.0, term(1, 1), 2.0),
-                term(1, 2).value(),
-                term(2, 2).value(),
-            ]),
-            _ => Polynomial::new(&[
-                term(0, 0).value(),
-                term(0, 1).value(),
-                mean(term(0, 2), 2.0, term(1, 1), 3.0),
-                mean(term(0, 3), 1.0, term(1, 2), 9.0),
-                mean(term(1, 3), 2.0, term(2, 2), 3.0),
-                term(2, 3).value(),
-                term(3, 3).value(),
-            ]),
-        }
-    }
-
-    /// The segment about the origin of the frame, in the user's unit and along the axes `turned` to those of the true shape.
-    fn segment(&self, exact: &Exact, turned: impl Fn(Vec2) -> Vec2) -> PathSeg {
-        let [p0, p1, p2, p3] = self
-            .points
-            .map(|[x, y]| turned(exact.image(Vec2::new(x.value(), y.value()))).to_point());
-        match self.count {
-            2 => PathSeg::Line(Line::new(p0, p1)),
-            3 => PathSeg::Quad(QuadBez::new(p0, p1, p2)),
-            _ => PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3)),
-        }
-    }
 }
 
 /// The signed distance of one segment from the true shape as a function of t, positive outside.
@@ -138,8 +75,12 @@ pub(crate) struct Profile {
     radii: Vec2,
     /// |p|² - r² about a circle; in the frame where an ellipse is the unit circle for one.
     excess: Polynomial,
-    /// How exactly the coordinates of `own` are known, as a part of the larger radius.
-    coordinates: f64,
+    /// What all of this was rounded from.
+    framed: FramedPoints,
+    exact: Exact,
+    /// The direction of the first radius, as the images of that frame see it.
+    axis: Vec2,
+    largest_coordinate: f64,
 }
 
 impl Profile {
@@ -153,24 +94,22 @@ impl Profile {
         if !truth.is_circle() {
             framed = framed.raised(exact);
         }
-        let axis = truth.axis;
-        let turned = |v: Vec2| {
-            if exact.is_mapped() {
-                Vec2::new(v.dot(axis), axis.cross(v))
-            } else {
-                v
-            }
+        let axis = if exact.is_mapped() {
+            truth.axis
+        } else {
+            Vec2::new(1.0, 0.0)
         };
+        let turned = |v: Vec2| Vec2::new(v.dot(axis), axis.cross(v));
+        let [x, y] = exact.center().map(Double::value);
         Self {
             own: framed.segment(exact, turned),
-            center: turned(exact.image(exact.center())),
+            center: turned(exact.image(Vec2::new(x, y))),
             radii: truth.radii,
             excess: framed.excess().scaled(exact.unit),
-            coordinates: if exact.is_mapped() {
-                8.0 * f64::EPSILON
-            } else {
-                0.0
-            },
+            framed,
+            exact: *exact,
+            axis,
+            largest_coordinate: largest_coordinate([segment]),
         }
     }
 
@@ -210,26 +149,52 @@ impl Profile {
     /// Between what the distance from a circle that was found at t lies for certain.
     ///
     /// At the ends the excess is one coefficient, with one rounding. Between them de Casteljau's algorithm makes at most three
-    /// roundings in each of its steps, six for a cubic, of what the sizes of the coefficients would sum up to; and the place of an
-    /// extreme that is tiny beside the others is known to some six digits, where the distance is flat.
+    /// roundings in each of its steps, six for a cubic, of what the sizes of the coefficients would sum up to.
     fn bounds(&self, t: f64, distance: f64) -> [f64; 2] {
         let size = distance.abs();
         let mut margin = 4.0 * f64::EPSILON * size;
         if t > 0.0 && t < 1.0 {
-            let rounding = |excess: f64| 9.0 * f64::EPSILON * excess * 0.6 / self.radii.x;
-            let rough = rounding(self.excess.largest());
+            let rough = self.rounding(self.excess.largest());
+            if rough > 1e-10 * size
+                && let Some(bounds) = self.bounds_exactly(t)
+            {
+                return bounds;
+            }
             // Beside the end t = 1 the place of an extreme is known to ε/2 only, and |F''| is at most 120 times the largest coefficient.
             margin += 16.0 * f64::EPSILON * rough;
             margin += if rough <= 1e-10 * size {
                 rough
             } else {
-                1e-11 * size + rounding(self.excess.sizes().at(t))
+                1e-11 * size + self.rounding(self.excess.sizes().at(t))
             };
             if distance < -0.5 * self.radii.x {
                 margin += self.nearer(t);
             }
         }
         [distance - margin, distance + margin]
+    }
+
+    /// What the rounding of an excess that sums up to this does to the distance from a circle.
+    fn rounding(&self, excess: f64) -> f64 {
+        9.0 * f64::EPSILON * excess * 0.6 / self.radii.x
+    }
+
+    /// The same from the excess in twice the digits, where the coefficients are so large that de Casteljau's algorithm leaves nothing of
+    /// it. One more step of Newton's method leads to a t from where the extreme is F'(t)² / |F''(t)| farther at most: up to there F'' stays
+    /// above half of what it is, as |F'''| is at most 960 times the largest coefficient. `None` where F'' is too small for that.
+    fn bounds_exactly(&self, t: f64) -> Option<[f64; 2]> {
+        let at = |t: f64| self.framed.excess_at(t).map(|x| x * self.exact.unit);
+        let bend = |t: f64| self.excess.derivative().derivative().at(t);
+        let t = (t - at(t)[1] / bend(t)).clamp(0.0, 1.0);
+        let ([excess, slope], bend, radius) = (at(t), bend(t).abs(), self.radii.x);
+        let step = slope.abs() / bend;
+        let is_flat = 4000.0 * self.excess.largest() * step <= bend;
+        let distance = excess / (radius + (radius * radius + excess).sqrt());
+        if !is_flat || distance.is_nan() || distance < -0.1 * radius {
+            return None;
+        }
+        let margin = 0.6 * slope.abs() * step / radius + 4.0 * f64::EPSILON * distance.abs();
+        Some([distance - margin, distance + margin])
     }
 
     /// How much nearer to the centre a point may be than the one found at t, a root of q·q' but for the rounding of this product.
@@ -258,6 +223,11 @@ impl Profile {
 
     /// Visits places with what the distance there lies between for certain; the whole segment lies between the largest and the least.
     pub(crate) fn visit_bounds(&self, mut visit: impl FnMut(f64, [f64; 2])) {
+        let noise = NOISE * self.larger_radius();
+        let mut visit = |t: f64, [low, high]: [f64; 2]| {
+            let beyond = |bound: f64| if bound > 0.0 { bound + noise } else { bound };
+            visit(t, [-beyond(-low), beyond(high)]);
+        };
         if self.is_circle() {
             self.visit_on_circle(|t, distance| visit(t, self.bounds(t, distance)));
         } else {

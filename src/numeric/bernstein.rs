@@ -123,13 +123,6 @@ impl Polynomial {
         self.coefficients[i]
     }
 
-    /// The largest size of a coefficient of the part between two parameters.
-    pub(crate) fn largest_between(&self, from: f64, to: f64) -> f64 {
-        let [before, _] = self.cut_at(to);
-        let [_, between] = before.cut_at(if to > 0.0 { from / to } else { 0.0 });
-        between.largest()
-    }
-
     /// The polynomial of the sizes of the coefficients.
     pub(crate) fn sizes(mut self) -> Self {
         self.coefficients.iter_mut().for_each(|c| *c = c.abs());

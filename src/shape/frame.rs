@@ -210,12 +210,13 @@ fn cross(u: Twice, v: Twice) -> Double {
 }
 
 /// The inverse of an affine map.
+#[derive(Clone, Copy)]
 struct Inverse {
     moved: Twice,
     /// The rows of the matrix.
     rows: [Twice; 2],
     /// The map's own matrix, by columns.
-    forth: [Vec2; 2],
+    forth: [Twice; 2],
 }
 
 impl Inverse {
@@ -228,10 +229,7 @@ impl Inverse {
                 [over(d), over(c.scaled(-1.0))],
                 [over(b.scaled(-1.0)), over(a)],
             ],
-            forth: [
-                Vec2::new(a.value(), b.value()),
-                Vec2::new(c.value(), d.value()),
-            ],
+            forth: [[a, b], [c, d]],
         }
     }
 
@@ -243,6 +241,7 @@ impl Inverse {
 }
 
 /// What is added to the dot product of two points q of the frame to make it |q|² - 1 about the centre, or |q|² - r² of a circle.
+#[derive(Clone, Copy)]
 enum Level {
     /// Minus the square of the radius.
     Radius(Double),
@@ -252,6 +251,7 @@ enum Level {
 }
 
 /// The frame with what is needed for points: its unit is the user's for a circle, else it makes both radii 1.
+#[derive(Clone, Copy)]
 pub(crate) struct Exact {
     back: Option<Inverse>,
     /// The centre, or where an arc starts, before the map.
@@ -300,12 +300,26 @@ impl Exact {
     }
 
     /// The centre in the frame.
-    pub(crate) fn center(&self) -> Vec2 {
+    pub(crate) fn center(&self) -> Twice {
         match self.level {
-            Level::Radius(_) => Vec2::ZERO,
+            Level::Radius(_) => [Double::of(0.0); 2],
             Level::Pencil { chord, cotangent } => {
-                let half = Vec2::new(chord[0].value(), chord[1].value()) / 2.0;
-                half + Vec2::new(-half.y, half.x) * cotangent.value()
+                let half = chord.map(|c| c.scaled(0.5));
+                [
+                    half[0].plus(half[1].times(cotangent).scaled(-1.0)),
+                    half[1].plus(half[0].times(cotangent)),
+                ]
+            }
+        }
+    }
+
+    /// The radius of the circle that the shape is in the frame.
+    pub(crate) fn radius(&self) -> Double {
+        match self.level {
+            Level::Radius(level) => level.scaled(-1.0).sqrt(),
+            Level::Pencil { .. } => {
+                let center = self.center();
+                dot(center, center).sqrt()
             }
         }
     }
@@ -326,6 +340,25 @@ impl Exact {
         let v = self.axis.map_or(v, |[cos, sin]| {
             v.rotate_scale(Vec2::new(cos.value(), sin.value()))
         });
-        back.forth[0] * v.x + back.forth[1] * v.y
+        let [first, second] = back.forth.map(|[x, y]| Vec2::new(x.value(), y.value()));
+        first * v.x + second * v.y
+    }
+
+    /// What the unit vectors of the frame are there.
+    pub(crate) fn columns(&self) -> [Twice; 2] {
+        let [a, b] = self.radii.map_or([1.0; 2], |radii| [radii.x, radii.y]);
+        let nothing = Double::of(0.0);
+        let Some(back) = &self.back else {
+            return [[Double::of(a), nothing], [nothing, Double::of(b)]];
+        };
+        let [cos, sin] = self.axis.unwrap_or([Double::of(1.0), nothing]);
+        [
+            [cos.scaled(a), sin.scaled(a)],
+            [sin.scaled(-b), cos.scaled(b)],
+        ]
+        .map(|[x, y]| {
+            let [first, second] = back.forth;
+            [0, 1].map(|i| first[i].times(x).plus(second[i].times(y)))
+        })
     }
 }

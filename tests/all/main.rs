@@ -44,6 +44,7 @@ mod golden;
 mod help;
 mod house;
 mod judges;
+mod known_answers;
 mod lanes;
 mod laws;
 mod machines;

@@ -292,7 +292,11 @@ fn judge(case: &Case, options: &Options) -> Option<Verdict> {
         verdict.beyond = verdict.beyond.max((excess - 1e-9 * truth) / unit);
         let _ = write!(verdict.words, "{stated:e} stated, {truth:e} true; ");
     }
-    let _ = write!(verdict.words, "{:?} {options:?}", case.shape);
+    let _ = write!(
+        verdict.words,
+        "{:.1} beyond; {:?} {options:?}",
+        verdict.beyond, case.shape
+    );
     Some(verdict)
 }
 
@@ -350,7 +354,7 @@ fn campaign(count: u64, seed: u64) -> Vec<String> {
         assert!(verdicts.len() as u64 > count / 4, "{name}: too few drawn");
         let bad = verdicts
             .into_iter()
-            .filter(|v| v.least < 1.0 || v.beyond > 12.0);
+            .filter(|v| v.least < 1.0 || v.beyond > 4.0);
         wrong.entry(name).or_default().extend(bad.map(|v| v.words));
     }
     wrong

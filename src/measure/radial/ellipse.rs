@@ -1,11 +1,12 @@
 //! The distance from an ellipse along a segment.
 
-use kurbo::CubicBez;
+use kurbo::{CubicBez, Vec2};
 
 use super::Profile;
 use super::part::Part;
 use super::search::visit_between;
 use crate::numeric::bernstein::Polynomial;
+use crate::numeric::double::Twice;
 use crate::numeric::foot::{Foot, foot_by_excess};
 
 /// From this ratio of the radii on, the tips of an ellipse are looked for on their own.
@@ -17,18 +18,49 @@ impl Profile {
         foot_by_excess(self.radii, self.arm(t), self.excess.at(t)).foot
     }
 
-    /// The whole segment in the frame where the ellipse is the unit circle.
-    pub(super) fn part(&self) -> Part {
-        let CubicBez { p0, p1, p2, p3 } = self.own.to_cubic();
-        let points = [p0, p1, p2, p3];
-        let of = |i: usize| self.excess.coefficient(i);
-        Part::whole(
-            core::array::from_fn(of),
-            [
-                points.map(|p| p.x / self.radii.x),
-                points.map(|p| p.y / self.radii.y),
-            ],
-        )
+    /// The map from the exact frame to that where the ellipse is the unit circle and its axes lie along the coordinates', by rows: a turn,
+    /// and a reflection where the shape is mirrored. Of the axes the longer one is turned to, and the shorter one follows.
+    pub(super) fn turn(&self) -> [Vec2; 2] {
+        let unit = self.exact.unit.sqrt();
+        if !self.exact.is_mapped() {
+            return [Vec2::new(unit, 0.0), Vec2::new(0.0, unit)];
+        }
+        let [a, b] = self
+            .exact
+            .columns()
+            .map(|[x, y]| Vec2::new(x.value(), y.value()));
+        let row = |axis: Vec2| {
+            let row = Vec2::new(a.dot(axis), b.dot(axis));
+            row * (unit / row.hypot())
+        };
+        let side = 1.0_f64.copysign(a.cross(b));
+        let beside = |row: Vec2| Vec2::new(-row.y, row.x) * side;
+        if self.radii.x >= self.radii.y {
+            let first = row(self.axis);
+            [first, beside(first)]
+        } else {
+            let second = row(Vec2::new(-self.axis.y, self.axis.x));
+            [-beside(second), second]
+        }
+    }
+
+    /// The part of the segment between two parameters in that frame, and its control points about the centre of the exact one.
+    pub(super) fn part(&self, [from, to]: [f64; 2], turn: &[Vec2; 2]) -> (Part, [Twice; 4]) {
+        let framed = if from == 0.0 && to == 1.0 {
+            self.framed
+        } else {
+            self.framed.between(from, to)
+        };
+        let points = framed.points();
+        let excess = framed.excess().scaled(self.exact.unit);
+        let part = Part::new(
+            [from, to],
+            core::array::from_fn(|i| excess.coefficient(i)),
+            turn.map(|row| points.map(|[x, y]| row.x * x.value() + row.y * y.value())),
+            self.exact.is_mapped(),
+        );
+        let [x, y] = self.exact.center().map(|c| c.scaled(-1.0));
+        (part, points.map(|p| [p[0].plus(x), p[1].plus(y)]))
     }
 
     /// Visits the ends and the extremes that a search finds, with which pictures are drawn.

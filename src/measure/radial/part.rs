@@ -9,10 +9,14 @@ use crate::numeric::ball::Ball;
 pub(super) struct Part {
     from: f64,
     width: f64,
-    /// The Bernstein coefficients of F = |q|² - 1.
+    /// The Bernstein coefficients of F = |q|² - 1, and how far each may be off.
     excess: [f64; 7],
-    /// The control points, x and y, not about the centre.
+    rounding: f64,
+    /// The control points, x and y, not about the centre, and how far each may be off.
     points: [[f64; 4]; 2],
+    moved: [f64; 2],
+    /// Whether no halving has added to that.
+    pub(super) is_fresh: bool,
 }
 
 /// A place of a part, or all places: q about the centre and F, with their derivatives.
@@ -26,20 +30,49 @@ pub(super) struct Motion<T> {
 }
 
 impl Part {
-    /// The whole cubic.
-    pub(super) const fn whole(excess: [f64; 7], points: [[f64; 4]; 2]) -> Self {
+    /// The part between two parameters, all of it rounded once. Where the points were `turned`, the direction was rounded too.
+    pub(super) fn new(
+        [from, to]: [f64; 2],
+        excess: [f64; 7],
+        points: [[f64; 4]; 2],
+        turned: bool,
+    ) -> Self {
+        let sizes = points.map(|c| largest(&c));
+        let moved = if turned {
+            [4.0 * (1.0 + sizes[0] + sizes[1]); 2]
+        } else {
+            sizes.map(|size| 2.0 * size)
+        };
         Self {
-            from: 0.0,
-            width: 1.0,
+            from,
+            width: to - from,
             excess,
+            rounding: f64::EPSILON * largest(&excess),
             points,
+            moved: moved.map(|moved| f64::EPSILON * moved),
+            is_fresh: true,
         }
     }
 
-    /// The largest coordinates, not about the centre.
-    pub(super) fn size(&self) -> Vec2 {
-        let [x, y] = self.points.map(|c| largest(&c));
-        Vec2::new(x, y)
+    /// The parameters between which it lies.
+    pub(super) fn parameters(&self) -> [f64; 2] {
+        [self.from, self.from + self.width]
+    }
+
+    /// Between what the coefficients of F lie, rounding included.
+    pub(super) fn certain_excess(&self) -> [f64; 2] {
+        let [low, high] = self.excess_range();
+        [low - self.rounding, high + self.rounding]
+    }
+
+    /// How far F may be off at a place: by de Casteljau's algorithm, three roundings in each of six steps.
+    pub(super) fn rounding(&self) -> f64 {
+        self.rounding + 9.0 * f64::EPSILON * largest(&self.excess)
+    }
+
+    /// How far q may be off at a place, its size there left out.
+    pub(super) fn moved(&self) -> [f64; 2] {
+        [0, 1].map(|i| self.moved[i] + 4.5 * f64::EPSILON * largest(&self.points[i]))
     }
 
     /// The control points from the point at the middle.
@@ -53,7 +86,7 @@ impl Part {
         self.from + self.width * t
     }
 
-    /// Between what F lies.
+    /// Between what the coefficients of F lie.
     pub(super) fn excess_range(&self) -> [f64; 2] {
         let fold = |start: f64, f: fn(f64, f64) -> f64| self.excess.into_iter().fold(start, f);
         [
@@ -65,6 +98,9 @@ impl Part {
     pub(super) fn halves(&self) -> [Self; 2] {
         let width = self.width / 2.0;
         let [x, y] = &self.points;
+        // One rounding in each step.
+        let rounding = self.rounding + 3.0 * f64::EPSILON * largest(&self.excess);
+        let moved = [0, 1].map(|i| self.moved[i] + 1.5 * f64::EPSILON * largest(&self.points[i]));
         let ([before, after], [x, x_after], [y, y_after]) =
             (halves(self.excess), halves(*x), halves(*y));
         [
@@ -72,29 +108,33 @@ impl Part {
                 from: self.from,
                 width,
                 excess: before,
+                rounding,
                 points: [x, y],
+                moved,
+                is_fresh: false,
             },
             Self {
                 from: self.from + width,
                 width,
                 excess: after,
+                rounding,
                 points: [x_after, y_after],
+                moved,
+                is_fresh: false,
             },
         ]
     }
 
     /// The least |q|, each coordinate on its own, by the control points.
     pub(super) fn least_place(&self, center: Vec2) -> [f64; 2] {
-        let least = |[a, b, c, d]: [f64; 4], center: f64| {
+        let least = |i: usize, center: f64| {
+            let [a, b, c, d] = self.points[i];
             let low = a.min(b).min(c.min(d)) - center;
             let high = a.max(b).max(c.max(d)) - center;
-            let rounding = 4.0 * f64::EPSILON * (a.abs().max(d.abs()) + center.abs());
+            let rounding = self.moved[i] + f64::EPSILON * (a.abs().max(d.abs()) + center.abs());
             (low.max(-high) - rounding).max(0.0)
         };
-        [
-            least(self.points[0], center.x),
-            least(self.points[1], center.y),
-        ]
+        [least(0, center.x), least(1, center.y)]
     }
 
     /// The control points about a centre.
@@ -128,20 +168,23 @@ impl Part {
     /// The same with what rounding may have done.
     pub(super) fn rounded(&self, motion: &Motion<f64>) -> Motion<Ball> {
         let size = f64::EPSILON * largest(&self.excess);
-        let [along, across] = [0, 1].map(|i| f64::EPSILON * largest(&self.points[i]));
-        let pair = |[x, y]: [f64; 2], factor: f64| {
-            [Ball::new(x, factor * along), Ball::new(y, factor * across)]
+        let rounded = |values: [f64; 2], moved: f64, factor: f64| {
+            let ball = |i: usize| {
+                let size = f64::EPSILON * largest(&self.points[i]);
+                Ball::new(values[i], moved * self.moved[i] + factor * size)
+            };
+            [ball(0), ball(1)]
         };
-        let [mut x, mut y] = pair(motion.place, 8.0);
+        let [mut x, mut y] = rounded(motion.place, 1.0, 4.5);
         x.radius += f64::EPSILON * x.middle.abs();
         y.radius += f64::EPSILON * y.middle.abs();
         Motion {
             place: [x, y],
-            velocity: pair(motion.velocity, 32.0),
-            acceleration: pair(motion.acceleration, 128.0),
+            velocity: rounded(motion.velocity, 6.0, 32.0),
+            acceleration: rounded(motion.acceleration, 24.0, 128.0),
             excess: motion.excess,
-            rising: Ball::new(motion.rising, 128.0 * size),
-            bending: Ball::new(motion.bending, 1024.0 * size),
+            rising: Ball::new(motion.rising, 12.0 * self.rounding + 128.0 * size),
+            bending: Ball::new(motion.bending, 120.0 * self.rounding + 1024.0 * size),
         }
     }
 
@@ -212,9 +255,11 @@ mod tests {
 
     #[test]
     fn what_is_spread_holds_every_place_of_a_part() {
-        let part = Part::whole(
+        let part = Part::new(
+            [0.0, 1.0],
             [0.0, 1.0, -2.0, 0.5, 3.0, -1.0, 0.25],
             [[1.0, 2.0, -1.0, 0.5], [0.0, 0.3, 0.7, 1.5]],
+            false,
         );
         let center = Vec2::new(0.25, -0.5);
         for part in part.halves() {
