@@ -19,6 +19,8 @@ mod output;
 mod path;
 mod procset;
 mod shell;
+#[cfg(unix)]
+mod signals;
 mod sphere;
 mod spline;
 

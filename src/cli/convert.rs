@@ -26,6 +26,8 @@ use super::Outcome;
 use super::args::{ConvertArgs, DestinationArgs};
 use super::failure::{Failure, tell};
 use super::output::{Durability, Target, write_file, write_file_unless};
+#[cfg(unix)]
+use super::signals;
 
 /// The largest file, packed or unpacked.
 const MOST_BYTES: u64 = 1 << 28;
@@ -257,8 +259,7 @@ impl Interrupt {
         let seen = Arc::new(AtomicUsize::new(0));
         #[cfg(unix)]
         if destination.in_place || destination.out_dir.is_some() {
-            use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
-            for signal in [SIGINT, SIGTERM, SIGHUP] {
+            for signal in signals::of_end() {
                 let number = signal.unsigned_abs() as usize;
                 signal_hook::flag::register_usize(signal, Arc::clone(&seen), number)?;
             }

@@ -287,6 +287,38 @@ fn of_argument(argument: &str, command: &str) -> Option<String> {
 
 /// What a value is told that is almost a number, or two of them with commas in them.
 fn of_value(value: &str, argument: &str) -> Option<String> {
+    let is_number = value.parse::<f64>().is_ok();
+    if argument.starts_with("--size") {
+        let side = value.trim_end_matches(char::is_alphabetic);
+        let both = side
+            .parse::<f64>()
+            .map(|_| format!("--size {side}x{value}"));
+        return Some(both.unwrap_or_else(|_| {
+            "width, x and height, with mm, cm, in or pt behind both: --size 80x60mm".to_owned()
+        }));
+    }
+    if argument.starts_with("--against") {
+        return Some(
+            "the centre, then the radii: --against circle:0,0,50 or ellipse:0,0,50,30,15"
+                .to_owned(),
+        );
+    }
+    if argument.contains("<X,Y>") && is_number {
+        return Some(format!("both coordinates: {value},0"));
+    }
+    if argument.contains("<X,Y>") && value.split_whitespace().count() == 2 {
+        let pair: Vec<&str> = value.split_whitespace().collect();
+        return Some(format!(
+            "without a space: {}",
+            pair.join(",").replace(",,", ",")
+        ));
+    }
+    let ends = value.split_once("..").or_else(|| value.split_once('-'));
+    if argument.contains("<N,N>")
+        && ends.is_some_and(|(low, high)| [low, high].iter().all(|n| n.parse::<u32>().is_ok()))
+    {
+        return Some("a list names each: -n 2,3,4".to_owned());
+    }
     let has_unit =
         value.starts_with(|c: char| c.is_ascii_digit()) && value.ends_with(char::is_alphabetic);
     if has_unit && argument.contains("ANGLE") {

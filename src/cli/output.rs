@@ -9,6 +9,8 @@ use curveto::write::{Format, Image, Options, Writable, write};
 
 use super::args::OutputArgs;
 use super::failure::Failure;
+#[cfg(unix)]
+use super::signals;
 
 /// Where output goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -116,11 +118,10 @@ pub(crate) fn stream_file(
     Ok(())
 }
 
-/// Where a signal asks for an end, removes the file that is being made and ends the program as a shell tells it: by 130 or 143.
+/// Where a signal asks for an end, removes the file that is being made and ends the program as a shell tells it: by 130, 143 or 129.
 #[cfg(unix)]
 fn remove_on_signal(path: &Path) -> io::Result<()> {
-    use signal_hook::consts::{SIGINT, SIGTERM};
-    let mut signals = signal_hook::iterator::Signals::new([SIGINT, SIGTERM])?;
+    let mut signals = signal_hook::iterator::Signals::new(signals::of_end())?;
     let path = path.to_owned();
     std::thread::Builder::new().spawn(move || {
         if let Some(signal) = signals.forever().next() {

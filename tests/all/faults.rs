@@ -395,7 +395,7 @@ fn every_signal_ends_a_run_between_files() {
 
 #[test]
 fn a_signal_removes_what_batch_was_writing_and_leaves_the_old_file() {
-    for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
+    for (signal, code) in [("-INT", 130), ("-TERM", 143), ("-HUP", 129)] {
         let folder = tempfile::tempdir().unwrap();
         let old = folder.path().join("shapes.json");
         fs::write(&old, "old").unwrap();
@@ -417,6 +417,33 @@ fn a_signal_removes_what_batch_was_writing_and_leaves_the_old_file() {
         assert_eq!(temporary(folder.path()), Vec::<PathBuf>::new());
         assert_eq!(fs::read_to_string(&old).unwrap(), "old");
     }
+}
+
+/// As under `nohup`.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_signal_that_is_ignored_ends_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "trap '' HUP; exec \"$0\" batch -o shapes.txt";
+    let mut child = Command::new("sh")
+        .args(["-c", script, env!("CARGO_BIN_EXE_curveto")])
+        .current_dir(folder.path())
+        .stdin(Stdio::piped())
+        .spawn()
+        .unwrap();
+    wait_until("the new file", || !temporary(folder.path()).is_empty());
+    let mut input = child.stdin.take().unwrap();
+    input.write_all(b"circle 0 0 5\n").unwrap();
+    wait_until("the answer", || {
+        let written = |path: &PathBuf| fs::metadata(path).is_ok_and(|data| data.len() > 0);
+        temporary(folder.path()).iter().any(written)
+    });
+    kill(&child, "-HUP");
+    input.write_all(b"circle 0 0 6\n").unwrap();
+    drop(input);
+    assert!(child.wait().unwrap().success());
+    let text = fs::read_to_string(folder.path().join("shapes.txt")).unwrap();
+    assert_eq!(text.lines().count(), 2);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 105] = [
+const MISTAKES: [(&str, &str); 110] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -32,7 +32,15 @@ const MISTAKES: [(&str, &str); 105] = [
     ("circle 50 --ccw", "--reverse"),
     ("circle 50 --center 5", "two numbers with a comma"),
     ("circle 50 --center 5,5,5", "'5,5,5' is not two numbers"),
+    ("circle 50 --center 5", "both coordinates: 5,0"),
     ("circle 50 --cx 5", "--center X,Y"),
+    ("circle 50 -f svg --size 50mm", "--size 50x50mm"),
+    ("circle 50 -f svg --size 50*50", "width, x and height"),
+    ("compare -n 2..8", "a list names each"),
+    (
+        "measure --path M0,0 --against circle:0,0",
+        "--against circle:0,0,50",
+    ),
     ("circle 50 --color red", "--stroke"),
     ("circle 50 --width 5", "--size WxH"),
     ("circle 50 --digits 3", "-p sets the decimals"),
