@@ -3,6 +3,7 @@
 mod args;
 mod batch;
 mod compare;
+mod completions;
 mod conic;
 mod convert;
 mod diff;

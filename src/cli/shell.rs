@@ -13,11 +13,8 @@ use super::failure::Failure;
 use super::output::{Target, write_file};
 
 pub(super) fn completions(args: &CompletionsArgs) -> Outcome {
-    let mut command = Cli::command();
-    let name = command.get_name().to_owned();
-    let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut command, name, &mut script);
-    Target::Stdout.write(&script)?;
+    let script = super::completions::script(args.shell);
+    Target::Stdout.write(script.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -402,6 +402,39 @@ fn json_states_the_shape_the_segments_and_the_error() {
 }
 
 #[test]
+#[cfg(unix)]
+fn bash_completes_the_word_after_each_comma_of_a_list() {
+    let completed = |words: &[&str]| {
+        let [.., before, last] = words else {
+            return String::new();
+        };
+        let script = printed(&["completions", "bash"]);
+        let ask = format!(
+            "{script}\nCOMP_WORDS=({}); COMP_CWORD={}; _curveto_list curveto '{last}' '{before}'; echo \"${{COMPREPLY[@]}}\"",
+            words.join(" "),
+            words.len() - 1
+        );
+        let output = std::process::Command::new("bash")
+            .args(["-c", &ask])
+            .output()
+            .unwrap();
+        String::from_utf8(output.stdout).unwrap().trim().to_owned()
+    };
+    let compare = ["curveto", "compare", "-m"];
+    assert_eq!(completed(&[&compare[..], &["mid"]].concat()), "midpoint");
+    assert_eq!(
+        completed(&[&compare[..], &["c4,mid"]].concat()),
+        "c4,midpoint"
+    );
+    assert_eq!(
+        completed(&["curveto", "circle", "--show", "joints,error=5,tr"]),
+        "joints,error=5,truth"
+    );
+    // A point is no list of words.
+    assert_eq!(completed(&["curveto", "circle", "--center", "1,"]), "");
+}
+
+#[test]
 fn completions_and_manual_pages() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         assert!(printed(&["completions", shell]).contains("curveto"));
@@ -412,6 +445,15 @@ fn completions_and_manual_pages() {
         assert!(script.matches("lancaster-normal").count() >= 15, "{shell}");
         assert!(script.contains("error=500"), "{shell}: --show");
     }
+    // In a list the word after each comma is completed.
+    assert!(
+        printed(&["completions", "zsh"])
+            .contains(r#":ID,ID|all:_values -s , ID "all[every method]""#)
+    );
+    assert!(
+        printed(&["completions", "fish"])
+            .contains("-l only -d 'Replace only these' -r -f -a \"(__fish_append , circle")
+    );
     assert!(printed(&["man"]).contains(".TH curveto 1"));
     let folder = tempfile::tempdir().unwrap();
     printed(&["man", "--out-dir", folder.path().to_str().unwrap()]);
