@@ -128,9 +128,15 @@ pub enum Error {
         /// How many rounds were tried.
         rounds: usize,
     },
-    /// The shape is not defined by what was given.
+    /// No shape is defined by what was given.
     #[error("{0}")]
     Shape(String),
+    /// Path data, a transform, a document or a PostScript drawing that cannot be read.
+    #[error("{0}")]
+    Read(String),
+    /// There is nothing of that kind to measure in what was given.
+    #[error("{0}")]
+    Unmeasurable(String),
     /// The picture that was asked for cannot be made.
     #[error("{0}")]
     Picture(String),

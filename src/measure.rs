@@ -48,14 +48,14 @@ pub fn report(
     coordinate_tolerance: Option<f64>,
 ) -> Result<Report> {
     if curve.segments.is_empty() {
-        return Err(Error::Shape(
+        return Err(Error::Unmeasurable(
             "there is nothing to measure: the path is empty".to_owned(),
         ));
     }
     let largest = largest_coordinate(curve, reference)?;
     let smaller_radius = reference.truth.radii.x.min(reference.truth.radii.y);
     if smaller_radius <= 8.0 * f64::EPSILON * largest {
-        return Err(Error::Shape(format!(
+        return Err(Error::Unmeasurable(format!(
             "a true shape of radius {smaller_radius:e} is lost in the rounding of coordinates of {largest:e}"
         )));
     }

@@ -100,7 +100,7 @@ impl Drawing {
     /// For the angle lag, since there is no centre about which an angle could be.
     pub fn along(&self, quantity: Quantity, steps: u32) -> Result<Vec<Vec<(f64, f64)>>> {
         if quantity == Quantity::AngleLag {
-            return Err(Error::Shape(
+            return Err(Error::Unmeasurable(
                 "a parabola and a hyperbola have no angle about a centre, and so no angle-lag"
                     .to_owned(),
             ));

@@ -70,7 +70,7 @@ fn elements(text: &str, names: &[&str]) -> Result<Vec<SvgPath>> {
         counted = position;
         let event = reader
             .read_event()
-            .map_err(|error| Error::Shape(format!("line {line}: not well-formed XML: {error}")))?;
+            .map_err(|error| Error::Read(format!("line {line}: not well-formed XML: {error}")))?;
         let (element, is_open) = match &event {
             Event::Start(element) => (element, true),
             Event::Empty(element) => (element, false),

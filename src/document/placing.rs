@@ -64,7 +64,7 @@ impl Place {
         };
         let plain = text.replace("px", "").replace("deg", "");
         let own = path::transform(&plain).map_err(|error| {
-            Error::Shape(format!(
+            Error::Read(format!(
                 "cannot read the transform '{}': {error}",
                 shortened(&text)
             ))
@@ -131,7 +131,7 @@ impl Place {
         match property(element, name).filter(|text| text != "auto") {
             Some(text) if name == "r" && text.ends_with('%') => Err(unread(name, &text)),
             Some(text) => self.measure(&text, axis).ok_or_else(|| unread(name, &text)),
-            None => default.ok_or_else(|| Error::Shape(format!("{name} is not known"))),
+            None => default.ok_or_else(|| Error::Read(format!("{name} is not known"))),
         }
     }
 
@@ -180,7 +180,7 @@ impl Place {
 }
 
 fn unread(name: &str, value: &str) -> Error {
-    Error::Shape(format!(
+    Error::Read(format!(
         "its {name} '{}' is not read here",
         shortened(value)
     ))

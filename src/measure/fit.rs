@@ -139,7 +139,7 @@ fn fitted(
 
 fn fitted_circle(points: &[Point]) -> Result<(Truth, f64)> {
     let (center, radius) = nearest_circle(points).ok_or_else(|| {
-        Error::Shape("no circle fits: the points lie on a line, or are one point".to_owned())
+        Error::Unmeasurable("no circle fits: the points lie on a line, or are one point".to_owned())
     })?;
     let squares = points.iter().map(|p| power(p.distance(center) - radius, 2));
     Ok((Truth::circle(center, radius), squares.sum()))
@@ -147,7 +147,7 @@ fn fitted_circle(points: &[Point]) -> Result<(Truth, f64)> {
 
 fn fitted_ellipse(points: &[Point]) -> Result<(Truth, f64)> {
     let truth = ellipse::nearest_ellipse(points).ok_or_else(|| {
-        Error::Shape("no ellipse fits: fewer than five points determine none, nor do points of another curve".to_owned())
+        Error::Unmeasurable("no ellipse fits: fewer than five points determine none, nor do points of another curve".to_owned())
     })?;
     let squares = ellipse::squares(points, &truth);
     Ok((truth, squares))

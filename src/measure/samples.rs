@@ -39,7 +39,7 @@ pub(crate) fn check_count(count: usize, segments: usize) -> Result<()> {
     if (2..=most).contains(&count) {
         return Ok(());
     }
-    Err(Error::Shape(format!(
+    Err(Error::Unmeasurable(format!(
         "the samples of a segment number from 2, its ends, to {most}, but {count} were asked for"
     )))
 }

@@ -48,7 +48,7 @@ pub fn postscript(text: &str) -> Result<Vec<Contour>> {
         for word in spaced.split_ascii_whitespace() {
             machine
                 .take(word)
-                .map_err(|error| Error::Shape(format!("line {}: {error}", i + 1)))?;
+                .map_err(|error| Error::Read(format!("line {}: {error}", i + 1)))?;
         }
     }
     machine.end(false);
@@ -106,7 +106,7 @@ impl Machine {
             "concat" => self.map *= Affine::new(self.last(word)?),
             _ if HARMLESS.contains(&word) => {}
             _ => {
-                return Err(Error::Shape(format!(
+                return Err(Error::Read(format!(
                     "'{word}' is none of the operators of a plain drawing, which are all that is read of PostScript"
                 )));
             }
@@ -118,7 +118,7 @@ impl Machine {
     /// The last numbers on the stack.
     fn last<const N: usize>(&self, word: &str) -> Result<[f64; N]> {
         self.numbers.last_chunk().copied().ok_or_else(|| {
-            Error::Shape(format!(
+            Error::Read(format!(
                 "{word} takes {N} numbers, and there are {}",
                 self.numbers.len()
             ))
@@ -128,7 +128,7 @@ impl Machine {
     fn points<const N: usize>(&self, word: &str, relative: bool) -> Result<[Point; N]> {
         let numbers = self.numbers.as_slice();
         let Some(at) = numbers.len().checked_sub(2 * N) else {
-            return Err(Error::Shape(format!(
+            return Err(Error::Read(format!(
                 "{word} takes {} numbers, and there are {}",
                 2 * N,
                 numbers.len()

@@ -48,7 +48,7 @@ pub fn curve(contour: &Contour) -> Option<Result<Curve>> {
         match step {
             Step::Given(segment) => segments.push(*segment),
             Step::Arc(_) => {
-                return Some(Err(Error::Shape(format!(
+                return Some(Err(Error::Unmeasurable(format!(
                     "segment {} of the path is an elliptical arc (A): that one is exact and no Bézier, so that there is no error to measure",
                     i + 1
                 ))));
@@ -69,7 +69,7 @@ pub fn curve(contour: &Contour) -> Option<Result<Curve>> {
 }
 
 fn syntax(data: &str, why: &str) -> Error {
-    Error::Shape(format!(
+    Error::Read(format!(
         "cannot read the path data '{}': {why}",
         shortened(data)
     ))

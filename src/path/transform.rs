@@ -18,14 +18,14 @@ pub fn transform(text: &str) -> Result<Affine> {
     for token in TransformListParser::from(text) {
         let token = token.map_err(|error| {
             let why = refusal(&error, "a function such as rotate(30) or translate(5,0)");
-            Error::Shape(format!("not an SVG transform list: {why}"))
+            Error::Read(format!("not an SVG transform list: {why}"))
         })?;
         map *= one(token);
     }
     if map.is_finite() {
         Ok(map)
     } else {
-        Err(Error::Shape("the transform is not finite".to_owned()))
+        Err(Error::Read("the transform is not finite".to_owned()))
     }
 }
 
