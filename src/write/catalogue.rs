@@ -7,6 +7,7 @@ use crate::continuity::Continuity;
 use crate::curve::control_points;
 use crate::method::{Degree, Ends, Method, Span};
 use crate::number::{Precision, text};
+use crate::write::measurement::csv_text;
 use crate::{Circle, Cut, RadialError, Result, Shape};
 
 /// The whole catalogue.
@@ -192,7 +193,7 @@ pub fn csv(entries: &[MethodDocument]) -> String {
         largest_angle,criterion,origin,source,formula,advice";
     let mut out = format!("{HEADER}\n");
     for entry in entries {
-        out += &fields(entry).map(|field| quoted(&field)).join(",");
+        out += &fields(entry).map(|field| csv_text(&field)).join(",");
         out.push('\n');
     }
     out
@@ -230,13 +231,4 @@ fn fields(entry: &MethodDocument) -> [String; 24] {
         entry.formula.to_owned(),
         entry.advice.to_owned(),
     ]
-}
-
-/// A field of CSV, in quotes where it has to be.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
-    }
 }
