@@ -2,6 +2,7 @@
 
 mod extremes;
 mod fewest;
+mod rounding;
 mod rounds;
 mod sketch;
 
@@ -11,13 +12,12 @@ pub(crate) use sketch::Sketch;
 use kurbo::{Affine, PathSeg};
 
 use crate::curve::{Curve, largest_coordinate, turn};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::joints::adaptive::{self, Balance};
-use crate::joints::{Cut, Joints, quarters};
+use crate::joints::{Cut, Joints, Tolerance, quarters};
 use crate::measure::radial::{self, nearly::nearly};
 use crate::method::{Method, Piece, Rule, ellipse};
 use crate::number::Precision;
-use crate::numeric::functions::power;
 use crate::place::place;
 use crate::radial_error::RadialError;
 use crate::shape::{Outline, Shape};
@@ -125,7 +125,7 @@ impl Drawing {
 pub fn approximate(shape: &Shape, options: &Options) -> Result<Drawing> {
     match Request::new(shape, options)? {
         Some(request) => request.drawing(),
-        None => Ok(straight(shape, options)),
+        None => straight(shape, options),
     }
 }
 
@@ -142,7 +142,7 @@ pub(crate) fn approximate_between(shape: &Shape, options: &Options) -> Result<Dr
             ..request
         }
         .drawing(),
-        None => Ok(straight(shape, options)),
+        None => straight(shape, options),
     }
 }
 
@@ -151,12 +151,12 @@ pub(crate) fn sketch(shape: &Shape, options: &Options) -> Result<Sketch> {
     if let Some(request) = Request::new(shape, options)? {
         return request.sketch();
     }
-    let drawing = straight(shape, options);
+    let drawing = straight(shape, options)?;
     Ok(Sketch::plain(drawing.curve, drawing.precision))
 }
 
-/// A line, or nothing: both are exact.
-fn straight(shape: &Shape, options: &Options) -> Drawing {
+/// A line, or nothing: both are exact but for rounding.
+fn straight(shape: &Shape, options: &Options) -> Result<Drawing> {
     let segments = match shape {
         Shape::Line(line) => {
             vec![options.transform * PathSeg::Line(kurbo::Line::new(line.from, line.to))]
@@ -164,21 +164,26 @@ fn straight(shape: &Shape, options: &Options) -> Drawing {
         _ => Vec::new(),
     };
     let precision = options.precision.unwrap_or(Precision::Full);
-    let curve = Curve {
+    let exact = Curve {
         segments,
         closed: false,
-    }
-    .rounded(precision, &[]);
-    Drawing {
+    };
+    let curve = exact.rounded(precision, &[]);
+    let tolerance = match options.cut {
+        Cut::Tolerance(Tolerance::Absolute(distance)) => Some(distance),
+        _ => None,
+    };
+    let error = rounding::of_line(&exact, &curve, tolerance)?;
+    Ok(Drawing {
         shape: *shape,
         rule: options.rule,
         transform: options.transform,
         outline: None,
         curve,
         angles: Vec::new(),
-        error: RadialError::default(),
+        error,
         precision,
-    }
+    })
 }
 
 struct Request<'a> {
@@ -323,24 +328,6 @@ impl<'a> Request<'a> {
         }
     }
 
-    /// Refuses a precision that leaves nothing of a closed shape.
-    fn check_extent(&self, sketch: &Sketch) -> Result<()> {
-        let radii = self.outline.truth.radii;
-        match self.options.precision {
-            Some(Precision::Fixed(decimals))
-                if self.outline.unit.closed
-                    && radii.x.min(radii.y) * power(10.0, i32::from(decimals)) < 1.0 =>
-            {
-                let extent = sketch.rounded().bounding_box().unwrap_or_default();
-                if extent.width() == 0.0 || extent.height() == 0.0 {
-                    return Err(Error::Collapsed { decimals });
-                }
-                Ok(())
-            }
-            _ => Ok(()),
-        }
-    }
-
     /// The largest coordinate that the shape may reach, or a little more: its digits end there.
     fn reach(&self) -> f64 {
         let truth = &self.outline.truth;
@@ -376,6 +363,7 @@ impl<'a> Request<'a> {
         let error = sketch
             .measured
             .unwrap_or_else(|| radial::error(&curve.segments, &self.outline.truth));
+        let error = error.with_ends(self.ends_moved());
         Drawing {
             shape: *self.shape,
             rule: self.options.rule,

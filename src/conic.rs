@@ -17,7 +17,7 @@ use crate::curve::Curve;
 use crate::error::{Error, Result, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Method, Rule};
-use crate::number::{Precision, compact};
+use crate::number::{Precision, compact, rounded_up};
 use crate::radial_error::RadialError;
 use crate::shape::{Arc, Shape, Truth};
 use frame::Frame;
@@ -220,7 +220,20 @@ impl Conic {
         let method = conic.method(options.rule)?;
         let finish = |segments: Vec<PathSeg>| conic.finish(segments, method, options);
         match (&options.cut, method) {
-            (Cut::Quarters | Cut::Tolerance(_), None) => finish(conic.equal(1, None)?),
+            (Cut::Quarters, None) => finish(conic.equal(1, None)?),
+            (&Cut::Tolerance(tolerance), None) => {
+                let tolerance = positive("tolerance", tolerance.for_radius(conic.size()))?;
+                let drawing = finish(conic.equal(1, None)?)?;
+                let distance = rounded_up(drawing.error.peak(), 3);
+                if distance <= tolerance {
+                    Ok(drawing)
+                } else {
+                    Err(Error::Rounding {
+                        distance,
+                        tolerance,
+                    })
+                }
+            }
             (Cut::Quarters, _) => finish(conic.equal(conic.quarters(), method)?),
             (&Cut::Count(count), _) => finish(conic.equal(count, method)?),
             (&Cut::Tolerance(tolerance), Some(method)) => {

@@ -8,15 +8,15 @@ use kurbo::{Line, PathSeg, Point, Rect};
 
 use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
-use crate::curve::Curve;
-use crate::error::Result;
+use crate::curve::{Curve, ends_moved, largest_move};
+use crate::error::{Error, Result};
 use crate::joints::{Cut, Tolerance};
 use crate::measure::radial;
 use crate::method::Rule;
-use crate::number::Precision;
+use crate::number::{Precision, rounded_up};
 use crate::radial_error::RadialError;
 use crate::shape::{Arc, Outline, Shape};
-use quadratics::{count_of_quadratics, distance_of_quadratics, quadratics};
+use quadratics::{count_of_quadratics, distance_from, distance_of_quadratics, quadratics};
 
 /// A chain of steps, each of which starts where the one before it ends.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -146,6 +146,28 @@ impl PathDrawing {
         Some(Closeness { error, room })
     }
 
+    /// Refuses what the precision asked for takes farther away than the tolerance asked for.
+    fn check_rounding(&self, cut: &Cut) -> Result<()> {
+        let Cut::Tolerance(asked) = *cut else {
+            return Ok(());
+        };
+        for subpath in &self.subpaths {
+            let tolerance = match asked {
+                Tolerance::Absolute(distance) => distance,
+                Tolerance::Relative(part) => part * subpath.radius,
+            };
+            let peak = subpath.error.peak();
+            if peak > tolerance {
+                let distance = rounded_up(peak, 3);
+                return Err(Error::Rounding {
+                    distance,
+                    tolerance,
+                });
+            }
+        }
+        Ok(())
+    }
+
     /// The courses of the subpaths, of those that have one.
     pub fn courses(&self) -> impl Iterator<Item = &Course> {
         self.subpaths
@@ -223,6 +245,9 @@ pub fn draw(
         })
     };
     let drawing: PathDrawing = finish(precision)?;
+    if options.precision.is_some() {
+        drawing.check_rounding(&options.cut)?;
+    }
     // Each arc keeps its tolerance at its own precision; that of another may, by chance, round it worse.
     if options.precision.is_none()
         && let Cut::Tolerance(Tolerance::Absolute(tolerance)) = options.cut
@@ -270,7 +295,9 @@ impl Finisher<'_> {
                     let outline = Shape::Arc(*arc).outline();
                     if let Some(outline) = outline {
                         let outline = outline.transformed(self.options.transform)?;
-                        error = error.with(radial::error(&curve.segments, &outline.truth));
+                        let ends = ends_moved(&sketch.curve, &curve);
+                        let of_arc = radial::error(&curve.segments, &outline.truth);
+                        error = error.with(of_arc.with_ends(ends));
                         radius = radius.max(outline.truth.larger_radius());
                         truths.push((
                             segments.len()..segments.len() + curve.segments.len(),
@@ -307,16 +334,18 @@ impl Finisher<'_> {
     /// Appends a segment that was given, and tells how far it was moved at most.
     fn given(&self, segment: PathSeg, segments: &mut Vec<PathSeg>) -> Result<f64> {
         let before = segments.len();
-        let (moved, kept) =
-            if let (PathSeg::Cubic(cubic), Target::Quadratics) = (segment, self.target) {
-                let count = count_of_quadratics(&cubic, &self.options.cut)?;
-                segments.extend(quadratics(&cubic, count).map(PathSeg::Quad));
-                let distance = distance_of_quadratics(&cubic, count);
-                (distance, vec![cubic.p0, cubic.p3])
-            } else {
-                segments.push(segment);
-                (0.0, crate::curve::control_points(&segment))
-            };
+        let cubic = match (segment, self.target) {
+            (PathSeg::Cubic(cubic), Target::Quadratics) => Some(cubic),
+            _ => None,
+        };
+        let kept = if let Some(cubic) = &cubic {
+            let count = count_of_quadratics(cubic, &self.options.cut)?;
+            segments.extend(quadratics(cubic, count).map(PathSeg::Quad));
+            vec![cubic.p0, cubic.p3]
+        } else {
+            segments.push(segment);
+            crate::curve::control_points(&segment)
+        };
         let curve = Curve {
             segments: segments.split_off(before),
             closed: false,
@@ -324,10 +353,13 @@ impl Finisher<'_> {
         let given = self.options.precision.is_none().then_some(kept);
         let kept = given.unwrap_or_default();
         let rounded = curve.rounded(self.precision, &kept);
-        // A point of a Bézier moves no farther than its control points do.
-        let rounding = largest_move(&curve, &rounded);
+        let moved = match &cubic {
+            Some(cubic) => distance_from(cubic, &rounded.segments),
+            // A point of a Bézier moves no farther than its control points do.
+            None => largest_move(&curve, &rounded),
+        };
         segments.extend(rounded.segments);
-        Ok(moved + rounding)
+        Ok(moved)
     }
 }
 
@@ -344,14 +376,4 @@ impl Target {
         let distance = distance_of_quadratics(&cubic, count);
         (distance > 0.0).then(|| automatic_precision(distance, [&PathSeg::Cubic(cubic)]))
     }
-}
-
-/// How far control points moved at most.
-fn largest_move(before: &Curve, after: &Curve) -> f64 {
-    let points = |curve: &Curve| -> Vec<Point> {
-        let segments = curve.segments.iter();
-        segments.flat_map(crate::curve::control_points).collect()
-    };
-    let moved = points(before).into_iter().zip(points(after));
-    moved.map(|(p, q)| p.distance(q)).fold(0.0, f64::max)
 }

@@ -103,6 +103,27 @@ impl Curve {
     }
 }
 
+/// How far the ends of a curve moved at most.
+pub(crate) fn ends_moved(before: &Curve, after: &Curve) -> f64 {
+    let end = |curve: &Curve| curve.segments.last().map(kurbo::ParamCurve::end);
+    let pairs = [
+        before.start().zip(after.start()),
+        end(before).zip(end(after)),
+    ];
+    let moved = pairs.into_iter().flatten();
+    moved.map(|(p, q)| p.distance(q)).fold(0.0, f64::max)
+}
+
+/// How far control points moved at most.
+pub(crate) fn largest_move(before: &Curve, after: &Curve) -> f64 {
+    let points = |curve: &Curve| -> Vec<Point> {
+        let segments = curve.segments.iter();
+        segments.flat_map(control_points).collect()
+    };
+    let moved = points(before).into_iter().zip(points(after));
+    moved.map(|(p, q)| p.distance(q)).fold(0.0, f64::max)
+}
+
 /// The control points of a segment: two of a line, three of a quadratic, four of a cubic.
 #[must_use]
 pub fn control_points(segment: &PathSeg) -> Vec<Point> {

@@ -71,6 +71,14 @@ pub enum Error {
         /// What can be done instead.
         remedy: String,
     },
+    /// Rounding takes what was drawn farther from what was given than was asked for.
+    #[error("so few decimals take it {} away, farther than the tolerance {}", plain(*distance), plain(*tolerance))]
+    Rounding {
+        /// How far it would be, in user units.
+        distance: f64,
+        /// The tolerance in user units.
+        tolerance: f64,
+    },
     /// A text that does not parse.
     #[error("cannot read {what} '{text}': {why}, at column {column}")]
     Syntax {
@@ -184,6 +192,7 @@ impl Error {
                 (!remedy.is_empty()).then(|| remedy.clone())
             }
             Self::Collapsed { .. } => Some("give more decimals".to_owned()),
+            Self::Rounding { .. } => Some("give more decimals or a larger tolerance".to_owned()),
             Self::Format { remedy, .. } => Some((*remedy).to_owned()),
             Self::TooFewPoints { cyclic: true, .. } => {
                 Some("--ends free takes two points and more".to_owned())

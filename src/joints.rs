@@ -211,6 +211,8 @@ impl Joints {
         let mut ways: Vec<f64> = extremes
             .iter()
             .map(|angle| (sign * (angle.degrees() - arc.start.degrees())).rem_euclid(360.0))
+            // An extreme that lies before the start by rounding alone is the start.
+            .map(|way| if 360.0 - way < NEAREST { 0.0 } else { way })
             .filter(|&way| arc.closed || (NEAREST..size - NEAREST).contains(&way))
             .collect();
         if !arc.closed {

@@ -208,6 +208,18 @@ fn whole_turn(sweep: Angle) -> Angle {
     }
 }
 
+/// An angle to which others can be added without a loss that shows: whole turns are taken from one so large that its degrees have no digits
+/// left for a millionth, which is exact.
+fn within_reach(start: Angle) -> Angle {
+    const FAR: f64 = 1e9;
+    let degrees = start.degrees();
+    if degrees.abs() < FAR {
+        start
+    } else {
+        Angle::from_degrees(degrees % 360.0)
+    }
+}
+
 impl Shape {
     /// The piece of the unit circle and where it lies; `None` for a line and for nothing.
     #[must_use]
@@ -219,7 +231,7 @@ impl Shape {
                 Angle::TURN
             };
             UnitArc {
-                start,
+                start: within_reach(start),
                 sweep,
                 closed: true,
             }
@@ -242,7 +254,7 @@ impl Shape {
             ),
             Self::Arc(a) => {
                 let unit = UnitArc {
-                    start: a.start,
+                    start: within_reach(a.start),
                     sweep: a.sweep,
                     closed: a.is_closed(),
                 };

@@ -13,7 +13,7 @@ use kurbo::{Affine, Point};
 
 use crate::angle::Angle;
 use crate::approximate::{self, Drawing, approximate, automatic_precision};
-use crate::curve::{Curve, control_points};
+use crate::curve::{Curve, control_points, largest_move};
 use crate::error::{Error, Result, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS};
 use crate::method::Rule;
@@ -96,7 +96,8 @@ pub struct Picture {
     pub back: Vec<Part>,
     /// The outline.
     pub outline: Part,
-    /// The largest distances of any of the curves in space from its true circle, before control points are rounded or mapped.
+    /// Bounds of how far any of the curves lies from its true circle in space, before it is mapped; a precision that is asked for may move it
+    /// as seen, and that counts too.
     pub error: RadialError,
 }
 
@@ -230,9 +231,17 @@ impl Picture {
                 self.parts().flat_map(|part| &part.curve.segments),
             )
         });
+        let asked = self.options.precision.is_some();
+        let mut moved = 0.0_f64;
         for part in self.parts_mut() {
-            part.curve = part.curve.rounded(precision, &[]);
+            let rounded = part.curve.rounded(precision, &[]);
+            if asked {
+                moved = moved.max(largest_move(&part.curve, &rounded));
+            }
+            part.curve = rounded;
         }
+        // As seen, which in space is at least as far.
+        self.error = self.error.with_more(moved);
         Ok(self)
     }
 

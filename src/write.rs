@@ -33,6 +33,7 @@ pub use format::{Format, Image};
 use core::cell::LazyCell;
 
 use crate::approximate::Drawing;
+use crate::contour::Closeness;
 use crate::course::Course;
 use crate::curve::Curve;
 use crate::error::{Error, Result};
@@ -101,15 +102,18 @@ pub struct Options {
     pub precision: Option<Precision>,
     /// How fast G-code moves, in units a minute.
     pub feed: Option<f64>,
+    /// How far rounding may move G-code of what is an arc itself.
+    pub room: Option<f64>,
 }
 
 impl Options {
     /// Those of G-code.
-    const fn gcode(&self, figure: &Figure) -> gcode::Options {
+    fn gcode(&self, figure: &Figure) -> gcode::Options {
+        let exact = self.room.map(|room| Closeness { error: 0.0, room });
         gcode::Options {
             precision: self.precision,
             feed: self.feed,
-            closeness: figure.closeness,
+            closeness: figure.closeness.or(exact),
         }
     }
 }
@@ -238,7 +242,7 @@ fn courses(figure: &Figure) -> Result<Vec<Course>> {
         course.ok_or_else(|| Error::Format {
             format: Format::Gcode.name(),
             why: "it has straight lines and circular arcs only".to_owned(),
-            remedy: "draw a circle, or an arc of one; -f dxf takes every curve",
+            remedy: "draw a circle or an arc of one, or make arcs of a path by --to arcs; -f dxf takes every curve",
         })
     };
     drawn.map(course).collect()

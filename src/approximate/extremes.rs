@@ -27,7 +27,7 @@ const MOST_PARTS: usize = 256;
 /// ```
 pub fn approximate_at_extremes(shape: &Shape, options: &Options) -> Result<Drawing> {
     let Some(request) = Request::new(shape, options)? else {
-        return Ok(straight(shape, options));
+        return straight(shape, options);
     };
     let outline = &request.outline;
     let extremes = outline.extremes();

@@ -39,6 +39,7 @@ impl Request<'_> {
         let truth = &self.outline.truth;
         let tolerance = tolerance.for_radius(truth.larger_radius());
         self.check_tolerance(tolerance)?;
+        self.check_ends(tolerance)?;
         if let Some(balance) = Balance::new(&self.outline, self.options.rule)
             && let Some(sketch) = self.fewest_adaptive(&balance, tolerance)
         {

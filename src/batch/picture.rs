@@ -60,8 +60,8 @@ impl Picture {
             .truths
             .extend(found.truths.into_iter().map(counted));
         *curves += found.layer.curves.len();
-        self.courses.push(found.courses);
         worsen(&mut self.summary.worst, self.summary.lines, found.peak);
+        self.courses.push(found.courses);
         self.figure.layers.push(found.layer);
     }
 

@@ -3,7 +3,8 @@
 use std::process::ExitCode;
 
 use curveto::approximate::{Drawing, Options, approximate, approximate_at_extremes};
-use curveto::{Angle, Cut, Shape};
+use curveto::write::Format;
+use curveto::{Angle, Cut, Rule, Shape, Tolerance};
 
 use super::Outcome;
 use super::args::shape::{Direction, ShapeWords};
@@ -37,9 +38,21 @@ pub(super) fn draw(
     } else {
         Direction::default()
     };
+    let is_gcode = format == Format::Gcode;
+    let asked = started(shape, approximation.cut())?;
+    // G-code has the arc itself: how one would approximate it says nothing.
+    let cut = if is_gcode {
+        Cut::Quarters
+    } else {
+        asked.clone()
+    };
     let options = Options {
-        rule: approximation.rule()?,
-        cut: started(shape, approximation.cut())?,
+        rule: if is_gcode {
+            Rule::default()
+        } else {
+            approximation.rule()?
+        },
+        cut,
         precision: output.rounding(format),
         transform: output.transform(),
     };
@@ -47,6 +60,11 @@ pub(super) fn draw(
     let mut manner = output.options(format)?;
     // Where nothing is said of how an arc is approximated, a format that has arcs gets the arc.
     manner.exact = approximation.is_silent() && matches!(drawing.shape, Shape::Arc(_));
+    manner.room = match asked {
+        Cut::Tolerance(Tolerance::Absolute(distance)) => Some(distance),
+        Cut::Tolerance(Tolerance::Relative(part)) => Some(part * drawing.larger_radius()),
+        _ => None,
+    };
     write_drawn(&drawing, format, &manner, output)?;
     Ok(ExitCode::SUCCESS)
 }
@@ -64,6 +82,15 @@ pub(super) fn drawing(
     } else {
         approximate(&shape_asked, options)?
     };
+    if let (true, Some(start), Some(first)) = (extremes, shape.start(), drawing.angles.first())
+        && (first - start.degrees() + 180.0).rem_euclid(360.0) - 180.0 != 0.0
+        && drawing.curve.closed
+    {
+        return Err(Failure::request_with_hint(
+            format!("--start {} is no extreme of the shape", start.degrees()),
+            "with --extremes a closed shape starts at the first of them; --start may name another of them",
+        ));
+    }
     if shape.open() {
         drawing.curve.closed = false;
     }

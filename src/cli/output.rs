@@ -5,6 +5,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
+use curveto::course::Course;
 use curveto::write::{Format, Image, Options, Writable, write};
 
 use super::args::OutputArgs;
@@ -32,9 +33,32 @@ pub(crate) fn write_drawn(
     if format == Format::Image(Image::Png) {
         target.refuse_terminal()?;
     }
-    target.write(&write(work, format, options)?)?;
-    words.talk.state(|| work.summary());
+    let bytes = write(work, format, options)?;
+    target.write(&bytes)?;
+    words.talk.state(|| stated(work, format, options, &bytes));
     Ok(())
+}
+
+/// What was written and how closely: an arc that a format has itself is not the curve that approximates it.
+fn stated(work: &impl Writable, format: Format, options: &Options, bytes: &[u8]) -> String {
+    let is_exact = || {
+        let figure = work.figure();
+        let arc = figure.truth(0).and_then(Course::of_arc);
+        (options.exact && arc.is_some()).then_some(figure.title)
+    };
+    match format {
+        // Its first line is a comment that says so.
+        Format::Gcode => {
+            let first = bytes
+                .split(|&byte| byte == b'\n')
+                .next()
+                .unwrap_or_default();
+            let text = String::from_utf8_lossy(first);
+            text.trim_matches(['(', ')']).to_owned()
+        }
+        Format::Dxf => is_exact().map_or_else(|| work.summary(), |title| title + ", exact"),
+        _ => work.summary(),
+    }
 }
 
 impl Target {

@@ -7,8 +7,8 @@ use kurbo::Rect;
 use super::paint::Paint;
 use super::style::{Style, default_stroke_width};
 use super::words::{
-    conic_summary, conic_title, describe, describe_sphere, describe_spline, name, path_summary,
-    sentence,
+    conic_summary, conic_title, describe, describe_sphere, describe_spline, exactness, name,
+    path_summary, sentence,
 };
 use crate::approximate::Drawing;
 use crate::conic;
@@ -166,7 +166,7 @@ impl From<&Drawing> for Figure {
                 relative = significant(rounded_up(drawing.relative_peak(), 3), 3),
             )
         } else {
-            format!("{title}; exact")
+            format!("{title}; {}", exactness(drawing))
         };
         Self {
             name: name(&drawing.shape),

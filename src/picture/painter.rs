@@ -165,11 +165,8 @@ impl<'a> Painter<'a> {
     /// The true shapes; a figure of straight lines is its own true shape.
     fn truths(&self) -> Result<&'a [Approximated]> {
         let is_line = |segment: &PathSeg| matches!(segment, PathSeg::Line(_));
-        let exact = self
-            .figure
-            .curves()
-            .flat_map(|curve| &curve.segments)
-            .all(is_line);
+        let mut segments = self.figure.curves().flat_map(|curve| &curve.segments);
+        let exact = self.figure.closeness.is_none() && segments.all(is_line);
         if self.figure.truths.is_empty() && !exact {
             return Err(Error::Picture(
                 "there is no true shape to show: it is known of circles, ellipses and arcs"

@@ -34,13 +34,14 @@ pub(crate) fn path_summary(drawing: &PathDrawing) -> String {
     let segments = drawing.curves().map(|curve| curve.segments.len());
     let steps = drawing.courses().map(|course| course.steps.len());
     let segments: usize = segments.chain(steps).sum();
+    let has_arcs = drawing.subpaths.iter().any(|path| !path.truths.is_empty());
     let closeness = match drawing.error().peak() {
         0.0 => "exact".to_owned(),
         peak => format!(
             "{}within {}",
             match drawing.maker {
-                Maker::Rule(rule) => format!("arcs by {}, ", rule.id()),
-                Maker::Lines | Maker::Arcs => String::new(),
+                Maker::Rule(rule) if has_arcs => format!("arcs by {}, ", rule.id()),
+                Maker::Rule(_) | Maker::Lines | Maker::Arcs => String::new(),
             },
             significant(rounded_up(peak, 3), 3)
         ),
@@ -63,6 +64,14 @@ pub(super) fn sentence(text: &str) -> String {
     first.into_iter().chain(letters).collect()
 }
 
+/// How closely what is straight was drawn: rounding alone moves it.
+pub(super) fn exactness(drawing: &Drawing) -> String {
+    match drawing.error.peak() {
+        0.0 => "exact".to_owned(),
+        peak => format!("within {}", significant(rounded_up(peak, 3), 3)),
+    }
+}
+
 /// What was drawn and how closely, in a line; the figures are rounded up.
 pub(crate) fn summary(drawing: &Drawing) -> String {
     let title = describe(&drawing.shape);
@@ -72,7 +81,7 @@ pub(crate) fn summary(drawing: &Drawing) -> String {
         .map_or_else(String::new, |c| c.to_lowercase().to_string());
     let title = first + letters.as_str();
     if drawing.outline.is_none() {
-        return format!("{title}: exact");
+        return format!("{title}: {}", exactness(drawing));
     }
     let count = drawing.curve.segments.len();
     format!(

@@ -7,7 +7,7 @@ use kurbo::Point;
 use crate::contour::Closeness;
 use crate::course::{Course, Step};
 use crate::error::{Error, Result};
-use crate::number::{Precision, rounded_up, significant, text};
+use crate::number::{Precision, compact, rounded_up, significant, text};
 
 /// The part of the size of a course by which rounding may move it where no decimals were asked for.
 const ROUNDING_PART: f64 = 1e-6;
@@ -148,11 +148,15 @@ fn told(precision: Precision, moved: f64, closeness: Option<Closeness>) -> Strin
     if error > 0.0 {
         return format!("within {}", significant(rounded_up(error + moved, 3), 3));
     }
-    match precision {
-        Precision::Full => "exact".to_owned(),
-        Precision::Fixed(1) => "exact but for rounding to 1 decimal".to_owned(),
-        Precision::Fixed(decimals) => format!("exact but for rounding to {decimals} decimals"),
+    let Precision::Fixed(decimals) = precision else {
+        return "exact".to_owned();
+    };
+    if moved == 0.0 {
+        return "exact".to_owned();
     }
+    let s = if decimals == 1 { "" } else { "s" };
+    let within = compact(rounded_up(moved, 3), 3);
+    format!("exact but for rounding to {decimals} decimal{s}, which moves it by up to {within}")
 }
 
 /// A comment stands in parentheses, which must not nest.

@@ -58,18 +58,18 @@ pub(crate) struct ArcShape {
     ///
     /// An ellipse's angles are parametric, as in SVG and the HTML canvas: the point at angle A is (rx cos A, ry sin A), then rotated.
     /// Units are deg (default), rad, grad and turn. Positive angles turn from +x towards +y.
-    #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii")]
+    #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with_all = ["svg", "through", "from"])]
     start: Option<Angle>,
     /// Where the arc ends, as PostScript's arc takes it, with --reverse as arcn does
     ///
     /// It is raised by whole turns until it is not below the start; with --reverse lowered until it is not above.
-    #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with = "sweep")]
+    #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with_all = ["sweep", "svg", "through", "from"])]
     end: Option<Angle>,
     /// How far the arc runs, with its sign, at most one turn
-    #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii")]
+    #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with_all = ["svg", "through", "from"])]
     sweep: Option<Angle>,
     /// The angle from the x axis to the axis of the first radius
-    #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii")]
+    #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with_all = ["svg", "through", "from"])]
     rotation: Option<Angle>,
     /// The centre [default: 0,0]; with --from and --to as G2 and G3 take it
     ///
