@@ -249,7 +249,9 @@ impl FromStr for Angle {
     fn from_str(text: &str) -> Result<Self> {
         const UNITS: [(&str, f64); 4] =
             [("grad", 0.9), ("rad", 0.0), ("turn", 360.0), ("deg", 1.0)];
-        let trimmed = text.trim();
+        // The units of CSS have no case.
+        let lower = text.trim().to_ascii_lowercase();
+        let trimmed = lower.as_str();
         let (number, unit) = UNITS
             .iter()
             .find_map(|&(unit, factor)| trimmed.strip_suffix(unit).map(|number| (number, factor)))
@@ -281,6 +283,7 @@ mod tests {
             "90deg",
             "100grad",
             "0.25turn",
+            "0.25TURN",
             "1.5707963267948966rad",
             " 90 deg ",
         ] {

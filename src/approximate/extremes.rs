@@ -1,8 +1,8 @@
 //! Joints at the extremes, as type wants them.
 
 use super::{Drawing, Options, Request, approximate, straight};
-use crate::error::Result;
-use crate::joints::{Cut, Joints};
+use crate::error::{Error, Result};
+use crate::joints::{Cut, Joints, MOST_SEGMENTS};
 use crate::shape::Shape;
 
 /// How many parts of a piece between two extremes are tried for a tolerance.
@@ -40,6 +40,10 @@ pub fn approximate_at_extremes(shape: &Shape, options: &Options) -> Result<Drawi
         approximate(shape, &options)
     };
     match options.cut {
+        Cut::Count(count @ 0) => Err(Error::Count {
+            count,
+            most: MOST_SEGMENTS,
+        }),
         Cut::Count(parts) => draw(parts),
         Cut::Tolerance(tolerance) => {
             let tolerance = tolerance.for_radius(outline.truth.larger_radius());

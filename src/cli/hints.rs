@@ -228,6 +228,12 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
                 .any(|name| flag.starts_with(name));
             if apart { None } else { of_measure(words) }
         }
+        ErrorKind::MissingRequiredArgument if words.iter().any(|word| word == "--adaptive") => {
+            Some("it goes with a number of segments: -n 5 --adaptive".to_owned())
+        }
+        ErrorKind::MissingRequiredArgument if words.iter().any(|word| word == "--quantity") => {
+            Some("it says what a plot shows: --plot error.svg --quantity error".to_owned())
+        }
         ErrorKind::MissingRequiredArgument => match command {
             "circle" | "sphere" => Some(format!("for example: curveto {command} 50")),
             "ellipse" => Some("for example: curveto ellipse 30 20".to_owned()),
@@ -296,6 +302,9 @@ fn of_value(value: &str, argument: &str) -> Option<String> {
         return Some(both.unwrap_or_else(|_| {
             "width, x and height, with mm, cm, in or pt behind both: --size 80x60mm".to_owned()
         }));
+    }
+    if argument.starts_with("--diameters") {
+        return Some("width, a comma and height: --diameters 60,40".to_owned());
     }
     if argument.starts_with("--against") {
         return Some(

@@ -519,3 +519,121 @@ fn the_catalogue_fits_terminals_from_60_to_200_columns() {
         assert_eq!(table.contains("Lancaster 2005"), columns >= 90);
     }
 }
+
+/// The peak that JSON states, and the farthest that `diff` finds between what is drawn and the true path data.
+fn stated_and_found(words: &[&str], truth: &str) -> [f64; 2] {
+    let drawn = json(&[words, &["-f", "json"]].concat());
+    let path = drawn["path"].as_str().unwrap().to_owned();
+    let output = run(&["diff", truth, &path, "-f", "json"]);
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let apart = found["subpaths"][0]["distance"].as_f64();
+    [
+        drawn["error"]["peak"].as_f64().unwrap(),
+        apart.unwrap_or_else(|| panic!("{found}")),
+    ]
+}
+
+#[test]
+fn what_is_stated_holds_where_rounding_moves_ends_and_lines() {
+    for (words, truth) in [
+        // A short arc whose ends move along it, one in a path, a line, and quadratics in a cubic's place.
+        (
+            &["arc", "10", "--end", "2", "-p", "1"][..],
+            "M10 0A10 10 0 0 1 9.99390827 0.34899497",
+        ),
+        (
+            &["path", "M0.4 0A1000 1000 0 0 1 17.6 0", "-p", "0"],
+            "M0.4 0A1000 1000 0 0 1 17.6 0",
+        ),
+        (
+            &[
+                "arc",
+                "--through",
+                "0.4,0.4",
+                "1.4,1.4",
+                "2.4,2.4",
+                "-p",
+                "0",
+            ],
+            "M0.4 0.4L2.4 2.4",
+        ),
+        (
+            &[
+                "path",
+                "M0 0C0 400 300 700 700 700",
+                "--to",
+                "quadratics",
+                "-t",
+                "0.5",
+                "-p",
+                "0",
+            ],
+            "M0 0C0 400 300 700 700 700",
+        ),
+    ] {
+        let [stated, found] = stated_and_found(words, truth);
+        assert!(stated >= 0.999_999 * found, "{words:?}: {stated} {found}");
+        assert!(stated <= 3.0 * found, "{words:?}: {stated} {found}");
+    }
+    let [stated, _] = stated_and_found(&["arc", "10", "--end", "90"], "M10 0A10 10 0 0 1 0 10");
+    assert!(
+        stated < 2.2e-3,
+        "rounding by itself moves the ends of no other arc so far: {stated}"
+    );
+}
+
+#[test]
+fn a_start_of_many_turns_is_that_of_its_rest() {
+    // 1e20 is 280 degrees and whole turns.
+    for shape in [
+        &["circle", "10"][..],
+        &["arc", "10", "--sweep", "90"],
+        &["ellipse", "10", "7"],
+    ] {
+        let far = printed(&[shape, &["--start", "1e20"]].concat());
+        assert_eq!(far, printed(&[shape, &["--start", "280"]].concat()));
+    }
+}
+
+#[test]
+fn what_a_format_has_itself_is_stated_as_exact() {
+    let told = |arguments: &[&str]| String::from_utf8(run(arguments).stderr).unwrap();
+    assert_eq!(
+        told(&["circle", "5", "-f", "gcode", "-v"]),
+        "Circle of radius 5, exact\n"
+    );
+    let dxf = ["arc", "5", "--end", "90", "-f", "dxf", "-v"];
+    assert_eq!(told(&dxf), "Arc of radius 5 over 90 degrees, exact\n");
+    let coarse = [
+        "circle", "5", "--center", "0.3,0.2", "-p", "0", "-f", "gcode",
+    ];
+    assert!(printed(&coarse).contains("which moves it by up to 0."));
+    assert!(refused(&[&coarse[..], &["-t", "0.01"]].concat()).contains("give more decimals"));
+    // How an arc would be approximated says nothing.
+    let plain = printed(&["circle", "5", "-f", "gcode"]);
+    assert_eq!(
+        printed(&["circle", "5", "-f", "gcode", "-m", "chen-3", "-n", "7"]),
+        plain
+    );
+}
+
+#[test]
+fn a_sphere_states_what_rounding_adds() {
+    let sphere = ["sphere", "10", "-f", "json"];
+    let peak = |more: &[&str]| {
+        json(&[&sphere[..], more].concat())["error"]["peak"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!(peak(&["-p", "0"]) > 0.5 && peak(&[]) < 0.002);
+}
+
+#[test]
+fn extremes_begin_at_the_start_that_is_one() {
+    assert!(printed(&["circle", "50", "--extremes", "--start", "90"]).starts_with("M0 50C"));
+    // What rounding makes of a rotation moves no start.
+    assert!(
+        printed(&["ellipse", "50", "30", "--rotation", "1e-13", "--extremes"])
+            .starts_with("M50 0C")
+    );
+}

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 110] = [
+const MISTAKES: [(&str, &str); 124] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -33,6 +33,32 @@ const MISTAKES: [(&str, &str); 110] = [
     ("circle 50 --center 5", "two numbers with a comma"),
     ("circle 50 --center 5,5,5", "'5,5,5' is not two numbers"),
     ("circle 50 --center 5", "both coordinates: 5,0"),
+    ("circle 50 --adaptive", "-n 5 --adaptive"),
+    ("circle 50 -t 1um", "lengths are numbers in user units: 1"),
+    ("circle 50 --extremes -n 0", "from 1 to 1000000"),
+    ("circle 50 --extremes --start 45", "is no extreme"),
+    ("ellipse --diameters 60x40", "--diameters 60,40"),
+    ("measure circle 50 --quantity error", "--plot error.svg"),
+    (
+        "arc --from 0,0 --to 9,0 --bulge 1 --sweep 30",
+        "cannot be used with",
+    ),
+    (
+        "arc --svg M0,0A5,3,0,0,1,8,2 --rotation 45",
+        "cannot be used with",
+    ),
+    (
+        "arc --through 0,0 5,5 10,0 --start 5",
+        "cannot be used with",
+    ),
+    ("path M5,0A5,5,0,0,1,-5,0 -f gcode", "--to arcs"),
+    ("path M0,0L5.5,5.5 -p 0 -t 0.1", "give more decimals"),
+    ("arc 10 --end 1 -p 0 -t 0.001", "give more decimals"),
+    ("arc 0.4 --end 90 -p 0", "give more decimals"),
+    (
+        "conic --from 0.4,0 --control 5,5 --to 10.4,0 --weight 1 -p 0 -t 0.1",
+        "give more decimals",
+    ),
     ("circle 50 --cx 5", "--center X,Y"),
     ("circle 50 -f svg --size 50mm", "--size 50x50mm"),
     ("circle 50 -f svg --size 50*50", "width, x and height"),

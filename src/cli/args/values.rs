@@ -125,12 +125,25 @@ pub(super) fn distance(text: &str) -> Read<f64> {
 
 /// What is meant by what is almost a number.
 pub(crate) fn hint_of_number(text: &str) -> Option<String> {
-    const UNITS: [&str; 10] = ["mm", "cm", "in", "pt", "px", "pc", "em", "m", "\"", "%"];
+    const UNITS: [&str; 11] = [
+        "mm", "cm", "um", "µm", "in", "pt", "px", "pc", "em", "m", "\"",
+    ];
     let pointed = text.replace(',', ".");
     if pointed != text && pointed.parse::<f64>().is_ok() {
         return Some(format!("decimals come after a point: {pointed}"));
     }
-    if text.contains(',') && text.replace(',', "").parse::<f64>().is_ok() {
+    // Groups of three digits, not points of three coordinates.
+    let is_grouped = |text: &str| {
+        let mut groups = text
+            .split('.')
+            .next()
+            .unwrap_or_default()
+            .split(',')
+            .skip(1)
+            .peekable();
+        groups.peek().is_some() && groups.all(|group| group.len() == 3)
+    };
+    if is_grouped(text) && text.replace(',', "").parse::<f64>().is_ok() {
         return Some(format!("numbers have no commas: {}", text.replace(',', "")));
     }
     if let Some(degrees) = text.strip_suffix('°') {
