@@ -17,8 +17,8 @@ use crate::curve::Curve;
 use crate::error::{Error, Result, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Method, Rule};
-use crate::number::{Precision, compact, rounded_up};
-use crate::radial_error::RadialError;
+use crate::number::{Precision, compact};
+use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Shape, Truth};
 use frame::Frame;
 pub use report::Report;
@@ -224,15 +224,8 @@ impl Conic {
             (&Cut::Tolerance(tolerance), None) => {
                 let tolerance = positive("tolerance", tolerance.for_radius(conic.size()))?;
                 let drawing = finish(conic.equal(1, None)?)?;
-                let distance = rounded_up(drawing.error.peak(), 3);
-                if distance <= tolerance {
-                    Ok(drawing)
-                } else {
-                    Err(Error::Rounding {
-                        distance,
-                        tolerance,
-                    })
-                }
+                within(drawing.error.peak(), tolerance)?;
+                Ok(drawing)
             }
             (Cut::Quarters, _) => finish(conic.equal(conic.quarters(), method)?),
             (&Cut::Count(count), _) => finish(conic.equal(count, method)?),

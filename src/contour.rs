@@ -9,12 +9,12 @@ use kurbo::{Line, PathSeg, Point, Rect};
 use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
 use crate::curve::{Curve, ends_moved, largest_move};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::joints::{Cut, Tolerance};
 use crate::measure::radial;
 use crate::method::Rule;
-use crate::number::{Precision, rounded_up};
-use crate::radial_error::RadialError;
+use crate::number::Precision;
+use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Outline, Shape};
 use quadratics::{count_of_quadratics, distance_from, distance_of_quadratics, quadratics};
 
@@ -156,14 +156,7 @@ impl PathDrawing {
                 Tolerance::Absolute(distance) => distance,
                 Tolerance::Relative(part) => part * subpath.radius,
             };
-            let peak = subpath.error.peak();
-            if peak > tolerance {
-                let distance = rounded_up(peak, 3);
-                return Err(Error::Rounding {
-                    distance,
-                    tolerance,
-                });
-            }
+            within(subpath.error.peak(), tolerance)?;
         }
         Ok(())
     }

@@ -1,5 +1,8 @@
 //! How far a curve strays from the true shape, outside and inside.
 
+use crate::error::{Error, Result};
+use crate::number::rounded_up;
+
 /// The largest distances of a curve from the true shape, both at least 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -8,6 +11,18 @@ pub struct RadialError {
     pub outward: f64,
     /// The largest distance inside.
     pub inward: f64,
+}
+
+/// Refuses what rounding takes farther away than a tolerance.
+pub(crate) fn within(distance: f64, tolerance: f64) -> Result<()> {
+    if distance <= tolerance {
+        return Ok(());
+    }
+    let distance = rounded_up(distance, 3);
+    Err(Error::Rounding {
+        distance,
+        tolerance,
+    })
 }
 
 impl RadialError {

@@ -6,9 +6,9 @@ use super::{Request, Sketch};
 use crate::angle::Angle;
 use crate::curve::{Curve, largest_move};
 use crate::error::{Error, Result};
-use crate::number::{Precision, rounded_up};
+use crate::number::Precision;
 use crate::numeric::functions::power;
-use crate::radial_error::RadialError;
+use crate::radial_error::{RadialError, within};
 
 impl Request<'_> {
     /// Refuses a precision that leaves nothing of a shape: no extent of a closed one, a point of an arc.
@@ -37,15 +37,7 @@ impl Request<'_> {
 
     /// Refuses a precision that moves an end of an arc farther than the tolerance, whatever the number of segments.
     pub(super) fn check_ends(&self, tolerance: f64) -> Result<()> {
-        let moved = self.ends_moved();
-        if moved > tolerance {
-            let distance = rounded_up(moved, 3);
-            return Err(Error::Rounding {
-                distance,
-                tolerance,
-            });
-        }
-        Ok(())
+        within(self.ends_moved(), tolerance)
     }
 
     /// How far the precision that was asked for moves the ends of an arc.
@@ -75,14 +67,6 @@ pub(super) fn of_line(
     tolerance: Option<f64>,
 ) -> Result<RadialError> {
     let moved = largest_move(exact, rounded);
-    match tolerance {
-        Some(tolerance) if moved > tolerance => {
-            let distance = rounded_up(moved, 3);
-            Err(Error::Rounding {
-                distance,
-                tolerance,
-            })
-        }
-        _ => Ok(RadialError::balanced(moved)),
-    }
+    within(moved, tolerance.unwrap_or(f64::INFINITY))?;
+    Ok(RadialError::balanced(moved))
 }
