@@ -363,7 +363,6 @@ impl<'a> Request<'a> {
         let error = sketch
             .measured
             .unwrap_or_else(|| radial::error(&curve.segments, &self.outline.truth));
-        let error = error.with_ends(self.ends_moved());
         Drawing {
             shape: *self.shape,
             rule: self.options.rule,

@@ -211,12 +211,8 @@ impl Conic {
     /// ```
     pub fn draw(&self, options: &Options) -> Result<Drawing> {
         let map = options.transform;
-        let conic = Self::new(
-            map * self.from,
-            map * self.control,
-            map * self.to,
-            self.weight,
-        )?;
+        let [from, control, to] = [self.from, self.control, self.to].map(|p| map * p);
+        let conic = Self::new(from, control, to, self.weight)?;
         let method = conic.method(options.rule)?;
         let finish = |segments: Vec<PathSeg>| conic.finish(segments, method, options);
         match (&options.cut, method) {

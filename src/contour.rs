@@ -8,7 +8,7 @@ use kurbo::{Line, PathSeg, Point, Rect};
 
 use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
-use crate::curve::{Curve, ends_moved, largest_move};
+use crate::curve::{Curve, largest_move};
 use crate::error::Result;
 use crate::joints::{Cut, Tolerance};
 use crate::measure::radial;
@@ -288,9 +288,7 @@ impl Finisher<'_> {
                     let outline = Shape::Arc(*arc).outline();
                     if let Some(outline) = outline {
                         let outline = outline.transformed(self.options.transform)?;
-                        let ends = ends_moved(&sketch.curve, &curve);
-                        let of_arc = radial::error(&curve.segments, &outline.truth);
-                        error = error.with(of_arc.with_ends(ends));
+                        error = error.with(radial::error(&curve.segments, &outline.truth));
                         radius = radius.max(outline.truth.larger_radius());
                         truths.push((
                             segments.len()..segments.len() + curve.segments.len(),

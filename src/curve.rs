@@ -103,17 +103,6 @@ impl Curve {
     }
 }
 
-/// How far the ends of a curve moved at most.
-pub(crate) fn ends_moved(before: &Curve, after: &Curve) -> f64 {
-    let end = |curve: &Curve| curve.segments.last().map(kurbo::ParamCurve::end);
-    let pairs = [
-        before.start().zip(after.start()),
-        end(before).zip(end(after)),
-    ];
-    let moved = pairs.into_iter().flatten();
-    moved.map(|(p, q)| p.distance(q)).fold(0.0, f64::max)
-}
-
 /// How far control points moved at most.
 pub(crate) fn largest_move(before: &Curve, after: &Curve) -> f64 {
     let points = |curve: &Curve| -> Vec<Point> {

@@ -50,20 +50,6 @@ impl RadialError {
         }
     }
 
-    /// The error of an arc whose ends are this far from where they should be, of which its distance from the whole shape says nothing.
-    #[must_use]
-    pub(crate) fn with_ends(mut self, moved: f64) -> Self {
-        if moved > self.peak() {
-            let side = if self.outward < self.inward {
-                &mut self.inward
-            } else {
-                &mut self.outward
-            };
-            *side = moved;
-        }
-        self
-    }
-
     /// The distances after everything may have moved so far.
     #[must_use]
     pub(crate) fn with_more(self, moved: f64) -> Self {

@@ -82,15 +82,6 @@ pub(super) fn drawing(
     } else {
         approximate(&shape_asked, options)?
     };
-    if let (true, Some(start), Some(first)) = (extremes, shape.start(), drawing.angles.first())
-        && (first - start.degrees() + 180.0).rem_euclid(360.0) - 180.0 != 0.0
-        && drawing.curve.closed
-    {
-        return Err(Failure::request_with_hint(
-            format!("--start {} is no extreme of the shape", start.degrees()),
-            "with --extremes a closed shape starts at the first of them; --start may name another of them",
-        ));
-    }
     if shape.open() {
         drawing.curve.closed = false;
     }

@@ -46,18 +46,7 @@ pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
             "path data begins with a moveto, such as M0 0; - reads standard input",
         ));
     }
-    let (data, name) = text(Path::new(words))?;
-    let hint = match data.trim_start() {
-        svg if svg.starts_with('<') => {
-            "an SVG file goes through 'curveto convert'; 'curveto measure --file' measures its paths"
-        }
-        postscript if postscript.starts_with('%') => "'curveto diff' reads PostScript drawings",
-        _ => return Ok((data, name)),
-    };
-    Err(Failure::request_with_hint(
-        format!("{name} holds no path data"),
-        hint,
-    ))
+    text(Path::new(words))
 }
 
 /// Coefficients as JSON: what stands in `words` itself where that begins like JSON, else in the file of that name or on standard

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use curveto::approximate::Options;
 use curveto::arcs;
-use curveto::contour::draw;
+use curveto::contour::{Contour, draw};
 use curveto::path::{contours, contours_of_power};
 use curveto::write::Format;
 
@@ -12,6 +12,18 @@ use super::args::{PathArgs, PathKind as Kind};
 use super::failure::Failure;
 use super::output::write_drawn;
 use super::{Outcome, input};
+
+/// The contours of path data; says what reads other files.
+fn read(data: &str) -> Result<Vec<Contour>, Failure> {
+    let hint = match data.trim_start().chars().next() {
+        Some('<') => {
+            "an SVG file goes through 'curveto convert'; 'curveto measure --file' measures its paths"
+        }
+        Some('%') => "'curveto diff' reads PostScript drawings",
+        _ => return Ok(contours(data)?),
+    };
+    contours(data).map_err(|error| Failure::request_with_hint(error.to_string(), hint))
+}
 
 pub(super) fn run(args: &PathArgs) -> Outcome {
     let format = args.output.format()?;
@@ -24,7 +36,7 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
     let elliptic = args.elliptic()?;
     let contours = match &args.power {
         Some(words) => contours_of_power(&input::coefficients(words)?)?,
-        None => contours(&input::path_data(args.source.as_deref().unwrap_or_default())?.0)?,
+        None => read(&input::path_data(args.source.as_deref().unwrap_or_default())?.0)?,
     };
     let (precision, transform) = (args.output.rounding(format), args.output.transform());
     let mut drawing = match args.kind() {

@@ -8,6 +8,7 @@ use crate::contour::Closeness;
 use crate::course::{Course, Step};
 use crate::error::{Error, Result};
 use crate::number::{Precision, compact, rounded_up, significant, text};
+use crate::numeric::functions::power;
 
 /// The part of the size of a course by which rounding may move it where no decimals were asked for.
 const ROUNDING_PART: f64 = 1e-6;
@@ -151,12 +152,14 @@ fn told(precision: Precision, moved: f64, closeness: Option<Closeness>) -> Strin
     let Precision::Fixed(decimals) = precision else {
         return "exact".to_owned();
     };
-    if moved == 0.0 {
-        return "exact".to_owned();
-    }
     let s = if decimals == 1 { "" } else { "s" };
+    let rounding = format!("exact but for rounding to {decimals} decimal{s}");
+    // What is far below the last decimal is noise of the arithmetic that found it.
+    if moved * power(10.0, i32::from(decimals)) < 1e-3 {
+        return rounding;
+    }
     let within = compact(rounded_up(moved, 3), 3);
-    format!("exact but for rounding to {decimals} decimal{s}, which moves it by up to {within}")
+    format!("{rounding}, which moves it by up to {within}")
 }
 
 /// A comment stands in parentheses, which must not nest.

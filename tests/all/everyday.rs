@@ -534,17 +534,9 @@ fn stated_and_found(words: &[&str], truth: &str) -> [f64; 2] {
 }
 
 #[test]
-fn what_is_stated_holds_where_rounding_moves_ends_and_lines() {
+fn what_is_stated_holds_where_rounding_moves_lines_and_quadratics() {
     for (words, truth) in [
-        // A short arc whose ends move along it, one in a path, a line, and quadratics in a cubic's place.
-        (
-            &["arc", "10", "--end", "2", "-p", "1"][..],
-            "M10 0A10 10 0 0 1 9.99390827 0.34899497",
-        ),
-        (
-            &["path", "M0.4 0A1000 1000 0 0 1 17.6 0", "-p", "0"],
-            "M0.4 0A1000 1000 0 0 1 17.6 0",
-        ),
+        // A line, and quadratics in a cubic's place.
         (
             &[
                 "arc",
@@ -554,7 +546,7 @@ fn what_is_stated_holds_where_rounding_moves_ends_and_lines() {
                 "2.4,2.4",
                 "-p",
                 "0",
-            ],
+            ][..],
             "M0.4 0.4L2.4 2.4",
         ),
         (
@@ -575,11 +567,6 @@ fn what_is_stated_holds_where_rounding_moves_ends_and_lines() {
         assert!(stated >= 0.999_999 * found, "{words:?}: {stated} {found}");
         assert!(stated <= 3.0 * found, "{words:?}: {stated} {found}");
     }
-    let [stated, _] = stated_and_found(&["arc", "10", "--end", "90"], "M10 0A10 10 0 0 1 0 10");
-    assert!(
-        stated < 2.2e-3,
-        "rounding by itself moves the ends of no other arc so far: {stated}"
-    );
 }
 
 #[test]
@@ -600,7 +587,7 @@ fn what_a_format_has_itself_is_stated_as_exact() {
     let told = |arguments: &[&str]| String::from_utf8(run(arguments).stderr).unwrap();
     assert_eq!(
         told(&["circle", "5", "-f", "gcode", "-v"]),
-        "Circle of radius 5, exact\n"
+        "Circle of radius 5, exact but for rounding to 6 decimals\n"
     );
     let dxf = ["arc", "5", "--end", "90", "-f", "dxf", "-v"];
     assert_eq!(told(&dxf), "Arc of radius 5 over 90 degrees, exact\n");

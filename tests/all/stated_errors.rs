@@ -84,7 +84,8 @@ fn check(cases: &[(Method, Cut, usize)], shape: impl Fn(usize) -> Shape + Sync) 
             };
             match approximate(&shape(*place), &options) {
                 Ok(drawing) => Some(compare(&drawing, PLACES[*place].0, PLACES[*place].1)),
-                Err(Error::Impossible { .. }) => None,
+                // A tiny arc of which rounding would leave a point is refused.
+                Err(Error::Impossible { .. } | Error::Collapsed { .. }) => None,
                 Err(other) => Some(Some(other.to_string())),
             }
         })
