@@ -83,11 +83,12 @@ fn text(difference: &Difference, args: &DiffArgs) -> String {
     };
     let distance = difference.distance();
     if distance > 0.0 {
-        let _ = writeln!(
-            out,
-            "{subpaths} within {}",
-            bound(distance, difference.noise)
-        );
+        let bound = bound(distance, difference.noise);
+        let _ = if difference.is_within() {
+            writeln!(out, "{subpaths} within {bound}")
+        } else {
+            writeln!(out, "{subpaths} up to {bound} apart")
+        };
     } else {
         let _ = writeln!(out, "{subpaths} with equal segments");
     }

@@ -237,7 +237,10 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
         ErrorKind::MissingRequiredArgument => match command {
             "circle" | "sphere" => Some(format!("for example: curveto {command} 50")),
             "ellipse" => Some("for example: curveto ellipse 30 20".to_owned()),
-            "path" => Some("for example: curveto path 'M0 0A5 5 0 0 1 10 0'".to_owned()),
+            "path" => Some(
+                "for example: curveto path 'M0 0A5 5 0 0 1 10 0'; - reads standard input"
+                    .to_owned(),
+            ),
             "measure" => Some("for example: curveto measure circle 50".to_owned()),
             "explore" => Some("for example: curveto explore circle 50 -o page.html".to_owned()),
             "conic" => Some(
