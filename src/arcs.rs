@@ -2,6 +2,7 @@
 
 mod bound;
 mod bows;
+mod builder;
 mod chain;
 mod chords;
 mod fit;
@@ -29,7 +30,7 @@ const DEFAULT_PART: f64 = 1e-3;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
     /// How far they may lie from what was given; a part is one of half the larger side of the subpath's box. Without it, a
-    /// thousandth of that and what rounding to the decimals of the file moves a point.
+    /// thousandth of that and what rounding moves a point: to the decimals of the file, or to fewer that are asked for.
     pub tolerance: Option<Tolerance>,
     /// How points are rounded, those that were given too; without it these stay as they are.
     pub precision: Option<Precision>,
@@ -133,7 +134,7 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
             (from, at, moved) = (to, cut, shift);
         }
     }
-    if error > plan.tolerance && options.tolerance.is_some() {
+    if error > plan.tolerance {
         return Err(plan.too_coarse());
     }
     Ok(Subpath {
@@ -176,11 +177,12 @@ impl Plan {
         let bounds = pieces.iter().map(Piece::bounding_box);
         let bounds = bounds.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
         let size = bounds.width().max(bounds.height()) / 2.0;
-        let tolerance = match options.tolerance {
-            Some(tolerance) => positive("tolerance", tolerance.for_radius(size))?,
-            None => {
-                DEFAULT_PART * size + Precision::Fixed(decimals_given(contour)).farthest_moved()
-            }
+        let tolerance = if let Some(tolerance) = options.tolerance {
+            positive("tolerance", tolerance.for_radius(size))?
+        } else {
+            let given = Precision::Fixed(decimals_given(contour)).farthest_moved();
+            let asked = options.precision.map_or(0.0, Precision::farthest_moved);
+            DEFAULT_PART * size + given.max(asked)
         };
         let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
         let largest = corners

@@ -2,30 +2,28 @@
 
 use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
-use super::bound::from_chord;
+use super::builder::{Builder, Span};
 use super::chain::runs_on;
-use super::fit::{Fit, Search, arc_of};
-use super::near::{bound, moved};
+use super::fit::Search;
+use super::near::moved;
 use super::piece::{Piece, cubic_from_chord};
-use super::recognize::{self, Found, Rules};
+use super::recognize::{self, Rules};
 use super::{Options, Plan, decimals_given, pieces};
 use crate::Angle;
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step, Subpath};
-use crate::course::{self, CircularArc, Course};
-use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::course::{self, Course};
+use crate::error::Result;
 use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
 use crate::number::Precision;
-use crate::radial_error::RadialError;
 use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Shape};
 
 /// The part of the tolerance within which an elliptical arc becomes cubics first.
 const ELLIPSE_PART: f64 = 0.02;
 
-/// How many decimals more a radius may have than the points, where these are not enough for it.
-const MORE_DECIMALS: u8 = 8;
+/// The part of what rounding leaves of the tolerance that pieces may use, where what it may do to arcs leaves less.
+const LEAST_PART: f64 = 0.25;
 
 /// The most decimals of what was given that are believed: beyond, digits are noise.
 const MOST_DECIMALS: u8 = 12;
@@ -72,46 +70,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
     builder.subpath(contour.closed)
 }
 
-/// What a stretch of a chain becomes.
-enum Span<'a> {
-    /// A line in place of a straight cubic.
-    Straight(&'a CubicBez),
-    /// An arc in place of cubics that were drawn as one.
-    Found(&'a [CubicBez], Found),
-    /// A piece of cubics that were not.
-    Fitted(Fit),
-}
-
-/// Writes the course of a subpath, rounding as it goes.
-struct Builder<'a> {
-    plan: Plan,
-    options: &'a Options,
-    rules: Rules,
-    course: Course,
-    /// Where the course is, as it is printed.
-    at: Point,
-    error: f64,
-}
-
 impl Builder<'_> {
-    fn subpath(self, closed: bool) -> Result<Subpath> {
-        // What holds for arcs by how they are made holds for lines that were given, unless few decimals were asked for.
-        if self.error > self.plan.tolerance && self.options.tolerance.is_some() {
-            return Err(self.plan.too_coarse());
-        }
-        Ok(Subpath {
-            curve: Curve {
-                segments: Vec::new(),
-                closed,
-            },
-            course: Some(self.course),
-            error: RadialError::balanced(self.error),
-            room: self.plan.left(self.error),
-            truths: Vec::new(),
-            radius: self.plan.size,
-        })
-    }
-
     /// A line, or an arc that was given.
     fn kept(&mut self, piece: &Piece, step: &Step) -> Result<()> {
         let Step::Arc(arc) = step else {
@@ -143,12 +102,15 @@ impl Builder<'_> {
             None
         };
         match kept {
-            Some((radii, rotation, sweep)) => self.kept_arc(piece, radii, rotation, sweep),
-            None => self.ellipse(arc),
+            Some((radii, rotation, sweep)) if self.kept_arc(piece, radii, rotation, sweep)? => {
+                Ok(())
+            }
+            _ => self.by_cubics(arc),
         }
     }
 
-    fn kept_arc(&mut self, piece: &Piece, radii: Vec2, rotation: f64, sweep: f64) -> Result<()> {
+    /// Appends an arc that was given, its ends rounded, unless that moves it too far.
+    fn kept_arc(&mut self, piece: &Piece, radii: Vec2, rotation: f64, sweep: f64) -> Result<bool> {
         let before = SvgArc {
             from: piece.start(),
             radii,
@@ -163,19 +125,21 @@ impl Builder<'_> {
             ..before
         };
         // Radii that were given are not rounded.
-        match (before.shape()?, after.shape()?) {
-            (Shape::Arc(old), Shape::Arc(new)) => {
-                self.error = self.error.max(moved(&old, &new));
-                self.push(&after, &new);
-            }
-            _ => self.line(before.from, before.to, 2.0 * radii.x.max(radii.y), true),
+        let (Shape::Arc(old), Shape::Arc(new)) = (before.shape()?, after.shape()?) else {
+            return Ok(false);
+        };
+        let off = moved(&old, &new);
+        if off > self.plan.tolerance {
+            return Ok(false);
         }
-        Ok(())
+        self.error = self.error.max(off);
+        self.push(&after, &new);
+        Ok(true)
     }
 
-    /// An arc of an ellipse by cubics first.
-    fn ellipse(&mut self, arc: &Arc) -> Result<()> {
-        let slack = ELLIPSE_PART * self.plan.tolerance;
+    /// An arc that was given as cubics first, and as what these become.
+    fn by_cubics(&mut self, arc: &Arc) -> Result<()> {
+        let slack = (ELLIPSE_PART * self.plan.tolerance).min(LEAST_PART * self.plan.room);
         let options = approximate::Options {
             cut: Cut::Tolerance(Tolerance::Absolute(slack)),
             precision: Some(Precision::Full),
@@ -195,21 +159,26 @@ impl Builder<'_> {
     /// Ends a chain of cubics, which stray this far from what was given.
     fn flush(&mut self, cubics: &mut Vec<CubicBez>, strayed: f64) -> Result<()> {
         let chain = core::mem::take(cubics);
-        let room = self.rules.absolute - strayed;
+        let room = self.plan.room - strayed;
+        let room = (self.rules.absolute - strayed).max(LEAST_PART * room);
+        // An arc that is found runs between ends that were given, with a radius that is not rounded.
+        let rounds = self.plan.rounds_given || self.options.rounds_again;
+        let rules = Rules {
+            absolute: if rounds {
+                room
+            } else {
+                self.plan.tolerance - strayed
+            },
+            ..self.rules
+        };
         let mut rest = &chain[..];
         while !rest.is_empty() {
             let joint = rest.windows(2).position(|pair| !self.runs_on(pair));
             let (smooth, others) = rest.split_at(joint.map_or(rest.len(), |i| i + 1));
-            for span in self.spans(smooth, room) {
+            for span in spans(smooth, &rules, room) {
                 self.span(&span, strayed)?;
             }
             rest = others;
-        }
-        if self.course.steps.len() > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count: self.course.steps.len(),
-                most: MOST_SEGMENTS,
-            });
         }
         Ok(())
     }
@@ -221,171 +190,48 @@ impl Builder<'_> {
             Precision::Fixed(self.rules.decimals).farthest_moved(),
         )
     }
+}
 
-    /// What smooth cubics become: those that were drawn as arcs such, unless that makes more of them.
-    fn spans<'a>(&self, chain: &'a [CubicBez], room: f64) -> Vec<Span<'a>> {
-        let rules = Rules {
-            absolute: room,
-            ..self.rules
+/// What smooth cubics become: those that were drawn as arcs such, unless that makes more of them.
+fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
+    let mut search = Search::new(room);
+    let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
+    while at < chain.len() {
+        let rest = &chain[at..];
+        let straight = is_straight(&rest[0]);
+        let found = if straight {
+            [None; 2]
+        } else {
+            recognize::halves(rest, rules)
         };
-        let mut search = Search::new(room);
-        let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
-        while at < chain.len() {
-            let rest = &chain[at..];
-            let straight = is_straight(&rest[0]);
-            let found = if straight {
-                [None; 2]
-            } else {
-                recognize::halves(rest, &rules)
-            };
-            let taken: usize = found.iter().flatten().map(|found| found.count).sum();
-            if taken == 0 && !straight {
-                at += 1;
-                continue;
-            }
-            let pieces = search.pieces(&chain[free..at], MOST_SEGMENTS);
-            spans.extend(pieces.into_iter().map(Span::Fitted));
-            if straight {
-                spans.push(Span::Straight(&rest[0]));
-            }
-            let mut begin = 0;
-            for found in found.into_iter().flatten() {
-                spans.push(Span::Found(&rest[begin..begin + found.count], found));
-                begin += found.count;
-            }
-            drawn += 1;
-            at += taken.max(1);
-            free = at;
+        let taken: usize = found.iter().flatten().map(|found| found.count).sum();
+        if taken == 0 && !straight {
+            at += 1;
+            continue;
         }
-        let pieces = search.pieces(&chain[free..], MOST_SEGMENTS);
+        let pieces = search.pieces(&chain[free..at], MOST_SEGMENTS);
         spans.extend(pieces.into_iter().map(Span::Fitted));
-        if drawn > 0 && spans.len() > 1 {
-            let fewer = search.pieces(chain, spans.len());
-            if fewer.len() < spans.len() {
-                spans = fewer.into_iter().map(Span::Fitted).collect();
-            }
+        if straight {
+            spans.push(Span::Straight(&rest[0]));
         }
-        spans
+        let mut begin = 0;
+        for found in found.into_iter().flatten() {
+            spans.push(Span::Found(&rest[begin..begin + found.count], found));
+            begin += found.count;
+        }
+        drawn += 1;
+        at += taken.max(1);
+        free = at;
     }
-
-    fn span(&mut self, span: &Span<'_>, strayed: f64) -> Result<()> {
-        match span {
-            Span::Straight(cubic) => {
-                let off = strayed + cubic_from_chord(cubic);
-                self.line(cubic.p0, cubic.p3, off, true);
-                Ok(())
-            }
-            Span::Found(cubics, found) => {
-                let to = self.plan.end(found.given.to);
-                let precision = if self.plan.rounds_given {
-                    self.plan.precision
-                } else {
-                    Precision::Full
-                };
-                self.arc(cubics, &found.given, to, &[precision], strayed)
-            }
-            Span::Fitted(fit) => self.fitted(fit, strayed),
+    let pieces = search.pieces(&chain[free..], MOST_SEGMENTS);
+    spans.extend(pieces.into_iter().map(Span::Fitted));
+    if drawn > 0 && spans.len() > 1 {
+        let fewer = search.pieces(chain, spans.len());
+        if fewer.len() < spans.len() {
+            spans = fewer.into_iter().map(Span::Fitted).collect();
         }
     }
-
-    fn fitted(&mut self, fit: &Fit, strayed: f64) -> Result<()> {
-        let (Some(first), Some(last)) = (fit.parts.first(), fit.parts.last()) else {
-            return Ok(());
-        };
-        let to = if fit.ends_given {
-            self.plan.end(last.p3)
-        } else {
-            self.plan.inner(last.p3)
-        };
-        let Some(half) = fit.half.filter(|_| self.at != to) else {
-            let off = strayed + from_chord(&fit.parts);
-            self.line(first.p0, last.p3, off, fit.ends_given);
-            return Ok(());
-        };
-        let precisions: Vec<_> = match self.plan.precision {
-            Precision::Fixed(decimals) if !self.plan.rounds_given => (decimals
-                ..=decimals + MORE_DECIMALS)
-                .map(Precision::Fixed)
-                .chain([Precision::Full])
-                .collect(),
-            precision => vec![precision],
-        };
-        self.arc(
-            &fit.parts,
-            &arc_of(self.at, to, half),
-            to,
-            &precisions,
-            strayed,
-        )
-    }
-
-    /// An arc in place of cubics, with the fewest decimals of its radii that keep it near enough.
-    fn arc(
-        &mut self,
-        parts: &[CubicBez],
-        like: &SvgArc,
-        to: Point,
-        precisions: &[Precision],
-        strayed: f64,
-    ) -> Result<()> {
-        let room = self.plan.tolerance - strayed;
-        let mut best: Option<(SvgArc, Arc, f64)> = None;
-        for precision in precisions {
-            let round = |x| precision.round(x);
-            let given = SvgArc {
-                from: self.at,
-                radii: Vec2::new(round(like.radii.x), round(like.radii.y)),
-                to,
-                ..*like
-            };
-            let Ok(Shape::Arc(arc)) = given.shape() else {
-                continue;
-            };
-            let off = bound(parts, &arc);
-            if best.as_ref().is_none_or(|(_, _, least)| off < *least) {
-                best = Some((given, arc, off));
-            }
-            if off <= self.plan.room - strayed {
-                break;
-            }
-        }
-        match best {
-            Some((given, arc, off)) if off <= room => {
-                self.error = self.error.max(off + strayed);
-                self.push(&given, &arc);
-                Ok(())
-            }
-            _ => Err(self.plan.too_coarse()),
-        }
-    }
-
-    fn line(&mut self, from: Point, to: Point, off: f64, ends_given: bool) {
-        let end = if ends_given {
-            self.plan.end(to)
-        } else {
-            self.plan.inner(to)
-        };
-        let moved = from.distance(self.at).max(to.distance(end));
-        self.error = self.error.max(off + moved);
-        self.course.steps.push(course::Step::Line(end));
-        self.at = end;
-    }
-
-    fn push(&mut self, given: &SvgArc, arc: &Arc) {
-        self.at = given.to;
-        self.course.steps.push(if arc.radii.x == arc.radii.y {
-            course::Step::Arc(CircularArc {
-                to: given.to,
-                center: arc.center,
-                radius: arc.radii.x,
-                start: arc.start,
-                sweep: arc.sweep,
-                ends_given: true,
-            })
-        } else {
-            course::Step::Elliptical(*given)
-        });
-    }
+    spans
 }
 
 fn is_straight(cubic: &CubicBez) -> bool {

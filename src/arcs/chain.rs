@@ -8,10 +8,7 @@ use crate::curve::turn;
 /// The largest turn at a joint, in degrees, over which an arc may run, where rounding explains no larger one.
 const SMOOTH_TURN: f64 = 1.0;
 
-/// How many points of one cubic are looked at, at least.
-const POINTS: usize = 12;
-
-/// How many of each of several.
+/// How many points of each of several cubics are looked at, at least.
 const POINTS_OF_SEVERAL: usize = 4;
 
 #[derive(Debug, Clone, Copy)]
@@ -54,10 +51,10 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Points between two parameters, ends left out.
-    pub(super) fn visit(&self, from: f64, to: f64, mut visit: impl FnMut(Point)) {
+    /// Points between two parameters, at least so many, ends left out.
+    pub(super) fn visit(&self, (from, to): (f64, f64), count: usize, mut visit: impl FnMut(Point)) {
         let (first, last) = (from as usize, (to.ceil() as usize).min(self.cubics.len()));
-        let count = POINTS.div_ceil(last - first).max(POINTS_OF_SEVERAL);
+        let count = count.div_ceil(last - first).max(POINTS_OF_SEVERAL);
         for i in first..last {
             let start = i as f64;
             let (a, b) = ((from - start).max(0.0), (to - start).min(1.0));

@@ -11,8 +11,17 @@ const DEEPEST: u32 = 40;
 
 /// The parameters at which the chords of a piece end, 1 the last. No more than one above [`MOST_SEGMENTS`] are found.
 pub(super) fn cuts(piece: &Piece, tolerance: f64) -> Vec<f64> {
-    if piece.chord_distance(0.0, 1.0) <= tolerance || piece.is_line() {
+    if piece.is_line() {
         return vec![1.0];
+    }
+    let whole = piece.chord_distance(0.0, 1.0);
+    if whole <= tolerance {
+        // A small loop stays one.
+        return if whole > 0.0 && piece.start() == piece.end() {
+            vec![1.0 / 3.0, 2.0 / 3.0, 1.0]
+        } else {
+            vec![1.0]
+        };
     }
     let longest = longest(piece, tolerance);
     let mut halved = Vec::new();

@@ -24,6 +24,21 @@ const USED: f64 = 0.995;
 /// How often an end is moved.
 const MOVES: usize = 60;
 
+/// How many points of a stretch are looked at, at least.
+const POINTS: usize = 12;
+
+/// How many where these say too little, as they do where the curve stands still.
+const MANY_POINTS: usize = 64;
+
+/// By how much more points may lower the bound.
+const MOVED_BY_POINTS: f64 = 1.25;
+
+/// The part by which a stretch is shortened first, where the bound says more than its points.
+const FIRST_STEP: f64 = 1e-3;
+
+/// The part of a stretch that is not looked for.
+const LEFT_OUT: f64 = 0.02;
+
 /// A line is taken where an arc is no more than this many times nearer.
 const NEARER: f64 = 2.0;
 
@@ -94,12 +109,12 @@ impl Search {
     /// The farthest end of an arc from here, as points of the chain have it.
     fn farthest(&mut self, chain: &Chain<'_>, from: f64, guess: f64) -> f64 {
         let end = chain.end().min(from + chain.reach());
-        if end - from <= 2.0 && self.nearest(chain, from, end).off <= self.room {
+        if end - from <= 2.0 && self.nearest(chain, (from, end), POINTS).off <= self.room {
             return end;
         }
         let (mut near, mut far, mut to) = (from, f64::INFINITY, (from + guess).min(end));
         for _ in 0..MOVES {
-            let off = self.nearest(chain, from, to).off;
+            let off = self.nearest(chain, (from, to), POINTS).off;
             if off <= self.room {
                 near = to;
                 if near >= end || off >= USED * self.room {
@@ -126,48 +141,85 @@ impl Search {
     }
 
     /// The piece from here to at most there that the bound lets be.
-    fn piece(&mut self, chain: &Chain<'_>, from: f64, mut to: f64) -> (f64, Fit) {
+    fn piece(&mut self, chain: &Chain<'_>, from: f64, end: f64) -> (f64, Fit) {
+        let (mut to, mut failed, mut step) = (end, end, FIRST_STEP);
         for _ in 0..MOVES {
-            let nearest = self.nearest(chain, from, to);
-            let fit = Fit {
-                parts: chain.between(from, to),
+            match self.attempt(chain, from, to) {
+                Ok(fit) => return self.longer(chain, from, (to, fit), failed),
+                Err(bound) => {
+                    failed = to;
+                    let factor = libm::cbrt(0.995 * self.room / bound);
+                    to = from + factor.clamp(0.5, 1.0 - step) * (to - from);
+                    step = (2.0 * step).min(0.5);
+                }
+            }
+        }
+        // Where not even the shortest fits, floats end: what is left is next to nothing.
+        let line = Fit {
+            parts: chain.between(from, failed),
+            half: None,
+            ends_given: failed.fract() == 0.0,
+        };
+        (failed, line)
+    }
+
+    /// A piece no shorter than one that fits, towards where none does.
+    fn longer(
+        &mut self,
+        chain: &Chain<'_>,
+        from: f64,
+        best: (f64, Fit),
+        mut failed: f64,
+    ) -> (f64, Fit) {
+        let (mut to, mut fit) = best;
+        while failed - to > LEFT_OUT * (to - from) {
+            let middle = 0.5 * (to + failed);
+            match self.attempt(chain, from, middle) {
+                Ok(more) => (to, fit) = (middle, more),
+                Err(_) => failed = middle,
+            }
+        }
+        (to, fit)
+    }
+
+    /// The piece between two parameters, or its bound where that is too far.
+    fn attempt(&mut self, chain: &Chain<'_>, from: f64, to: f64) -> Result<Fit, f64> {
+        let parts = chain.between(from, to);
+        let mut least = f64::INFINITY;
+        for points in [POINTS, MANY_POINTS] {
+            let nearest = self.nearest(chain, (from, to), points);
+            let mut fit = Fit {
+                parts: parts.clone(),
                 half: (nearest.off_line > NEARER * nearest.off).then_some(nearest.half),
                 ends_given: to.fract() == 0.0,
             };
             let bound = fit.bound();
             if bound <= self.room {
-                return (to, fit);
+                return Ok(fit);
             }
+            least = least.min(bound);
             if nearest.off_line <= self.room {
-                let line = Fit { half: None, ..fit };
-                if line.bound() <= self.room {
-                    return (to, line);
+                fit.half = None;
+                if fit.bound() <= self.room {
+                    return Ok(fit);
                 }
             }
-            let factor = libm::cbrt(0.995 * self.room / bound).clamp(0.5, 0.999);
-            let next = from + factor * (to - from);
-            if next <= from {
+            // More points move an arc by little.
+            if bound > MOVED_BY_POINTS * self.room {
                 break;
             }
-            to = next;
         }
-        // Where not even the shortest fits, floats end: what is left is next to nothing.
-        let line = Fit {
-            parts: chain.between(from, to),
-            half: None,
-            ends_given: to.fract() == 0.0,
-        };
-        (to, line)
+        Err(least)
     }
 
     /// The nearest arc between two parameters of a chain.
-    fn nearest(&mut self, chain: &Chain<'_>, from: f64, to: f64) -> Nearest {
+    fn nearest(&mut self, chain: &Chain<'_>, (from, to): (f64, f64), count: usize) -> Nearest {
         let (start, chord) = (chain.point(from), chain.point(to) - chain.point(from));
         let length = chord.hypot2().sqrt();
         let along = chord / length;
         self.points.clear();
         let (mut beyond, points) = (0.0_f64, &mut self.points);
-        chain.visit(from, to, |p| {
+        chain.visit((from, to), count, |p| {
             let v = p - start;
             let (x, y) = (along.dot(v), along.cross(v));
             beyond = beyond.max(-x).max(x - length);

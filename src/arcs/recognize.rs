@@ -31,6 +31,10 @@ const MORE_DECIMALS: u8 = 3;
 /// The part of the tolerance by which a radius is rounded that nobody meant.
 const NEAR_PART: f64 = 0.1;
 
+/// How many times the tolerance one cubic may lie from the circle through its ends and its middle: from the circle that was meant, which
+/// is looked for next, a balanced one lies half as far.
+const THROUGH_MIDDLE: f64 = 2.0;
+
 /// A run of cubics that is one arc.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Found {
@@ -224,19 +228,32 @@ fn rounded(cubics: &[CubicBez], arc: &Arc, decimals: u8) -> Option<SvgArc> {
 /// The arc of a circle through the ends and the middle of a run, where its cubics stay near it.
 fn circle_of(cubics: &[CubicBez], rules: &Rules) -> Option<Arc> {
     let [from, on, to] = ends_and_middle(cubics)?;
-    if from == to || is_askew(cubics, from, on, to, rules) {
+    // Of an ellipse a wider look would make a circle.
+    let times = if cubics.len() == 1 && !rules.elliptic {
+        THROUGH_MIDDLE
+    } else {
+        1.0
+    };
+    let room = |radius: f64| times * rules.room(radius);
+    if from == to || is_askew(cubics, from, on, to, room) {
         return None;
     }
     let Ok(Shape::Arc(arc)) = through(from, on, to) else {
         return None;
     };
-    let fits = within(arc.sweep) && strays(cubics, &arc) <= rules.room(larger(&arc));
+    let fits = within(arc.sweep) && strays(cubics, &arc) <= room(larger(&arc));
     fits.then_some(arc)
 }
 
 /// Whether a single cubic cannot be the arc of a circle through these points, as one look at two more of its points says: nearly
 /// every free curve ends here.
-fn is_askew(cubics: &[CubicBez], from: Point, on: Point, to: Point, rules: &Rules) -> bool {
+fn is_askew(
+    cubics: &[CubicBez],
+    from: Point,
+    on: Point,
+    to: Point,
+    room: impl Fn(f64) -> f64,
+) -> bool {
     let [cubic] = cubics else {
         return false;
     };
@@ -249,7 +266,7 @@ fn is_askew(cubics: &[CubicBez], from: Point, on: Point, to: Point, rules: &Rule
         ) / cross;
     let radius = center.distance_squared(from).sqrt();
     let off = |t: f64| (center.distance_squared(cubic.eval(t)).sqrt() - radius).abs();
-    let room = rules.room(radius);
+    let room = room(radius);
     // Written so that what is not a number goes on to the closer look.
     off(0.25) > room || off(0.75) > room
 }

@@ -330,6 +330,24 @@ fn gcode_says_how_closely_it_follows_and_refuses_too_few_decimals() {
 }
 
 #[test]
+fn curves_that_stand_still_at_their_ends_are_not_refused() {
+    let path = "M1 0C1 0 .85-.01 .475.304C.105.618 0 1.074 0 1.074";
+    let (peak, new) = stated(path, &["--to", "arcs"], "0.01");
+    assert!(peak <= 0.01, "{peak}");
+    let off = apart(&segments(path), &segments(&new)).unwrap();
+    assert!(off <= peak + 1e-4, "{new}: {off} beyond {peak}");
+    assert!(new.starts_with("M1 0A"), "{new}");
+}
+
+#[test]
+fn an_arc_that_was_meant_has_the_whole_tolerance() {
+    // Balanced cubics, which stray by 0.009851.
+    let path = "M50 0C50 27.596 27.596 50 0 50C-27.596 50-50 27.596-50 0";
+    let (_, new) = stated(path, &["--to", "arcs"], "0.01");
+    assert_eq!(new, "M50 0A50 50 0 0 1-50 0");
+}
+
+#[test]
 fn rounding_of_what_was_given_counts_too() {
     let (peak, path) = stated("M0 0L10.4 0", &["--to", "arcs", "-p", "0"], "1");
     assert_eq!(path, "M0 0L10 0");

@@ -1,0 +1,250 @@
+//! Lines and arcs as they are printed: rounded one after the other, and each of them measured after that.
+//!
+//! The ends of a piece are rounded before its arc is known, so that a small arc of a large sweep may stray farther than the tolerance.
+//! Its cubics then become shorter pieces, and chords where even these are too far: what chords of any curve stray is known beforehand.
+
+use kurbo::{CubicBez, Point, Vec2};
+
+use super::bound::from_chord;
+use super::chords;
+use super::fit::{Fit, Search, arc_of};
+use super::near::bound;
+use super::piece::Piece;
+use super::recognize::{Found, Rules};
+use super::{Options, Plan};
+use crate::contour::Subpath;
+use crate::course::{self, CircularArc, Course};
+use crate::curve::Curve;
+use crate::error::{Error, Result};
+use crate::joints::MOST_SEGMENTS;
+use crate::number::Precision;
+use crate::radial_error::RadialError;
+use crate::shape::endpoint::SvgArc;
+use crate::shape::{Arc, Shape};
+
+/// How many decimals more a radius may have than the points, where these are not enough for it.
+const MORE_DECIMALS: u8 = 8;
+
+/// The parts of the tolerance within which shorter pieces are looked for.
+const FINER: [f64; 2] = [0.5, 0.2];
+
+/// What a stretch of a chain becomes.
+pub(super) enum Span<'a> {
+    /// A line in place of a straight cubic.
+    Straight(&'a CubicBez),
+    /// An arc in place of cubics that were drawn as one.
+    Found(&'a [CubicBez], Found),
+    /// A piece of cubics that were not.
+    Fitted(Fit),
+}
+
+/// Writes the course of a subpath, rounding as it goes.
+pub(super) struct Builder<'a> {
+    pub(super) plan: Plan,
+    pub(super) options: &'a Options,
+    pub(super) rules: Rules,
+    pub(super) course: Course,
+    /// Where the course is, as it is printed.
+    pub(super) at: Point,
+    pub(super) error: f64,
+}
+
+impl Builder<'_> {
+    pub(super) fn subpath(self, closed: bool) -> Result<Subpath> {
+        if self.error > self.plan.tolerance {
+            return Err(self.plan.too_coarse());
+        }
+        Ok(Subpath {
+            curve: Curve {
+                segments: Vec::new(),
+                closed,
+            },
+            course: Some(self.course),
+            error: RadialError::balanced(self.error),
+            room: self.plan.left(self.error),
+            truths: Vec::new(),
+            radius: self.plan.size,
+        })
+    }
+
+    /// Appends what a stretch of cubics becomes, which stray this far from what was given.
+    pub(super) fn span(&mut self, span: &Span<'_>, strayed: f64) -> Result<()> {
+        let (parts, ends_given) = match span {
+            Span::Straight(cubic) => {
+                let off = strayed + from_chord(core::slice::from_ref(cubic));
+                self.line(cubic.p0, cubic.p3, off, true);
+                return self.counted();
+            }
+            Span::Found(cubics, found) => {
+                let precision = if self.plan.rounds_given {
+                    self.plan.precision
+                } else {
+                    Precision::Full
+                };
+                let to = self.plan.end(found.given.to);
+                if self.arc(cubics, &found.given, to, &[precision], strayed) {
+                    return self.counted();
+                }
+                (*cubics, true)
+            }
+            Span::Fitted(fit) => {
+                if self.fitted(fit, fit.ends_given, strayed) {
+                    return self.counted();
+                }
+                (&fit.parts[..], fit.ends_given)
+            }
+        };
+        self.finer(parts, ends_given, strayed)?;
+        self.counted()
+    }
+
+    fn counted(&self) -> Result<()> {
+        let count = self.course.steps.len();
+        if count > MOST_SEGMENTS {
+            return Err(Error::Count {
+                count,
+                most: MOST_SEGMENTS,
+            });
+        }
+        Ok(())
+    }
+
+    /// Appends a piece, unless rounding takes it too far.
+    fn fitted(&mut self, fit: &Fit, ends_given: bool, strayed: f64) -> bool {
+        let (Some(first), Some(last)) = (fit.parts.first(), fit.parts.last()) else {
+            return true;
+        };
+        let to = self.rounded(last.p3, ends_given);
+        let Some(half) = fit.half.filter(|_| self.at != to) else {
+            let off = strayed + from_chord(&fit.parts);
+            let moved = self.at.distance(first.p0).max(to.distance(last.p3));
+            let fits = off + moved <= self.plan.tolerance;
+            if fits {
+                self.line(first.p0, last.p3, off, ends_given);
+            }
+            return fits;
+        };
+        let precisions: Vec<_> = match self.plan.precision {
+            Precision::Fixed(decimals) if !self.plan.rounds_given => (decimals
+                ..=decimals + MORE_DECIMALS)
+                .map(Precision::Fixed)
+                .chain([Precision::Full])
+                .collect(),
+            precision => vec![precision],
+        };
+        let arc = arc_of(self.at, to, half);
+        self.arc(&fit.parts, &arc, to, &precisions, strayed)
+    }
+
+    /// Cubics as shorter pieces.
+    fn finer(&mut self, parts: &[CubicBez], ends_given: bool, strayed: f64) -> Result<()> {
+        let (steps, at, error) = (self.course.steps.len(), self.at, self.error);
+        for share in FINER {
+            let mut search = Search::new(share * (self.plan.room - strayed));
+            let fits = search.pieces(parts, MOST_SEGMENTS);
+            let last = fits.len().saturating_sub(1);
+            let mut fits = fits.iter().enumerate();
+            if fits.all(|(i, fit)| {
+                let given = if i == last {
+                    ends_given
+                } else {
+                    fit.ends_given
+                };
+                self.fitted(fit, given, strayed)
+            }) {
+                return Ok(());
+            }
+            self.course.steps.truncate(steps);
+            (self.at, self.error) = (at, error);
+        }
+        let again = if self.options.rounds_again {
+            2.0 * self.plan.precision.farthest_moved()
+        } else {
+            0.0
+        };
+        let room = self.plan.room - strayed - again;
+        let last = parts.len().saturating_sub(1);
+        for (i, part) in parts.iter().enumerate() {
+            let (piece, mut from) = (Piece::Cubic(*part), 0.0);
+            for to in chords::cuts(&piece, room) {
+                let given = to == 1.0 && (i < last || ends_given);
+                let off = strayed + piece.chord_distance(from, to);
+                self.line(piece.point(from), piece.point(to), off, given);
+                from = to;
+            }
+            self.counted()?;
+        }
+        Ok(())
+    }
+
+    /// Appends an arc in place of cubics, with the fewest decimals of its radii that keep it near enough, unless none do.
+    fn arc(
+        &mut self,
+        parts: &[CubicBez],
+        like: &SvgArc,
+        to: Point,
+        precisions: &[Precision],
+        strayed: f64,
+    ) -> bool {
+        let mut best: Option<(SvgArc, Arc, f64)> = None;
+        for precision in precisions {
+            let round = |x| precision.round(x);
+            let given = SvgArc {
+                from: self.at,
+                radii: Vec2::new(round(like.radii.x), round(like.radii.y)),
+                to,
+                ..*like
+            };
+            let Ok(Shape::Arc(arc)) = given.shape() else {
+                continue;
+            };
+            let off = bound(parts, &arc) + strayed;
+            if best.as_ref().is_none_or(|(_, _, least)| off < *least) {
+                best = Some((given, arc, off));
+            }
+            if off <= self.plan.room {
+                break;
+            }
+        }
+        let best = best.filter(|(_, _, off)| *off <= self.plan.tolerance);
+        if let Some((given, arc, off)) = &best {
+            self.error = self.error.max(*off);
+            self.push(given, arc);
+        }
+        best.is_some()
+    }
+
+    /// Appends a line between these points, which strays so far before they are rounded.
+    pub(super) fn line(&mut self, from: Point, to: Point, off: f64, ends_given: bool) {
+        let end = self.rounded(to, ends_given);
+        let moved = from.distance(self.at).max(to.distance(end));
+        self.error = self.error.max(off + moved);
+        self.course.steps.push(course::Step::Line(end));
+        self.at = end;
+    }
+
+    fn rounded(&self, p: Point, is_given: bool) -> Point {
+        if is_given {
+            self.plan.end(p)
+        } else {
+            self.plan.inner(p)
+        }
+    }
+
+    /// Appends an arc as it is printed.
+    pub(super) fn push(&mut self, given: &SvgArc, arc: &Arc) {
+        self.at = given.to;
+        self.course.steps.push(if arc.radii.x == arc.radii.y {
+            course::Step::Arc(CircularArc {
+                to: given.to,
+                center: arc.center,
+                radius: arc.radii.x,
+                start: arc.start,
+                sweep: arc.sweep,
+                ends_given: true,
+            })
+        } else {
+            course::Step::Elliptical(*given)
+        });
+    }
+}
