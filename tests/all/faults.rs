@@ -393,6 +393,18 @@ fn every_signal_ends_a_run_between_files() {
     }
 }
 
+/// Feeds `batch -o` a line and waits for its answer: from that moment on a signal is heard.
+fn first_line_answered(folder: &Path, child: &mut Child) -> std::process::ChildStdin {
+    wait_until("the new file", || !temporary(folder).is_empty());
+    let mut input = child.stdin.take().unwrap();
+    input.write_all(b"circle 0 0 5\n").unwrap();
+    wait_until("the answer", || {
+        let written = |path: &PathBuf| fs::metadata(path).is_ok_and(|data| data.len() > 0);
+        temporary(folder).iter().any(written)
+    });
+    input
+}
+
 #[test]
 fn a_signal_removes_what_batch_was_writing_and_leaves_the_old_file() {
     for (signal, code) in [("-INT", 130), ("-TERM", 143), ("-HUP", 129)] {
@@ -403,14 +415,7 @@ fn a_signal_removes_what_batch_was_writing_and_leaves_the_old_file() {
             .stdin(Stdio::piped())
             .spawn()
             .unwrap();
-        wait_until("the new file", || !temporary(folder.path()).is_empty());
-        // The signal is heard from the moment on in which the first answer is there.
-        let mut input = child.stdin.take().unwrap();
-        input.write_all(b"circle 0 0 5\n").unwrap();
-        wait_until("the answer", || {
-            let written = |path: &PathBuf| fs::metadata(path).is_ok_and(|data| data.len() > 0);
-            temporary(folder.path()).iter().any(written)
-        });
+        let input = first_line_answered(folder.path(), &mut child);
         kill(&child, signal);
         assert_eq!(child.wait().unwrap().code(), Some(code));
         drop(input);
@@ -431,13 +436,7 @@ fn a_signal_that_is_ignored_ends_nothing() {
         .stdin(Stdio::piped())
         .spawn()
         .unwrap();
-    wait_until("the new file", || !temporary(folder.path()).is_empty());
-    let mut input = child.stdin.take().unwrap();
-    input.write_all(b"circle 0 0 5\n").unwrap();
-    wait_until("the answer", || {
-        let written = |path: &PathBuf| fs::metadata(path).is_ok_and(|data| data.len() > 0);
-        temporary(folder.path()).iter().any(written)
-    });
+    let mut input = first_line_answered(folder.path(), &mut child);
     kill(&child, "-HUP");
     input.write_all(b"circle 0 0 6\n").unwrap();
     drop(input);
