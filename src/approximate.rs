@@ -302,6 +302,9 @@ impl<'a> Request<'a> {
     /// Between what the peak error on an ellipse lies by the lobes of the pieces.
     fn by_lobes(&self, joints: &Joints) -> Option<[f64; 2]> {
         let truth = &self.outline.truth;
+        if truth.is_circle() {
+            return None;
+        }
         let pieces = joints.angles.iter().zip(&joints.spans);
         let sizes = [truth.larger_radius(), self.reach()];
         adaptive::nearly(
@@ -311,7 +314,6 @@ impl<'a> Request<'a> {
             joints.sign,
             pieces.map(|(angle, span)| (*angle, span.degrees())),
         )
-        .filter(|_| !truth.is_circle())
     }
 
     /// The pieces between these joints: the only methods that see an ellipse are those that are best on it.

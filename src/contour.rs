@@ -152,11 +152,7 @@ impl PathDrawing {
             return Ok(());
         };
         for subpath in &self.subpaths {
-            let tolerance = match asked {
-                Tolerance::Absolute(distance) => distance,
-                Tolerance::Relative(part) => part * subpath.radius,
-            };
-            within(subpath.error.peak(), tolerance)?;
+            within(subpath.error.peak(), asked.for_radius(subpath.radius))?;
         }
         Ok(())
     }

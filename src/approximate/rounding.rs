@@ -19,12 +19,12 @@ impl Request<'_> {
         };
         let unit = power(10.0, i32::from(decimals));
         let (closed, sweep) = (self.outline.unit.closed, self.outline.unit.sweep.degrees());
-        let is_short = radii.x.max(radii.y) * sweep.abs().to_radians() * unit < 2.0;
-        if !(if closed {
+        let is_small = if closed {
             radii.x.min(radii.y) * unit < 1.0
         } else {
-            is_short
-        }) {
+            radii.x.max(radii.y) * sweep.abs().to_radians() * unit < 2.0
+        };
+        if !is_small {
             return Ok(());
         }
         let extent = sketch.rounded().bounding_box().unwrap_or_default();

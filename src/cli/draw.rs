@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use curveto::approximate::{Drawing, Options, approximate, approximate_at_extremes};
 use curveto::write::Format;
-use curveto::{Angle, Cut, Rule, Shape, Tolerance};
+use curveto::{Angle, Cut, Rule, Shape};
 
 use super::Outcome;
 use super::args::shape::{Direction, ShapeWords};
@@ -61,8 +61,7 @@ pub(super) fn draw(
     // Where nothing is said of how an arc is approximated, a format that has arcs gets the arc.
     manner.exact = approximation.is_silent() && matches!(drawing.shape, Shape::Arc(_));
     manner.room = match asked {
-        Cut::Tolerance(Tolerance::Absolute(distance)) => Some(distance),
-        Cut::Tolerance(Tolerance::Relative(part)) => Some(part * drawing.larger_radius()),
+        Cut::Tolerance(tolerance) => Some(tolerance.for_radius(drawing.larger_radius())),
         _ => None,
     };
     write_drawn(&drawing, format, &manner, output)?;

@@ -198,23 +198,13 @@ fn a_parabola_stays_exact_when_it_is_cut() {
         let expected = p * (1.0 - t) * (1.0 - t) + q * (2.0 * t * (1.0 - t)) + r * t * t;
         assert!((segment.start().to_vec2() - expected).hypot() < 1e-12);
     }
-    let words = [
-        "conic",
-        "--from",
-        "0,0",
-        "--control",
-        "1,2",
-        "--to",
-        "3,0",
-        "--weight",
-        "1",
-    ];
-    assert_eq!(printed(&words), "M0 0Q1 2 3 0\n");
+    let words = &measure("1")[1..];
+    assert_eq!(printed(words), "M0 0Q1 2 3 0\n");
     assert_eq!(
-        printed(&[&words[..], &["-t", "1e-9"]].concat()),
+        printed(&[words, &["-t", "1e-9"]].concat()),
         "M0 0Q1 2 3 0\n"
     );
-    assert!(printed(&[&words[..], &["-f", "ps"]].concat()).contains("curveto"));
+    assert!(printed(&[words, &["-f", "ps"]].concat()).contains("curveto"));
 }
 
 #[test]

@@ -133,17 +133,9 @@ pub(crate) fn hint_of_number(text: &str) -> Option<String> {
         return Some(format!("decimals come after a point: {pointed}"));
     }
     // Groups of three digits, not points of three coordinates.
-    let is_grouped = |text: &str| {
-        let mut groups = text
-            .split('.')
-            .next()
-            .unwrap_or_default()
-            .split(',')
-            .skip(1)
-            .peekable();
-        groups.peek().is_some() && groups.all(|group| group.len() == 3)
-    };
-    if is_grouped(text) && text.replace(',', "").parse::<f64>().is_ok() {
+    let whole = text.split('.').next().unwrap_or_default();
+    let is_grouped = whole.contains(',') && whole.split(',').skip(1).all(|group| group.len() == 3);
+    if is_grouped && text.replace(',', "").parse::<f64>().is_ok() {
         return Some(format!("numbers have no commas: {}", text.replace(',', "")));
     }
     if let Some(degrees) = text.strip_suffix('°') {
