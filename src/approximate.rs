@@ -224,13 +224,13 @@ impl<'a> Request<'a> {
                 let drawing = self.adaptive(*count)?;
                 Ok(Sketch::plain(drawing.curve, Precision::Full))
             }
-            Cut::At(angles) => self.cut(Joints::at(&self.outline.unit, angles)?, None),
+            Cut::At(angles) => self.cut(Joints::at(&self.outline.unit, angles)?, None, None),
             Cut::Tolerance(tolerance) => self.fewest(*tolerance),
         }
     }
 
     fn equal(&self, count: usize, tolerance: Option<f64>) -> Result<Sketch> {
-        self.cut(Joints::equal(&self.outline.unit, count)?, tolerance)
+        self.cut(Joints::equal(&self.outline.unit, count)?, None, tolerance)
     }
 
     /// This many segments at joints that equalise the error, or at equal angles where those do better.
@@ -239,21 +239,21 @@ impl<'a> Request<'a> {
         let Some(balance) = Balance::new(&self.outline, self.options.rule) else {
             return equal;
         };
-        let adaptive = self.finish(self.cut(balance.joints(count)?, None)?);
+        let adaptive = self.finish(self.cut(balance.joints(count)?, None, None)?);
         Ok(match equal {
             Ok(equal) if equal.error.peak() < adaptive.error.peak() => equal,
             _ => adaptive,
         })
     }
 
-    /// The curve through these joints.
-    fn cut(&self, joints: Joints, tolerance: Option<f64>) -> Result<Sketch> {
+    /// The curve through these joints; `told` is its peak error over the larger radius, where the lobes told it.
+    fn cut(&self, joints: Joints, told: Option<f64>, tolerance: Option<f64>) -> Result<Sketch> {
         let pieces = self.pieces(&joints)?;
         let curve = place(&self.outline, &joints, &pieces);
         let peak = self.peak_by_formula(&joints);
         let precision = self.options.precision.unwrap_or_else(|| {
             let most = tolerance.unwrap_or(f64::INFINITY);
-            self.automatic(peak, most, &joints, &curve.segments)
+            self.automatic([peak, told], most, &joints, &curve.segments)
         });
         let sketch = Sketch {
             joints: Some(joints),
@@ -266,16 +266,17 @@ impl<'a> Request<'a> {
             precision,
             peak,
             measured: None,
+            written: None,
         };
         self.check_extent(&sketch)?;
         Ok(sketch)
     }
 
-    /// The precision for a peak error of at most `most`. Mostly what the lobes of the pieces or samples tell of the peak asks for as many
+    /// The precision for a peak error of at most `most`; what is known of it as in [`Self::cut`]. Mostly what the lobes of the pieces or samples tell of the peak asks for as many
     /// decimals as the exact one.
     fn automatic(
         &self,
-        peak: Option<f64>,
+        [peak, told]: [Option<f64>; 2],
         most: f64,
         joints: &Joints,
         segments: &[PathSeg],
@@ -288,8 +289,8 @@ impl<'a> Request<'a> {
         }
         let truth = &self.outline.truth;
         let between = self
-            .by_lobes(joints)
-            .or_else(|| nearly(segments.iter().copied(), truth).between);
+            .by_lobes(joints, told)
+            .or_else(|| nearly(segments.iter().copied(), truth));
         if let Some([low, high]) = between {
             let precision = for_peak(low);
             if precision == for_peak(high) {
@@ -300,13 +301,16 @@ impl<'a> Request<'a> {
     }
 
     /// Between what the peak error on an ellipse lies by the lobes of the pieces.
-    fn by_lobes(&self, joints: &Joints) -> Option<[f64; 2]> {
+    fn by_lobes(&self, joints: &Joints, told: Option<f64>) -> Option<[f64; 2]> {
         let truth = &self.outline.truth;
         if truth.is_circle() {
             return None;
         }
         let pieces = joints.angles.iter().zip(&joints.spans);
         let sizes = [truth.larger_radius(), self.reach()];
+        if let Some(peak) = told {
+            return adaptive::around(self.options.rule, sizes, peak);
+        }
         adaptive::nearly(
             self.options.rule,
             self.outline.axes(),

@@ -9,7 +9,8 @@ use super::{ROUNDING_SHARE, Request, Sketch};
 use crate::error::{Error, Result};
 use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
-use crate::measure::radial::{self, nearly::bound, nearly::nearly};
+use crate::measure::radial;
+use crate::measure::radial::nearly::{bound, closer_bound, nearly};
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
@@ -33,6 +34,31 @@ const LUCK: f64 = 1.03;
 /// The parts of a tolerance, the largest first, for which joints are marched out: the measure decides which of them serves.
 const NEARLY: [f64; 10] = [1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7];
 
+/// Joints that are marched out when they are asked for.
+struct Marched<'a> {
+    balance: &'a Balance,
+    allowed: f64,
+    parts: [OnceCell<Vec<Joints>>; NEARLY.len()],
+}
+
+impl<'a> Marched<'a> {
+    const fn new(balance: &'a Balance, allowed: f64) -> Self {
+        Self {
+            balance,
+            allowed,
+            parts: [const { OnceCell::new() }; NEARLY.len()],
+        }
+    }
+
+    /// Those for every so many of the parts of a tolerance.
+    fn every(&self, step: usize) -> impl Iterator<Item = &Joints> {
+        let parts = self.parts.iter().zip(NEARLY).step_by(step);
+        parts.flat_map(|(joints, part)| {
+            joints.get_or_init(|| self.balance.greedy(part * self.allowed).collect())
+        })
+    }
+}
+
 impl Request<'_> {
     /// The fewest segments whose rounded curve is within the tolerance.
     pub(super) fn fewest(&self, tolerance: Tolerance) -> Result<Sketch> {
@@ -53,7 +79,7 @@ impl Request<'_> {
         }
         let mut last_refusal = None;
         for count in counts {
-            match self.within(Joints::equal(&self.outline.unit, count)?, tolerance) {
+            match self.within(Joints::equal(&self.outline.unit, count)?, None, tolerance) {
                 Ok(Some(sketch)) => return Ok(sketch),
                 Ok(None) => {}
                 Err(refusal @ Error::Impossible { .. }) => last_refusal = Some(refusal),
@@ -69,7 +95,8 @@ impl Request<'_> {
         counts: RangeInclusive<usize>,
         tolerance: f64,
     ) -> Result<Option<Sketch>> {
-        let within = |count| self.within(Joints::equal(&self.outline.unit, count)?, tolerance);
+        let equal = |count| Joints::equal(&self.outline.unit, count);
+        let within = |count| self.within(equal(count)?, None, tolerance);
         let (mut low, mut high) = counts.into_inner();
         if low > high {
             return Ok(None);
@@ -85,12 +112,12 @@ impl Request<'_> {
         Ok(found)
     }
 
-    /// The curve through these joints, where it is within the tolerance as it is written.
-    fn within(&self, joints: Joints, tolerance: f64) -> Result<Option<Sketch>> {
+    /// The curve through these joints, where it is within the tolerance as it is written; `told` as in [`Request::cut`].
+    fn within(&self, joints: Joints, told: Option<f64>, tolerance: f64) -> Result<Option<Sketch>> {
         if self.has_joint_beyond(&joints, tolerance) {
             return Ok(None);
         }
-        let mut sketch = self.cut(joints, Some(tolerance))?;
+        let mut sketch = self.cut(joints, told, Some(tolerance))?;
         Ok(self.is_within(&mut sketch, tolerance).then_some(sketch))
     }
 
@@ -108,22 +135,25 @@ impl Request<'_> {
         }
         let curve = sketch.rounded();
         let segments = || curve.segments.iter().copied();
-        let near = nearly(segments(), truth);
-        if near.between.is_some_and(|[low, _]| low > tolerance) {
-            return false;
-        }
         // A centre that follows from given ends is known to half the digits at worst.
         let knows_center = self.outline.ends.is_none() || tolerance > 1e-6 * self.reach();
         let is_certain = |most: f64| knows_center && most <= tolerance;
-        if is_certain(near.most) {
-            return true;
+        let most = bound(segments(), truth);
+        let is_bounded = is_certain(most) || {
+            if nearly(segments(), truth).is_some_and(|[low, _]| low > tolerance) {
+                return false;
+            }
+            is_certain(most / LOOSE) && is_certain(closer_bound(segments(), truth))
+        };
+        if !is_bounded {
+            let error = radial::error_within(&curve.segments, truth, tolerance);
+            sketch.measured = Some(error);
+            if error.peak() > tolerance {
+                return false;
+            }
         }
-        if is_certain(near.most / LOOSE) && is_certain(bound(segments(), truth)) {
-            return true;
-        }
-        let error = radial::error_within(&curve.segments, truth, tolerance);
-        sketch.measured = Some(error);
-        error.peak() <= tolerance
+        sketch.written = Some(curve);
+        true
     }
 
     /// Whether rounding alone moves a joint of the true shape beyond the tolerance: then nothing else needs to be looked at.
@@ -197,34 +227,35 @@ impl Request<'_> {
 
     /// The fewest segments at joints that equalise the error, at equal angles where those are fewer, or each as long as it can be.
     fn fewest_adaptive(&self, balance: &Balance, tolerance: f64) -> Option<Sketch> {
-        let within = |joints: Joints| self.within(joints, tolerance).ok().flatten();
+        let within_if_told = |joints, told| self.within(joints, told, tolerance).ok().flatten();
+        let within = |joints: Joints| within_if_told(joints, None);
         let radius = self.outline.truth.larger_radius();
         let allowed = (tolerance + self.rounding(tolerance)) / radius;
         // Rounding moves the error either way, and where the lobes do not tell it the weights know it to first order only.
-        let march = |part: &f64| balance.greedy(part * allowed);
-        let marched: OnceCell<Vec<Joints>> = OnceCell::new();
-        let all = || marched.get_or_init(|| NEARLY.iter().flat_map(march).collect());
-        let least = balance.least_count(allowed);
-        let first = least.or_else(|| {
-            if balance.is_quick() {
-                let some = NEARLY.iter().step_by(4);
-                some.flat_map(march).map(|joints| joints.count()).min()
-            } else {
-                all().iter().map(Joints::count).min()
-            }
+        let marched = Marched::new(balance, allowed);
+        let least = balance.least(allowed);
+        let is_told = least.is_some();
+        let first = least.as_ref().map(|least| least.count).or_else(|| {
+            let step = if balance.is_quick() { 4 } else { 1 };
+            marched.every(step).map(Joints::count).min()
         })?;
+        let mut begun = least.map(|least| least.level);
         (first..=MOST_SEGMENTS).take(MOST_BEYOND).find_map(|count| {
-            let adaptive = balance.joints(count).ok().and_then(within);
+            let adaptive = balance.joints_from(count, begun.take());
             let equal = || within(Joints::equal(&self.outline.unit, count).ok()?);
             let greedy = || {
                 // What rounding would have to bring far is not worth a march.
                 let near = LUCK * tolerance / radius;
-                if least.is_some() && balance.least_count(near) > Some(count) {
+                let least = || balance.least(near).map(|least| least.count);
+                if is_told && least() > Some(count) {
                     return None;
                 }
-                let mut of_count = all().iter().filter(|joints| joints.count() == count);
-                of_count.find_map(|joints| within(joints.clone()))
+                let mut all = marched.every(1);
+                all.find_map(|joints| within((joints.count() == count).then(|| joints.clone())?))
             };
+            let adaptive = adaptive
+                .ok()
+                .and_then(|(joints, told)| within_if_told(joints, told));
             adaptive.or_else(equal).or_else(greedy)
         })
     }

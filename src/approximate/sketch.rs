@@ -18,6 +18,8 @@ pub(crate) struct Sketch {
     pub(super) peak: Option<f64>,
     /// The error of the curve as it is written, where it was measured.
     pub(super) measured: Option<RadialError>,
+    /// The curve as it is written, where it is at hand.
+    pub(super) written: Option<Curve>,
 }
 
 impl Sketch {
@@ -30,11 +32,15 @@ impl Sketch {
             precision,
             peak: None,
             measured: None,
+            written: None,
         }
     }
 
     /// The curve as it is written.
     pub(crate) fn rounded(&self) -> Curve {
+        if let Some(curve) = &self.written {
+            return curve.clone();
+        }
         let kept = self.kept.as_ref().map_or(&[][..], |ends| &ends[..]);
         self.curve.rounded(self.precision, kept)
     }

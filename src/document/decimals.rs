@@ -58,7 +58,7 @@ pub(super) fn decimals(
     let segments = || drawn.path_segments(base + start, |offset| base + offset);
     let between = pieces
         .between(options.rule, truth.larger_radius(), largest)
-        .or_else(|| nearly(segments(), truth).between);
+        .or_else(|| nearly(segments(), truth));
     if let Some([low, high]) = between {
         let most = fewest(low, largest);
         if most == fewest(high, largest) {

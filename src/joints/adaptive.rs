@@ -21,6 +21,7 @@ use crate::error::Result;
 use crate::method::{Ends, Method, Rule};
 use crate::shape::{Axes, Outline, UnitArc};
 use errors::Errors;
+use level::Level;
 use lobes::Lobes;
 
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
@@ -56,10 +57,20 @@ pub(crate) fn serves(rule: Rule) -> bool {
 pub(crate) fn nearly(
     rule: Rule,
     axes: Axes,
-    [larger, reach]: [f64; 2],
+    sizes: [f64; 2],
     sign: f64,
     pieces: impl IntoIterator<Item = (f64, f64)>,
 ) -> Option<[f64; 2]> {
+    let lobes = Lobes::new(rule, f64::from(rule.method()?.card().order), axes.short);
+    let mut peak = 0.0_f64;
+    for (angle, size) in pieces {
+        peak = peak.max(lobes.of(sign * (angle - axes.angle), size)?.size);
+    }
+    around(rule, sizes, peak)
+}
+
+/// The same by what the lobes told of the pieces, over the larger radius.
+pub(crate) fn around(rule: Rule, [larger, reach]: [f64; 2], peak: f64) -> Option<[f64; 2]> {
     // Curves that stay on one side have one lobe, which strays far from its place.
     let has_three = matches!(
         rule,
@@ -67,11 +78,6 @@ pub(crate) fn nearly(
     );
     if !has_three {
         return None;
-    }
-    let lobes = Lobes::new(rule, f64::from(rule.method()?.card().order), axes.short);
-    let mut peak = 0.0_f64;
-    for (angle, size) in pieces {
-        peak = peak.max(lobes.of(sign * (angle - axes.angle), size)?.size);
     }
     let peak = larger * peak;
     (peak > OVER_ROUNDING * reach)
@@ -86,6 +92,8 @@ pub(crate) struct Balance {
     /// The parametric angle of an end of the short axis, in degrees.
     axis: f64,
     order: f64,
+    /// How much shorter segments of one error are at the sharp ends than at the others, by the method's order.
+    root: f64,
     largest_angle: f64,
 }
 
@@ -103,6 +111,7 @@ impl Balance {
             lobes: Lobes::new(rule, f64::from(card.order), axes.short),
             axis: axes.angle,
             order: f64::from(card.order),
+            root: libm::pow(axes.short, 1.0 / f64::from(card.order)),
             largest_angle: card.largest_angle,
         })
     }
@@ -149,15 +158,26 @@ impl Balance {
     ///
     /// As [`Joints::equal`], whose joints these are where so few segments have no room to differ.
     pub(crate) fn joints(&self, count: usize) -> Result<Joints> {
-        let equal = Joints::equal(&self.arc, count)?;
+        self.joints_from(count, None).map(|joints| joints.0)
+    }
+
+    /// The same from a cut of the whole sweep into as many segments that was begun; and the peak error over the larger radius, where the
+    /// lobes tell it.
+    pub(crate) fn joints_from(
+        &self,
+        count: usize,
+        begun: Option<Level>,
+    ) -> Result<(Joints, Option<f64>)> {
+        let equal = || Joints::equal(&self.arc, count).map(|joints| (joints, None));
         let mirrored = self.mirrors() && count.is_multiple_of(2);
         let pieces = if mirrored { count / 2 } else { count };
         if count > MOST || pieces < 2 {
-            return Ok(equal);
+            return equal();
         }
         let whole = self.computed(mirrored);
-        let Some(mut ways) = self.equalised(whole, pieces) else {
-            return Ok(equal);
+        let begun = begun.filter(|_| !mirrored);
+        let Some((mut ways, peak)) = self.equalised(whole, pieces, begun) else {
+            return equal();
         };
         let middle = self.arc.start.degrees() + whole.copysign(self.arc.sweep.degrees()) / 2.0;
         let symmetric = self.on_axis(middle);
@@ -181,26 +201,31 @@ impl Balance {
                 ways.push(2.0 * whole - ways[i]);
             }
         }
-        Ok(Joints::after(&self.arc, &ways))
+        Ok((Joints::after(&self.arc, &ways), peak))
     }
 
-    /// The lengths of this many segments of equal error, both ends included; `None` where the method's largest angle forbids it.
-    fn equalised(&self, whole: f64, pieces: usize) -> Option<Vec<f64>> {
-        if let Some(level) = self.level(whole, pieces, f64::INFINITY) {
-            return Some(level.ways);
+    /// The ways to the joints of this many segments of equal error, both ends included, and that where the lobes tell it; `None` where the method's largest angle forbids it.
+    fn equalised(
+        &self,
+        whole: f64,
+        pieces: usize,
+        begun: Option<Level>,
+    ) -> Option<(Vec<f64>, Option<f64>)> {
+        if let Some(level) = self.levelled(whole, pieces, begun) {
+            return Some((level.ways, Some(level.most)));
         }
         let count = pieces as f64;
         let mut joints = Vec::with_capacity(pieces + 1);
         let mut allowed = self.error(0.0, whole / count);
         if self.errors.is_rough(allowed) {
-            return self.narrowed(whole, pieces);
+            return Some((self.narrowed(whole, pieces)?, None));
         }
         for _ in 0..MOST_STEPS {
             let taken = self.march(whole, allowed, 2 * pieces + 8, &mut joints);
             if (taken / count - 1.0).abs() <= 1e-7 {
                 joints.truncate(pieces);
                 joints.push(whole);
-                return (joints.len() == pieces + 1).then_some(joints);
+                return (joints.len() == pieces + 1).then_some((joints, None));
             }
             allowed *= libm::pow(taken / count, self.order).clamp(1e-3, 1e3);
         }

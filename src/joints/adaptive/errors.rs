@@ -50,11 +50,6 @@ impl Errors {
         }
     }
 
-    /// The smaller radius over the larger one.
-    pub(super) const fn short(&self) -> f64 {
-        self.short
-    }
-
     /// Whether a piece costs no search.
     pub(super) const fn is_quick(&self) -> bool {
         self.is_quick

@@ -20,57 +20,98 @@ const CHANGE: f64 = 0.6;
 /// How far the lobes' error may be from the true one, as a part of it.
 const LOBES_OFF: f64 = 2e-3;
 
-/// A cut whose errors are alike.
-pub(super) struct Level {
+/// A cut whose errors become alike, step by step.
+pub(crate) struct Level {
     /// The ways to the joints, both ends included, in degrees.
     pub(super) ways: Vec<f64>,
+    /// The peaks between them.
+    peaks: Vec<Peak>,
     /// The least and the largest error, over the larger radius.
     pub(super) least: f64,
     pub(super) most: f64,
+    steps: usize,
 }
 
 impl Level {
-    /// The cut of `whole` degrees, which begin `from` degrees after the short axis, into this many segments; no more is computed once all
-    /// of them err less than an edge, or more. `None` where the lobes do not tell.
-    pub(super) fn new(
-        lobes: &Lobes,
-        from: f64,
-        whole: f64,
-        pieces: usize,
-        edge: f64,
-    ) -> Option<Self> {
-        let mut ways = lobes.spread(from, whole, pieces);
-        let mut peaks = Vec::with_capacity(pieces);
-        for _ in 0..MOST_STEPS {
-            peaks.clear();
-            for pair in ways.windows(2) {
-                peaks.push(lobes.of(from + pair[0], pair[1] - pair[0])?);
+    /// A cut of `whole` degrees from the start on into this many segments, from where the steps begin. `None` where the lobes do not tell.
+    fn new(balance: &Balance, whole: f64, pieces: usize) -> Option<Self> {
+        let from = balance.past_axis(0.0);
+        let mut level = Self {
+            ways: Lobes::spread(balance.root, from, whole, pieces),
+            peaks: Vec::with_capacity(pieces),
+            least: 0.0,
+            most: 0.0,
+            steps: 1,
+        };
+        level.measure(&balance.lobes, from)?;
+        Some(level)
+    }
+
+    /// Makes the errors alike; no more is computed once all of them are less than an edge, or more. `None` where the lobes do not tell.
+    fn refine(&mut self, lobes: &Lobes, from: f64, edge: f64) -> Option<()> {
+        loop {
+            let is_settled = self.least > edge || self.most < edge && edge.is_finite();
+            if is_settled || self.most <= ALIKE * self.least {
+                return Some(());
             }
-            let sizes = || peaks.iter().map(|peak| peak.size);
-            let least = sizes().fold(f64::INFINITY, f64::min);
-            let most = sizes().fold(0.0, f64::max);
-            let is_settled = least > edge || most < edge && edge.is_finite();
-            if is_settled || most <= ALIKE * least {
-                return Some(Self { ways, least, most });
+            if self.steps == MOST_STEPS {
+                return None;
             }
-            step(&mut ways, &peaks)?;
+            self.steps += 1;
+            step(&mut self.ways, &self.peaks)?;
+            self.measure(lobes, from)?;
         }
-        None
+    }
+
+    fn measure(&mut self, lobes: &Lobes, from: f64) -> Option<()> {
+        self.peaks.clear();
+        (self.least, self.most) = (f64::INFINITY, 0.0);
+        for pair in self.ways.windows(2) {
+            let peak = lobes.of(from + pair[0], pair[1] - pair[0])?;
+            self.least = self.least.min(peak.size);
+            self.most = self.most.max(peak.size);
+            self.peaks.push(peak);
+        }
+        Some(())
     }
 }
 
+/// The least count of segments whose errors may all be within an error, and a cut into as many that is on its way to equal ones.
+pub(crate) struct Least {
+    pub(crate) count: usize,
+    pub(crate) level: Level,
+}
+
 impl Balance {
-    /// This many segments of equal error, of `whole` degrees from the start on, where the lobes tell it.
-    pub(super) fn level(&self, whole: f64, pieces: usize, beyond: f64) -> Option<Level> {
+    /// This many segments, of `whole` degrees from the start on, whose errors are refined up to an edge, where the lobes tell them.
+    fn level(&self, whole: f64, pieces: usize, edge: f64) -> Option<Level> {
         if !self.errors.is_quick() {
             return None;
         }
-        Level::new(&self.lobes, self.past_axis(0.0), whole, pieces, beyond)
+        let mut level = Level::new(self, whole, pieces)?;
+        level.refine(&self.lobes, self.past_axis(0.0), edge)?;
+        Some(level)
+    }
+
+    /// This many segments of equal error, from a cut into as many that was begun where there is one.
+    pub(super) fn levelled(
+        &self,
+        whole: f64,
+        pieces: usize,
+        begun: Option<Level>,
+    ) -> Option<Level> {
+        match begun {
+            Some(mut level) => {
+                level.refine(&self.lobes, self.past_axis(0.0), f64::INFINITY)?;
+                Some(level)
+            }
+            None => self.level(whole, pieces, f64::INFINITY),
+        }
     }
 
     /// The least count of segments whose errors, over the larger radius, may all be within `allowed`: with one less they are beyond for
     /// any joints. `None` where the lobes do not tell.
-    pub(crate) fn least_count(&self, allowed: f64) -> Option<usize> {
+    pub(crate) fn least(&self, allowed: f64) -> Option<Least> {
         let allowed = allowed * (1.0 + LOBES_OFF);
         let whole = self.computed(false);
         // What no count up to it can do.
@@ -80,22 +121,27 @@ impl Balance {
             (count as f64 * times).min(MOST as f64).ceil() as usize
         };
         let quarters = whole / 90.0;
-        let mean = f64::midpoint(1.0, libm::pow(self.errors.short(), 1.0 / self.order));
+        let mean = f64::midpoint(1.0, self.root);
         let first = libm::pow(self.errors.on_circle(90.0) / allowed, 1.0 / self.order);
         let mut count = (quarters * mean * first).ceil().min(MOST as f64) as usize;
-        let mut within = usize::MAX;
+        let mut within: Option<Least> = None;
         for _ in 0..MOST_STEPS {
-            count = count.clamp(beyond + 1, within - 1);
+            let most = within.as_ref().map_or(usize::MAX, |least| least.count);
+            count = count.clamp(beyond + 1, most - 1);
             let level = self.level(whole, count, allowed)?;
             if level.least > allowed {
                 beyond = count;
                 count = by_law(count, level.least);
             } else {
-                within = count;
-                count = by_law(count, level.most).min(count - 1);
+                let next = by_law(count, level.most).min(count - 1);
+                within = Some(Least { count, level });
+                count = next;
             }
-            if within == beyond + 1 {
-                return Some(within);
+            if within
+                .as_ref()
+                .is_some_and(|least| least.count == beyond + 1)
+            {
+                return within;
             }
         }
         None

@@ -18,7 +18,7 @@
 
 use kurbo::Vec2;
 
-use crate::angle::Angle;
+use crate::angle::{Angle, first_direction};
 use crate::method::{Rule, Span};
 use crate::numeric::foot::foot;
 
@@ -101,8 +101,8 @@ impl Lobes {
     /// Whether that is within `allowed`.
     pub(super) fn is_within(&self, from: f64, size: f64, allowed: f64) -> bool {
         Segment::new(self, from, size).is_some_and(|segment| {
-            let mut lobes = segment.starts();
-            lobes.all(|v| {
+            let (starts, count) = segment.starts();
+            starts[..count].iter().all(|&v| {
                 let lobe = segment.at(v);
                 // Most segments that are too long are already so before a step.
                 lobe.distance <= allowed
@@ -122,9 +122,8 @@ impl Lobes {
         sizes.into_iter().flatten()
     }
 
-    /// Joints that lie as dense as the sixth root of the weight asks for, nearly, both ends included.
-    pub(super) fn spread(&self, from: f64, whole: f64, pieces: usize) -> Vec<f64> {
-        let root = libm::pow(self.short, 1.0 / self.order);
+    /// Joints that lie as dense as the sixth root of the weight asks for, nearly, both ends included; `root` is that of the least weight.
+    pub(super) fn spread(root: f64, from: f64, whole: f64, pieces: usize) -> Vec<f64> {
         let wave = 0.5 * (1.0 - root) / (1.0 + root);
         let lead = |degrees: f64| {
             let Vec2 { x, y } = Angle::from_degrees(from + degrees).direction();
@@ -155,7 +154,12 @@ impl Lobes {
 
 /// How many degrees after a sharp end this angle lies, the last one before it.
 fn after_sharp_end(from: f64) -> f64 {
-    (from - 90.0).rem_euclid(180.0)
+    let after = from - 90.0;
+    if (0.0..180.0).contains(&after) {
+        after
+    } else {
+        after.rem_euclid(180.0)
+    }
 }
 
 /// A segment, seen from the middle of its angle.
@@ -176,7 +180,11 @@ struct Segment {
 
 impl Segment {
     fn new(lobes: &Lobes, from: f64, size: f64) -> Option<Self> {
-        let span = Span::from_degrees(size);
+        let span = if size <= 180.0 {
+            Span::of_quarter(size / 4.0, first_direction(size / 4.0))
+        } else {
+            Span::from_degrees(size)
+        };
         let piece = lobes.rule.piece(&span).ok()?;
         let (sin, cos, k) = (span.sh, span.ch, piece.handle.y);
         let sharp = 2.0 * (180.0 - after_sharp_end(from)) / size - 1.0;
@@ -193,30 +201,32 @@ impl Segment {
         })
     }
 
-    /// The extremes of the excess, and the sharp end.
-    fn starts(&self) -> impl Iterator<Item = f64> {
+    /// The extremes of the excess, and the sharp end; and how many they are.
+    fn starts(&self) -> ([f64; 4], usize) {
         let [h, g] = self.excess;
         let outer = (1.0 + 8.0 * h / (3.0 * g)).max(0.0).sqrt();
+        let (mut starts, mut count) = ([0.0; 4], 1);
         // Curves that stay on one side have one lobe.
-        let [before, after] = [-outer, outer].map(|v| (outer < 1.0).then_some(v));
-        before
-            .into_iter()
-            .chain([0.0])
-            .chain(after)
-            .chain(self.sharp)
+        if outer < 1.0 {
+            (starts, count) = ([-outer, 0.0, outer, 0.0], 3);
+        }
+        if let Some(sharp) = self.sharp {
+            starts[count] = sharp;
+            count += 1;
+        }
+        (starts, count)
     }
 
     /// The largest distance.
     fn peak(&self) -> Option<Lobe> {
-        let mut lobes: [Option<Lobe>; 4] = [None; 4];
-        let mut highest = 0.0;
-        for (lobe, v) in lobes.iter_mut().zip(self.starts()) {
-            let at = self.at(v);
-            highest = f64::max(highest, at.top());
-            *lobe = Some(at);
+        let (starts, count) = self.starts();
+        let (mut lobes, mut highest) = ([Lobe::default(); 4], 0.0);
+        for (lobe, &v) in lobes.iter_mut().zip(&starts[..count]) {
+            *lobe = self.at(v);
+            highest = f64::max(highest, lobe.top());
         }
         let mut peak: Option<Lobe> = None;
-        for lobe in lobes.into_iter().flatten() {
+        for &lobe in &lobes[..count] {
             if lobe.top() < RIVAL * highest {
                 continue;
             }
@@ -231,10 +241,10 @@ impl Segment {
     /// The extreme of the distance beside a lobe.
     fn climbed(&self, mut lobe: Lobe) -> Lobe {
         for _ in 0..MOST_STEPS {
-            if lobe.gain() < GAIN {
+            if lobe.gain < GAIN {
                 break;
             }
-            let next = self.at(lobe.next());
+            let next = self.at((lobe.v + lobe.step).clamp(-1.0, 1.0));
             if next.distance <= lobe.distance {
                 break;
             }
@@ -253,68 +263,60 @@ impl Segment {
         let along = Vec2::new(-1.5 * v * self.bulge, y).rotate_scale(self.middle);
         let steep = self.flat * p.x;
         let square = steep * p.x + p.y * p.y;
-        let root = square.sqrt();
         let excess = -u * u * (h + g * u);
-        let second = excess * (steep * steep + p.y * p.y) / (4.0 * square * square);
-        let mut distance = (excess / (2.0 * root) * (1.0 + second)).abs();
-        let roughness = distance * self.flat / (square * root);
+        // Two quotients for all: they cost most here.
+        let (once, part) = (1.0 / square, 1.0 / excess);
+        let (root, twice) = (square.sqrt() * once, once * once);
+        let second = 0.25 * excess * (steep * steep + p.y * p.y) * twice;
+        let mut distance = (0.5 * excess * root * (1.0 + second)).abs();
+        let roughness = distance * self.flat * root * once;
         if roughness > ROUGH {
             let radii = Vec2::new(self.short, 1.0);
             distance = foot(radii, Vec2::new(self.short * p.x, p.y)).distance.abs();
         }
-        let rise = 0.5 * v * u * (2.0 * h + 3.0 * g * u) / excess;
-        let bend = (0.5 * u * (2.0 * h + 3.0 * g * u) - 0.5 * v * v * (h + 3.0 * g * u)) / excess;
+        let rise = 0.5 * v * u * (2.0 * h + 3.0 * g * u) * part;
+        let bend = (0.5 * u * (2.0 * h + 3.0 * g * u) - 0.5 * v * v * (h + 3.0 * g * u)) * part;
         let swing = self.flat - 1.0;
-        let turn = p.x * p.y * swing / square;
+        let turn = p.x * p.y * swing * once;
         // The second derivative of the weight's logarithm by the angle.
-        let weight = swing * (p.x * p.x - p.y * p.y) / square + 2.0 * turn * turn;
+        let weight = swing * (p.x * p.x - p.y * p.y) * once + 2.0 * turn * turn;
+        // The derivatives of the distance's logarithm by v, the second nearly, and a step of Newton's method.
+        let slope = rise - (steep * along.x + p.y * along.y) * once;
+        let bend = bend - rise * rise + weight * along.hypot2();
+        let step = -slope / bend;
+        let (step, gain) = if bend < 0.0 {
+            (step.clamp(-STEP, STEP), 0.5 * slope * step)
+        } else {
+            (STEP.copysign(slope), STEP * slope.abs())
+        };
         Lobe {
             v,
             distance,
             roughness,
-            slope: rise - (steep * along.x + p.y * along.y) / square,
-            bend: bend - rise * rise + weight * along.hypot2(),
+            gain,
+            step,
             turn,
         }
     }
 }
 
 /// A place on a segment beside an extreme of its distance.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Lobe {
     v: f64,
     /// Its distance, and the product of that with the curvature of the ellipse there.
     distance: f64,
     roughness: f64,
-    /// The derivatives of its logarithm by v, the second nearly.
-    slope: f64,
-    bend: f64,
+    /// What the extreme promises more, as a part of the distance, and the way there.
+    gain: f64,
+    step: f64,
     /// The derivative of the weight's logarithm by the angle.
     turn: f64,
 }
 
 impl Lobe {
-    /// What the extreme promises more, as a part of the distance.
-    fn gain(&self) -> f64 {
-        if self.bend < 0.0 {
-            -0.5 * self.slope * self.slope / self.bend
-        } else {
-            STEP * self.slope.abs()
-        }
-    }
-
     /// The extreme, by what is known here.
     fn top(&self) -> f64 {
-        self.distance * (1.0 + self.gain().min(1.0))
-    }
-
-    /// Where it lies.
-    fn next(&self) -> f64 {
-        let step = if self.bend < 0.0 {
-            (-self.slope / self.bend).clamp(-STEP, STEP)
-        } else {
-            STEP.copysign(self.slope)
-        };
-        (self.v + step).clamp(-1.0, 1.0)
+        self.distance * (1.0 + self.gain.min(1.0))
     }
 }

@@ -44,40 +44,44 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 const BELOW: f64 = 0.99;
 const ABOVE: f64 = 1.05;
 
-/// What samples tell of a peak distance.
-pub(crate) struct Nearly {
-    /// Between what it lies, where that is known; some point lies as far as the first in any case.
-    pub(crate) between: Option<[f64; 2]>,
-    /// What it is not larger than, for certain.
-    pub(crate) most: f64,
-}
-
-/// What samples tell of the peak distance of these segments from an ellipse.
-pub(crate) fn nearly(segments: impl IntoIterator<Item = PathSeg>, truth: &Truth) -> Nearly {
+/// Between what the peak distance of these segments from an ellipse lies, where samples tell it.
+pub(crate) fn nearly(
+    segments: impl IntoIterator<Item = PathSeg>,
+    truth: &Truth,
+) -> Option<[f64; 2]> {
     let (larger, smaller) = (truth.larger_radius(), truth.radii.x.min(truth.radii.y));
     let mut frame = Frame::new(truth);
-    let (mut attained, mut peak, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let (mut attained, mut peak) = (0.0_f64, 0.0_f64);
     for segment in segments {
         let samples = frame.samples(&segment.to_cubic(), &FEW_WEIGHTS);
         let (sample, top) = samples.peak();
         attained = attained.max(sample);
         peak = peak.max(top);
-        most = most.max(samples.bound(&frame));
     }
     let is_small = peak * larger <= FIRST_ORDER * smaller * smaller;
     let tells = larger <= FLATTEST * smaller && is_small && attained > OVER_ROUNDING * frame.reach;
-    Nearly {
-        between: tells.then_some([attained * BELOW, peak * ABOVE]),
-        most: most + frame.rounding(),
-    }
+    tells.then_some([attained * BELOW, peak * ABOVE])
 }
 
-/// A bound on the peak distance that is nearer to it, by more samples.
+/// What the peak distance is not larger than, for certain, by few samples.
 pub(crate) fn bound(segments: impl IntoIterator<Item = PathSeg>, truth: &Truth) -> f64 {
+    bound_by(&FEW_WEIGHTS, segments, truth)
+}
+
+/// The same, nearer to the peak, by more samples.
+pub(crate) fn closer_bound(segments: impl IntoIterator<Item = PathSeg>, truth: &Truth) -> f64 {
+    bound_by(&MANY_WEIGHTS, segments, truth)
+}
+
+fn bound_by<const N: usize>(
+    weights: &Weights<N>,
+    segments: impl IntoIterator<Item = PathSeg>,
+    truth: &Truth,
+) -> f64 {
     let mut frame = Frame::new(truth);
     let mut most = 0.0_f64;
     for segment in segments {
-        let samples = frame.samples(&segment.to_cubic(), &MANY_WEIGHTS);
+        let samples = frame.samples(&segment.to_cubic(), weights);
         most = most.max(samples.bound(&frame));
     }
     most + frame.rounding()
@@ -136,13 +140,7 @@ impl Frame {
             let arm = p - self.center;
             [self.rows[0].dot(arm), self.rows[1].dot(arm)]
         });
-        let along = |axis: usize| -> [f64; N] {
-            core::array::from_fn(|i| {
-                let sum = points[0][axis] * weights[0][i] + points[1][axis] * weights[1][i];
-                sum + points[2][axis] * weights[2][i] + points[3][axis] * weights[3][i]
-            })
-        };
-        let (x, y) = (along(0), along(1));
+        let (x, y) = (along(&points, 0, weights), along(&points, 1, weights));
         let [a, b] = self.squares.map(f64::recip);
         let mut samples = Samples {
             excess: [0.0; N],
@@ -157,6 +155,18 @@ impl Frame {
         }
         samples
     }
+}
+
+/// A coordinate at the samples. This loop and those below run over places, not over iterators of them: the compiler makes vectors of such.
+#[inline]
+fn along<const N: usize>(points: &[[f64; 2]; 4], axis: usize, weights: &Weights<N>) -> [f64; N] {
+    let [a, b, c, d] = points.map(|p| p[axis]);
+    let mut along = [0.0; N];
+    for i in 0..N {
+        let sum = a * weights[0][i] + b * weights[1][i];
+        along[i] = sum + c * weights[2][i] + d * weights[3][i];
+    }
+    along
 }
 
 /// Whether points turn about the origin one after the other, by less than half a turn.
@@ -181,8 +191,10 @@ struct Samples<const N: usize> {
 impl<const N: usize> Samples<N> {
     /// The largest sample of Sampson's distance |F|/(2√Q), and the peak of the parabola through it and its neighbours.
     fn peak(&self) -> (f64, f64) {
-        let squares: [f64; N] =
-            core::array::from_fn(|i| self.excess[i] * self.excess[i] * self.steepness[i]);
+        let mut squares = [0.0; N];
+        for i in 0..N {
+            squares[i] = self.excess[i] * self.excess[i] * self.steepness[i];
+        }
         let top = (0..N).fold(0, |top, i| if squares[i] > squares[top] { i } else { top });
         let distance = |i: usize| squares[i].sqrt() / 2.0;
         let sample = distance(top);
@@ -196,27 +208,31 @@ impl<const N: usize> Samples<N> {
     /// A bound on the distance.
     fn bound(&self, frame: &Frame) -> f64 {
         let step = PI / (N - 1) as f64;
-        let sizes = self.excess.map(f64::abs);
-        let largest =
-            sizes.iter().copied().fold(0.0, f64::max) / unit_vector(DEGREE * step / 2.0).x;
+        let most = self.excess.iter().fold(0.0_f64, |most, x| {
+            let size = x.abs();
+            if size > most { size } else { most }
+        });
+        let largest = most / unit_vector(DEGREE * step / 2.0).x;
         if !self.turns || largest > 0.5 {
             return f64::INFINITY;
         }
         let between = largest * (DEGREE * DEGREE * step * step / 8.0);
         let [a, b] = frame.squares;
-        // 1/G.
-        let slack: [f64; N] = core::array::from_fn(|i| (1.0 + self.excess[i]) * self.steepness[i]);
+        let larger = |a: f64, b: f64| if a > b { a } else { b };
+        // |F| and 1/G.
+        let (mut sizes, mut slack) = ([0.0; N], [0.0; N]);
+        for i in 0..N {
+            sizes[i] = self.excess[i].abs();
+            slack[i] = (1.0 + self.excess[i]) * self.steepness[i];
+        }
         let (mut square, mut ratio) = (0.0_f64, 0.0_f64);
         for i in 0..N - 1 {
-            let excess = sizes[i].max(sizes[i + 1]) + between;
-            let slack = if self.long[i] * self.long[i + 1] > 0.0 {
-                slack[i].max(slack[i + 1])
-            } else {
-                a.max(b)
-            };
-            let part = excess * slack;
-            ratio = ratio.max(part);
-            square = square.max(part * excess);
+            let excess = larger(sizes[i], sizes[i + 1]) + between;
+            let is_aside = self.long[i] * self.long[i + 1] > 0.0;
+            let slack = larger(slack[i], slack[i + 1]);
+            let part = excess * if is_aside { slack } else { a.max(b) };
+            ratio = larger(part, ratio);
+            square = larger(part * excess, square);
         }
         let inner = 1.0 - largest;
         let root = (1.0 - ratio / (a.min(b) * inner)).sqrt();
@@ -256,16 +272,17 @@ mod tests {
             for segment in &drawing.curve.segments {
                 let peak = radial::error([segment], &truth).peak();
                 let near = nearly([*segment], &truth);
-                assert!(near.most >= peak, "{} bounds {peak}", near.most);
-                let finer = bound([*segment], &truth);
+                let most = bound([*segment], &truth);
+                assert!(most >= peak, "{most} bounds {peak}");
+                let finer = closer_bound([*segment], &truth);
                 assert!(finer >= peak, "{finer} bounds {peak}");
-                let Some([low, high]) = near.between else {
+                let Some([low, high]) = near else {
                     continue;
                 };
                 told += 1;
                 assert!(low <= peak && peak <= high, "{low} {peak} {high}");
-                let is_tight = near.most <= 1.25 * peak + 1e-9;
-                assert!(is_tight || radii.1 < 30.0, "{} bounds {peak}", near.most);
+                let is_tight = most <= 1.25 * peak + 1e-9;
+                assert!(is_tight || radii.1 < 30.0, "{most} bounds {peak}");
             }
         }
         assert!(told > 5000, "{told}");
