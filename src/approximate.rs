@@ -15,7 +15,7 @@ use crate::curve::{Curve, largest_coordinate, turn};
 use crate::error::Result;
 use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Cut, Joints, Tolerance, quarters};
-use crate::measure::radial::{self, nearly::nearly};
+use crate::measure::radial::{self, nearly::decided};
 use crate::method::{Method, Piece, Rule, ellipse};
 use crate::number::Precision;
 use crate::place::place;
@@ -288,16 +288,13 @@ impl<'a> Request<'a> {
             return for_peak(peak);
         }
         let truth = &self.outline.truth;
-        let between = self
-            .by_lobes(joints, told)
-            .or_else(|| nearly(segments.iter().copied(), truth));
-        if let Some([low, high]) = between {
-            let precision = for_peak(low);
-            if precision == for_peak(high) {
-                return precision;
-            }
-        }
-        for_peak(radial::error_within(segments, truth, most).peak())
+        let decided = decided(
+            self.by_lobes(joints, told),
+            || segments.iter().copied(),
+            truth,
+            for_peak,
+        );
+        decided.unwrap_or_else(|| for_peak(radial::error_within(segments, truth, most).peak()))
     }
 
     /// Between what the peak error on an ellipse lies by the lobes of the pieces.

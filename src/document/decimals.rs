@@ -6,7 +6,7 @@ use super::Options;
 use super::segments::Beziers;
 use crate::approximate::ROUNDING_SHARE;
 use crate::joints::adaptive;
-use crate::measure::radial::{self, nearly::nearly};
+use crate::measure::radial::{self, nearly::decided};
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::number::decimal::MAX_DECIMALS;
@@ -56,17 +56,11 @@ pub(super) fn decimals(
         return fewest(pieces.error * truth.radii.x, largest);
     }
     let segments = || drawn.path_segments(base + start, |offset| base + offset);
-    let between = pieces
-        .between(options.rule, truth.larger_radius(), largest)
-        .or_else(|| nearly(segments(), truth));
-    if let Some([low, high]) = between {
-        let most = fewest(low, largest);
-        if most == fewest(high, largest) {
-            return most;
-        }
-    }
-    let segments: Vec<PathSeg> = segments().collect();
-    fewest(radial::error(&segments, truth).peak(), largest)
+    let told = pieces.between(options.rule, truth.larger_radius(), largest);
+    decided(told, segments, truth, |peak| fewest(peak, largest)).unwrap_or_else(|| {
+        let segments: Vec<PathSeg> = segments().collect();
+        fewest(radial::error(&segments, truth).peak(), largest)
+    })
 }
 
 /// The fewest decimals for this peak error; no more than coordinates up to `largest` have digits.

@@ -29,7 +29,6 @@ const GRID: f64 = 1.0 / (1 << 30) as f64;
 
 /// How often the error is halved, by its ratio, that equalises such segments.
 const NARROWINGS: u32 = 7;
-
 /// The most steps for the length of one segment, and for the error that makes the count whole.
 const MOST_STEPS: usize = 40;
 
@@ -158,7 +157,7 @@ impl Balance {
     ///
     /// As [`Joints::equal`], whose joints these are where so few segments have no room to differ.
     pub(crate) fn joints(&self, count: usize) -> Result<Joints> {
-        self.joints_from(count, None).map(|joints| joints.0)
+        Ok(self.joints_from(count, None)?.0)
     }
 
     /// The same from a cut of the whole sweep into as many segments that was begun; and the peak error over the larger radius, where the
@@ -179,8 +178,8 @@ impl Balance {
         let Some((mut ways, peak)) = self.equalised(whole, pieces, begun) else {
             return equal();
         };
-        let middle = self.arc.start.degrees() + whole.copysign(self.arc.sweep.degrees()) / 2.0;
-        let symmetric = self.on_axis(middle);
+        let half = whole.copysign(self.arc.sweep.degrees()) / 2.0;
+        let symmetric = self.on_axis(self.arc.start.degrees() + half);
         for i in 1..=pieces / 2 {
             let opposite = pieces - i;
             let mut pair = [ways[i], ways[opposite]];
@@ -274,8 +273,8 @@ mod tests {
     #[test]
     fn the_law_of_many_segments_is_the_mean_sixth_root_of_the_weight() {
         for (flatness, ratio) in [(0.5, 0.94), (0.2, 0.84), (0.1, 0.76), (0.01, 0.53)] {
-            let balance = Balance::new(&ellipse(flatness).outline().unwrap(), Rule::default());
-            let balance = balance.unwrap();
+            let outline = ellipse(flatness).outline().unwrap();
+            let balance = Balance::new(&outline, Rule::default()).unwrap();
             let allowed = 1e-22;
             let equal = 360.0 / balance.settled(0.0, allowed, 0.1);
             let ours = 2.0 * balance.march(180.0, allowed, 2 * MOST, &mut Vec::new());

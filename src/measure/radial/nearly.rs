@@ -17,6 +17,7 @@ use std::sync::LazyLock;
 
 use kurbo::{CubicBez, PathSeg, Point, Vec2};
 
+use super::distance;
 use crate::numeric;
 use crate::numeric::functions::unit_vector;
 use crate::shape::Truth;
@@ -36,6 +37,9 @@ const FLATTEST: f64 = 10.0;
 
 /// The least distance, as a multiple of the rounding of the coordinates, that samples can tell.
 const OVER_ROUNDING: f64 = 4000.0 * f64::EPSILON;
+
+/// The same where bounds decide.
+const WELL_OVER_ROUNDING: f64 = 1e-6;
 
 /// The rounding of a sample, in those of the coordinates.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
@@ -61,6 +65,43 @@ pub(crate) fn nearly(
     let is_small = peak * larger <= FIRST_ORDER * smaller * smaller;
     let tells = larger <= FLATTEST * smaller && is_small && attained > OVER_ROUNDING * frame.reach;
     tells.then_some([attained * BELOW, peak * ABOVE])
+}
+
+/// What is decided by the peak distance of these segments from an ellipse, where it is the same for all that the peak may be: by what
+/// is told of it, or by few samples, and then by many. `None` where only the peak itself decides.
+pub(crate) fn decided<T: PartialEq, S: IntoIterator<Item = PathSeg>>(
+    told: Option<[f64; 2]>,
+    segments: impl Fn() -> S,
+    truth: &Truth,
+    decide: impl Fn(f64) -> T,
+) -> Option<T> {
+    let same = |between: [f64; 2]| {
+        let [low, high] = between.map(&decide);
+        (low == high).then_some(low)
+    };
+    let between = told.or_else(|| nearly(segments(), truth));
+    between
+        .and_then(same)
+        .or_else(|| closely(segments(), truth).and_then(same))
+}
+
+/// Between what the peak distance lies, by the distance of the farthest of many samples and their bound; `None` where rounding counts
+/// beside it, or that of a centre that follows from given ends.
+fn closely(segments: impl IntoIterator<Item = PathSeg>, truth: &Truth) -> Option<[f64; 2]> {
+    let mut frame = Frame::new(truth);
+    let [mut low, mut high] = [0.0_f64; 2];
+    for segment in segments {
+        let cubic = segment.to_cubic();
+        let samples = frame.samples(&cubic, &MANY_WEIGHTS);
+        let top = samples.farthest();
+        let points = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(Point::to_vec2);
+        let weighted = (0..4).map(|k| points[k] * MANY_WEIGHTS[k][top]);
+        let place = weighted.fold(Vec2::ZERO, |sum, p| sum + p).to_point();
+        low = low.max(distance(truth, place).abs());
+        high = high.max(samples.bound(&frame));
+    }
+    let tells = low > WELL_OVER_ROUNDING * frame.reach && high.is_finite();
+    tells.then(|| [low - frame.rounding(), high + frame.rounding()])
 }
 
 /// What the peak distance is not larger than, for certain, by few samples.
@@ -189,13 +230,26 @@ struct Samples<const N: usize> {
 }
 
 impl<const N: usize> Samples<N> {
-    /// The largest sample of Sampson's distance |F|/(2√Q), and the peak of the parabola through it and its neighbours.
-    fn peak(&self) -> (f64, f64) {
+    /// The squares of twice Sampson's distance |F|/(2√Q).
+    #[inline]
+    fn squares(&self) -> [f64; N] {
         let mut squares = [0.0; N];
-        for i in 0..N {
-            squares[i] = self.excess[i] * self.excess[i] * self.steepness[i];
+        let samples = self.excess.iter().zip(&self.steepness);
+        for (square, (excess, steepness)) in squares.iter_mut().zip(samples) {
+            *square = excess * excess * steepness;
         }
-        let top = (0..N).fold(0, |top, i| if squares[i] > squares[top] { i } else { top });
+        squares
+    }
+
+    /// Which sample is the farthest by that.
+    fn farthest(&self) -> usize {
+        farthest(&self.squares())
+    }
+
+    /// The largest sample of Sampson's distance, and the peak of the parabola through it and its neighbours.
+    fn peak(&self) -> (f64, f64) {
+        let squares = self.squares();
+        let top = farthest(&squares);
         let distance = |i: usize| squares[i].sqrt() / 2.0;
         let sample = distance(top);
         if top == 0 || top == N - 1 {
@@ -245,6 +299,11 @@ impl<const N: usize> Samples<N> {
     }
 }
 
+/// Where the largest of these numbers stands, the first of them.
+fn farthest<const N: usize>(squares: &[f64; N]) -> usize {
+    (1..N).fold(0, |top, i| if squares[i] > squares[top] { i } else { top })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -276,6 +335,9 @@ mod tests {
                 assert!(most >= peak, "{most} bounds {peak}");
                 let finer = closer_bound([*segment], &truth);
                 assert!(finer >= peak, "{finer} bounds {peak}");
+                if let Some([low, high]) = closely([*segment], &truth) {
+                    assert!(low <= peak && peak <= high, "{low} {peak} {high}");
+                }
                 let Some([low, high]) = near else {
                     continue;
                 };
