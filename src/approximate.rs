@@ -1,29 +1,28 @@
 //! A shape, a rule and a cut become a curve whose error is known.
 
+mod decimals;
 mod extremes;
 mod fewest;
 mod rounding;
 mod rounds;
 mod sketch;
 
+pub(crate) use decimals::{Known, ROUNDING_SHARE, automatic_precision};
 pub use extremes::approximate_at_extremes;
 pub(crate) use sketch::Sketch;
 
 use kurbo::{Affine, PathSeg};
 
-use crate::curve::{Curve, largest_coordinate, turn};
+use crate::curve::{Curve, turn};
 use crate::error::Result;
-use crate::joints::adaptive::{self, Balance};
+use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, Tolerance, quarters};
-use crate::measure::radial::{self, nearly::decided};
+use crate::measure::radial;
 use crate::method::{Method, Piece, Rule, ellipse};
 use crate::number::Precision;
-use crate::place::place;
+use crate::place::Placed;
 use crate::radial_error::RadialError;
 use crate::shape::{Outline, Shape};
-
-/// The part of the peak error, or of the tolerance, that rounding for output may add.
-pub(crate) const ROUNDING_SHARE: f64 = 0.1;
 
 /// How to draw.
 #[derive(Debug, Clone, PartialEq)]
@@ -249,11 +248,20 @@ impl<'a> Request<'a> {
     /// The curve through these joints; `told` is its peak error over the larger radius, where the lobes told it.
     fn cut(&self, joints: Joints, told: Option<f64>, tolerance: Option<f64>) -> Result<Sketch> {
         let pieces = self.pieces(&joints)?;
-        let curve = place(&self.outline, &joints, &pieces);
+        let placed = Placed::new(&self.outline, &joints);
+        let curve = placed.curve(pieces, joints.closed);
         let peak = self.peak_by_formula(&joints);
         let precision = self.options.precision.unwrap_or_else(|| {
+            let known = Known {
+                rule: self.options.rule,
+                truth: &self.outline.truth,
+                axes: self.outline.axes(),
+                chain: &joints,
+                peak,
+                told,
+            };
             let most = tolerance.unwrap_or(f64::INFINITY);
-            self.automatic([peak, told], most, &joints, &curve.segments)
+            known.precision(most, || curve.segments.iter().copied())
         });
         let sketch = Sketch {
             joints: Some(joints),
@@ -270,51 +278,6 @@ impl<'a> Request<'a> {
         };
         self.check_extent(&sketch)?;
         Ok(sketch)
-    }
-
-    /// The precision for a peak error of at most `most`; what is known of it as in [`Self::cut`]. Mostly what the lobes of the pieces or samples tell of the peak asks for as many
-    /// decimals as the exact one.
-    fn automatic(
-        &self,
-        [peak, told]: [Option<f64>; 2],
-        most: f64,
-        joints: &Joints,
-        segments: &[PathSeg],
-    ) -> Precision {
-        let largest = largest_coordinate(segments);
-        let for_peak =
-            |peak: f64| Precision::moving_at_most(ROUNDING_SHARE * peak.min(most), largest);
-        if let Some(peak) = peak {
-            return for_peak(peak);
-        }
-        let truth = &self.outline.truth;
-        let decided = decided(
-            self.by_lobes(joints, told),
-            || segments.iter().copied(),
-            truth,
-            for_peak,
-        );
-        decided.unwrap_or_else(|| for_peak(radial::error_within(segments, truth, most).peak()))
-    }
-
-    /// Between what the peak error on an ellipse lies by the lobes of the pieces.
-    fn by_lobes(&self, joints: &Joints, told: Option<f64>) -> Option<[f64; 2]> {
-        let truth = &self.outline.truth;
-        if truth.is_circle() {
-            return None;
-        }
-        let pieces = joints.angles.iter().zip(&joints.spans);
-        let sizes = [truth.larger_radius(), self.reach()];
-        if let Some(peak) = told {
-            return adaptive::around(self.options.rule, sizes, peak);
-        }
-        adaptive::nearly(
-            self.options.rule,
-            self.outline.axes(),
-            sizes,
-            joints.sign,
-            pieces.map(|(angle, span)| (*angle, span.degrees())),
-        )
     }
 
     /// The pieces between these joints: the only methods that see an ellipse are those that are best on it.
@@ -377,12 +340,4 @@ impl<'a> Request<'a> {
             precision: sketch.precision,
         }
     }
-}
-
-/// The fewest decimals for which rounding moves no point farther than a tenth of `error`.
-pub(crate) fn automatic_precision<'a>(
-    error: f64,
-    segments: impl IntoIterator<Item = &'a PathSeg>,
-) -> Precision {
-    Precision::moving_at_most(ROUNDING_SHARE * error, largest_coordinate(segments))
 }

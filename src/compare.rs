@@ -7,12 +7,13 @@ use crate::angle::Angle;
 use crate::approximate::{Options, approximate};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
-use crate::joints::{Cut, Joints};
+use crate::joints::Cut;
+use crate::joints::chain::Equal;
 use crate::measure::extent;
 use crate::measure::radial::{self, Profile};
 use crate::method::{Rule, Span};
 use crate::number::{Precision, text};
-use crate::place::place;
+use crate::place::Placed;
 use crate::radial_error::RadialError;
 use crate::shape::{Arc, Ellipse, Outline, Shape};
 
@@ -267,8 +268,9 @@ impl Comparison {
             let Some(outline) = Shape::Arc(arc).outline() else {
                 return Ok(0.0);
             };
-            let joints = Joints::equal(&outline.unit, 1)?;
-            Ok(by.of(&place(&outline, &joints, &[[piece, piece]]), &outline))
+            let whole = Equal::new(outline.unit, 1)?;
+            let curve = Placed::new(&outline, &whole).curve([[piece; 2]], false);
+            Ok(by.of(&curve, &outline))
         };
         // As many segments as there are of the angle in a turn.
         let sizes: Vec<f64> = spans.iter().map(|span| 360.0 / span).collect();

@@ -1,5 +1,7 @@
 //! The finished curve: Bézier segments in user space.
 
+use core::borrow::Borrow;
+
 use kurbo::{Affine, CubicBez, ParamCurve, PathSeg, Point, QuadBez, Rect, Vec2};
 
 use crate::number::{Precision, round};
@@ -91,15 +93,21 @@ impl Curve {
     }
 
     fn map_points(&self, f: impl Fn(Point) -> Point) -> Self {
-        let map = |segment: &PathSeg| match *segment {
-            PathSeg::Line(l) => PathSeg::Line(kurbo::Line::new(f(l.p0), f(l.p1))),
-            PathSeg::Quad(q) => PathSeg::Quad(QuadBez::new(f(q.p0), f(q.p1), f(q.p2))),
-            PathSeg::Cubic(c) => PathSeg::Cubic(CubicBez::new(f(c.p0), f(c.p1), f(c.p2), f(c.p3))),
-        };
+        let map = |segment: &PathSeg| map_points(segment, &f);
         Self {
             segments: self.segments.iter().map(map).collect(),
             closed: self.closed,
         }
+    }
+}
+
+/// The segment with its control points mapped.
+#[inline]
+pub(crate) fn map_points(segment: &PathSeg, f: impl Fn(Point) -> Point) -> PathSeg {
+    match *segment {
+        PathSeg::Line(l) => PathSeg::Line(kurbo::Line::new(f(l.p0), f(l.p1))),
+        PathSeg::Quad(q) => PathSeg::Quad(QuadBez::new(f(q.p0), f(q.p1), f(q.p2))),
+        PathSeg::Cubic(c) => PathSeg::Cubic(CubicBez::new(f(c.p0), f(c.p1), f(c.p2), f(c.p3))),
     }
 }
 
@@ -116,25 +124,30 @@ pub(crate) fn largest_move(before: &Curve, after: &Curve) -> f64 {
 /// The control points of a segment: two of a line, three of a quadratic, four of a cubic.
 #[must_use]
 pub fn control_points(segment: &PathSeg) -> Vec<Point> {
+    let (points, count) = points_of(segment);
+    points[..count].to_vec()
+}
+
+/// The control points of a segment in an array, and how many they are.
+#[inline]
+pub(crate) fn points_of(segment: &PathSeg) -> ([Point; 4], usize) {
     match *segment {
-        PathSeg::Line(l) => vec![l.p0, l.p1],
-        PathSeg::Quad(q) => vec![q.p0, q.p1, q.p2],
-        PathSeg::Cubic(c) => vec![c.p0, c.p1, c.p2, c.p3],
+        PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
+        PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
+        PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
     }
 }
 
 /// The largest coordinate of all control points, without its sign; 0 where there are none.
-pub(crate) fn largest_coordinate<'a>(segments: impl IntoIterator<Item = &'a PathSeg>) -> f64 {
-    let largest = |points: &[Point]| {
+pub(crate) fn largest_coordinate(segments: impl IntoIterator<Item: Borrow<PathSeg>>) -> f64 {
+    let of = |segment: &PathSeg| {
+        // What is there twice is no larger.
+        let (points, _) = points_of(segment);
         let sizes = points.iter().map(|p| p.x.abs().max(p.y.abs()));
         sizes.fold(0.0, f64::max)
     };
-    let of = |segment: &PathSeg| match *segment {
-        PathSeg::Line(l) => largest(&[l.p0, l.p1]),
-        PathSeg::Quad(q) => largest(&[q.p0, q.p1, q.p2]),
-        PathSeg::Cubic(c) => largest(&[c.p0, c.p1, c.p2, c.p3]),
-    };
-    segments.into_iter().map(of).fold(0.0, f64::max)
+    let sizes = segments.into_iter().map(|segment| of(segment.borrow()));
+    sizes.fold(0.0, f64::max)
 }
 
 /// The segment with these control points, of which there are at most four.
@@ -157,12 +170,9 @@ pub(crate) fn turn(before: &PathSeg, after: &PathSeg) -> f64 {
 
 /// The direction in which a segment leaves its first point.
 pub(crate) fn first_direction(segment: &PathSeg) -> Vec2 {
-    let points = control_points(segment);
-    points
-        .iter()
-        .map(|&p| p - points[0])
-        .find(|v| *v != Vec2::ZERO)
-        .unwrap_or_default()
+    let (points, _) = points_of(segment);
+    let mut ways = points.iter().map(|&p| p - points[0]);
+    ways.find(|v| *v != Vec2::ZERO).unwrap_or_default()
 }
 
 /// How far the end of a curve lies from its start.

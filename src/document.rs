@@ -5,7 +5,6 @@ mod back;
 mod bezier;
 mod collapse;
 mod curve_text;
-mod decimals;
 mod doubt;
 mod element;
 mod grammar;

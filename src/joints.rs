@@ -1,6 +1,7 @@
 //! Where the sweep is cut.
 
 pub(crate) mod adaptive;
+pub(crate) mod chain;
 
 use core::str::FromStr;
 
@@ -11,6 +12,8 @@ use crate::error::{Error, Result};
 use crate::method::{Degrees, Rule, Span};
 use crate::number::text;
 use crate::shape::UnitArc;
+
+use chain::{Chain, Equal};
 
 /// The largest number of segments that anything is cut into.
 pub const MOST_SEGMENTS: usize = 1_000_000;
@@ -118,44 +121,15 @@ impl Joints {
     ///
     /// [`Error::Count`] where the count is 0 or beyond [`MOST_SEGMENTS`].
     pub fn equal(arc: &UnitArc, count: usize) -> Result<Self> {
-        if count == 0 || count > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count,
-                most: MOST_SEGMENTS,
-            });
-        }
-        let (start, sweep) = (arc.start.degrees(), arc.sweep.degrees());
-        let sign = 1.0_f64.copysign(sweep);
-        let end = start + sweep;
-        // Counted from the nearer end, so that both halves round alike.
-        let angle = |i: usize| {
-            if 2 * i <= count {
-                start + sweep * (i as f64 / count as f64)
-            } else {
-                end - sweep * ((count - i) as f64 / count as f64)
-            }
-        };
-        let angles: Vec<f64> = (0..=count).map(angle).collect();
-        let mut directions: Vec<Vec2> = if sweep.abs() == 360.0 {
-            (0..=count)
-                .map(|i| arc.start.direction_in_turn(sign, i, count))
-                .collect()
-        } else {
-            angles
-                .iter()
-                .map(|&degrees| Angle::from_degrees(degrees).direction())
-                .collect()
-        };
-        if arc.closed {
-            directions[count] = directions[0];
-        }
-        let span = Span::from_degrees(sweep / count as f64);
+        let equal = Equal::new(*arc, count)?;
+        let joints = 0..=count;
+        let span = Span::from_degrees(equal.size(0));
         Ok(Self {
-            angles,
-            directions,
+            angles: joints.clone().map(|i| equal.angle(i)).collect(),
+            directions: joints.map(|i| equal.direction(i)).collect(),
             spans: vec![span; count],
             closed: arc.closed,
-            sign,
+            sign: equal.sign(),
         })
     }
 
@@ -295,5 +269,27 @@ impl Joints {
     #[must_use]
     pub fn count(&self) -> usize {
         self.spans.len()
+    }
+}
+
+impl Chain for Joints {
+    fn count(&self) -> usize {
+        self.spans.len()
+    }
+
+    fn angle(&self, joint: usize) -> f64 {
+        self.angles[joint]
+    }
+
+    fn direction(&self, joint: usize) -> Vec2 {
+        self.directions[joint]
+    }
+
+    fn size(&self, piece: usize) -> f64 {
+        self.spans[piece].degrees()
+    }
+
+    fn sign(&self) -> f64 {
+        self.sign
     }
 }

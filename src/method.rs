@@ -28,7 +28,7 @@ pub use span::Span;
 use core::fmt;
 use core::str::FromStr;
 
-use kurbo::{CubicBez, PathSeg, QuadBez, Vec2};
+use kurbo::{CubicBez, PathSeg, Point, QuadBez, Vec2};
 
 use crate::error::{Error, Result};
 use crate::radial_error::RadialError;
@@ -114,12 +114,15 @@ impl Piece {
 
     /// The piece on the unit circle from one direction counter-clockwise to another.
     pub(crate) fn between(&self, [first, last]: [Vec2; 2]) -> PathSeg {
-        let place = |radius: Vec2, sense: f64| {
-            let tangent = Vec2::new(-radius.y, radius.x) * (sense * self.handle.y);
-            (radius * self.handle.x + tangent).to_point()
-        };
-        let [p0, p3] = [first, last].map(|end| (end * self.end_radius).to_point());
-        let (p1, p2) = (place(first, 1.0), place(last, -1.0));
+        let [p0, p3] = [first, last].map(|end| end * self.end_radius);
+        let p1 = in_frame(first, self.handle.x, self.handle.y);
+        let p2 = in_frame(last, self.handle.x, -self.handle.y);
+        self.segment([p0, p1, p2, p3].map(Vec2::to_point))
+    }
+
+    /// The segment with these ends and the control points of either end's frame.
+    #[inline]
+    pub(crate) fn segment(&self, [p0, p1, p2, p3]: [Point; 4]) -> PathSeg {
         match self.degree {
             Degree::Cubic => PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3)),
             Degree::Quadratic => PathSeg::Quad(QuadBez::new(p0, p1.midpoint(p2), p3)),
@@ -151,6 +154,12 @@ impl Piece {
     pub fn tangent_lift(&self) -> f64 {
         libm::atan2(self.handle.x - self.end_radius, self.handle.y).to_degrees()
     }
+}
+
+/// The point of an end's frame: `radial` along the radius through that end and `along` its tangent.
+#[inline]
+pub(crate) fn in_frame(end: Vec2, radial: f64, along: f64) -> Vec2 {
+    end * radial + Vec2::new(-end.y, end.x) * along
 }
 
 impl Method {

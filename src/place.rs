@@ -1,80 +1,115 @@
-//! Pieces of the unit circle become segments in user space.
+//! Pieces of the unit circle become segments in user space: the only place where they do.
 
-use kurbo::{CubicBez, PathSeg, Point, QuadBez, Vec2};
+use kurbo::{Affine, PathSeg, Point, Vec2};
 
+use crate::angle::Angle;
 use crate::curve::Curve;
-use crate::joints::Joints;
-use crate::method::{Degree, Piece};
+use crate::joints::chain::Chain;
+use crate::method::{Piece, in_frame};
 use crate::shape::Outline;
 
-/// The pieces placed by the outline's affine map; the pieces come as [`crate::method::Rule::pieces`] gives them.
-pub(crate) fn place(outline: &Outline, joints: &Joints, pieces: &[[Piece; 2]]) -> Curve {
-    let frames = Frames { outline, joints };
-    let end = |i: usize, piece: &Piece| frames.point(i, piece.end_radius, 0.0, 1.0);
-    let mut last = pieces
-        .first()
-        .map_or(Point::ZERO, |[first, _]| end(0, first));
-    let segments = pieces
-        .iter()
-        .enumerate()
-        .map(|(i, [start, end_piece])| {
-            let (p0, p3) = (last, end(i + 1, end_piece));
-            last = p3;
-            let p1 = frames.point(i, start.handle.x, start.handle.y, 1.0);
-            let p2 = frames.point(i + 1, end_piece.handle.x, end_piece.handle.y, -1.0);
-            match start.degree {
-                Degree::Cubic => PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3)),
-                Degree::Quadratic => PathSeg::Quad(QuadBez::new(p0, p1.midpoint(p2), p3)),
-            }
-        })
-        .collect();
-    Curve {
-        segments,
-        closed: joints.closed,
+/// A chain of pieces, and where it lies.
+#[derive(Debug)]
+pub(crate) struct Placed<'a, C> {
+    pub(crate) chain: &'a C,
+    /// The map from the unit circle.
+    pub(crate) placement: Affine,
+    /// The ends, where they were given.
+    pub(crate) ends: Option<[Point; 2]>,
+}
+
+impl<'a, C: Chain> Placed<'a, C> {
+    /// A chain of pieces of an outline.
+    pub(crate) const fn new(outline: &Outline, chain: &'a C) -> Self {
+        Self {
+            chain,
+            placement: outline.placement,
+            ends: outline.ends,
+        }
     }
-}
 
-/// The points of the true shape at the joints, the ends of an arc left out.
-pub(crate) fn joint_points<'a>(
-    outline: &'a Outline,
-    joints: &'a Joints,
-) -> impl Iterator<Item = Point> + 'a {
-    let frames = Frames { outline, joints };
-    let first = usize::from(!joints.closed);
-    (first..joints.count()).map(move |i| frames.point(i, 1.0, 0.0, 1.0))
-}
+    /// The segments of these pieces, each as [`crate::method::Rule::pieces`] gives it: seen from its start, and from its end.
+    pub(crate) fn segments(
+        &self,
+        pieces: impl IntoIterator<Item = [Piece; 2]>,
+    ) -> impl Iterator<Item = PathSeg> {
+        let sign = self.chain.sign();
+        let mut before = self.joint(0);
+        let mut from = None;
+        let pieces = pieces.into_iter().zip(1..=self.chain.count());
+        pieces.map(move |([first, last], i)| {
+            let after = self.joint(i);
+            let p0 = from.unwrap_or_else(|| self.point(&before, first.end_radius, 0.0));
+            let p1 = self.point(&before, first.handle.x, sign * first.handle.y);
+            let p2 = self.point(&after, last.handle.x, -sign * last.handle.y);
+            let p3 = self.point(&after, last.end_radius, 0.0);
+            (before, from) = (after, Some(p3));
+            first.segment([p0, p1, p2, p3])
+        })
+    }
 
-/// Finds points in the frames of the joints.
-struct Frames<'a> {
-    outline: &'a Outline,
-    joints: &'a Joints,
-}
+    /// The same as a curve.
+    pub(crate) fn curve(
+        &self,
+        pieces: impl IntoIterator<Item = [Piece; 2]>,
+        closed: bool,
+    ) -> Curve {
+        let segments = self.segments(pieces).collect();
+        Curve { segments, closed }
+    }
 
-impl Frames<'_> {
-    /// The point at `radial` along the radius of joint `i` and `along` its tangent, in or (`sense` -1) against the direction of travel.
-    fn point(&self, i: usize, radial: f64, along: f64, sense: f64) -> Point {
-        let radius = self.joints.directions[i];
-        let tangent = Vec2::new(-radius.y, radius.x) * (self.joints.sign * sense * along);
-        let map = |v: Vec2| self.outline.placement * v.to_point();
-        let Some(ends) = self.outline.ends else {
-            return map(radius * radial + tangent);
+    /// The points of the true shape at these joints.
+    pub(crate) fn points(
+        &self,
+        joints: impl IntoIterator<Item = usize>,
+    ) -> impl Iterator<Item = Point> {
+        let joints = joints.into_iter();
+        joints.map(|i| self.point(&self.joint(i), 1.0, 0.0))
+    }
+
+    /// A joint, reached from the nearer given end, so that it is met exactly and a huge radius does not swallow the digits.
+    fn joint(&self, i: usize) -> Joint {
+        let last = self.chain.count();
+        let from = self.ends.map(|ends| {
+            let (nearer, end) = if 2 * i <= last {
+                (0, ends[0])
+            } else {
+                (last, ends[1])
+            };
+            let chord = if i == nearer {
+                Vec2::ZERO
+            } else {
+                chord(self.chain.angle(nearer), self.chain.angle(i))
+            };
+            (end, chord)
+        });
+        Joint {
+            direction: self.chain.direction(i),
+            from,
+        }
+    }
+
+    /// The point at `radial` along the radius of a joint and `along` its tangent.
+    #[inline]
+    fn point(&self, joint: &Joint, radial: f64, along: f64) -> Point {
+        let Some((end, chord)) = joint.from else {
+            return self.placement * in_frame(joint.direction, radial, along).to_point();
         };
-        // From the nearer given end, so that it is met exactly and a huge radius does not swallow the digits.
-        let last = self.joints.count();
-        let (nearer, end) = if 2 * i <= last {
-            (0, ends[0])
-        } else {
-            (last, ends[1])
-        };
-        let local = self.chord(nearer, i) + radius * (radial - 1.0) + tangent;
-        let [a, b, c, d, _, _] = self.outline.placement.as_coeffs();
+        let local = chord + in_frame(joint.direction, radial - 1.0, along);
+        let [a, b, c, d, _, _] = self.placement.as_coeffs();
         end + Vec2::new(a * local.x + c * local.y, b * local.x + d * local.y)
     }
+}
 
-    /// From one joint to another on the unit circle: 2 sin(δ/2) across the direction halfway.
-    fn chord(&self, from: usize, to: usize) -> Vec2 {
-        let (a, b) = (self.joints.angles[from], self.joints.angles[to]);
-        let halfway = crate::angle::Angle::from_degrees(f64::midpoint(a, b)).direction();
-        Vec2::new(-halfway.y, halfway.x) * (2.0 * libm::sin(((b - a) / 2.0).to_radians()))
-    }
+/// Where a joint lies on the unit circle.
+struct Joint {
+    direction: Vec2,
+    /// The given end that it is reached from, and the way from there on the unit circle; else it is reached from the centre.
+    from: Option<(Point, Vec2)>,
+}
+
+/// From one angle of the unit circle to another: 2 sin(δ/2) across the direction halfway.
+fn chord(from: f64, to: f64) -> Vec2 {
+    let halfway = Angle::from_degrees(f64::midpoint(from, to)).direction();
+    Vec2::new(-halfway.y, halfway.x) * (2.0 * libm::sin(((to - from) / 2.0).to_radians()))
 }

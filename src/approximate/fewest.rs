@@ -14,7 +14,7 @@ use crate::measure::radial::nearly::{bound, closer_bound, nearly};
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
-use crate::place::joint_points;
+use crate::place::Placed;
 
 /// From this many segments on, counts are halved and not tried one by one.
 const MANY: usize = 1000;
@@ -162,7 +162,9 @@ impl Request<'_> {
         match self.options.precision {
             Some(precision @ Precision::Fixed(_)) if adaptive::serves(self.options.rule) => {
                 let allowed = tolerance + 16.0 * f64::EPSILON * self.reach();
-                joint_points(&self.outline, joints).any(|p| {
+                // The ends of an arc are looked at by themselves.
+                let inner = usize::from(!joints.closed)..joints.count();
+                Placed::new(&self.outline, joints).points(inner).any(|p| {
                     let rounded = Point::new(precision.round(p.x), precision.round(p.y));
                     radial::distance(truth, rounded).abs() > allowed
                 })

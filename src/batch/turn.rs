@@ -6,7 +6,7 @@ use crate::method::{Method, Piece, Rule};
 use crate::number::Precision;
 use crate::numeric::functions::power;
 use crate::path;
-use crate::place::place;
+use crate::place::Placed;
 use crate::shape::{Circle, Shape, UnitArc};
 
 /// A drawing of the unit circle by equal pieces, each taken on its own.
@@ -66,7 +66,8 @@ impl Turn {
             // It may vanish.
             return None;
         }
-        let curve = place(&outline, &turn.joints, &turn.pieces);
+        let placed = Placed::new(&outline, &turn.joints);
+        let curve = placed.curve(turn.pieces.iter().copied(), unit.closed);
         let precision = precision
             .unwrap_or_else(|| automatic_precision(turn.peak * circle.radius, &curve.segments));
         path::push_rounded(out, &curve, precision);

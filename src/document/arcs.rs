@@ -386,7 +386,7 @@ impl<S: Sink> Writer<'_, '_, S> {
         } = &mut *self.scratch;
         bezier::arc(arc, self.context.options, memo, beziers)?;
         body.text.clear();
-        (body.quadratic, body.segments) = (beziers.is_quadratic(), beziers.segments().len());
+        (body.quadratic, body.segments) = (beziers.is_quadratic(), beziers.segments.len());
         body.to = Some([arc.to.x, arc.to.y]);
         body.after = if segment.is_relative() {
             relative(self.text, segment, beziers, &mut body.text)?

@@ -1,23 +1,26 @@
 //! The one door to the engine: an arc or an ellipse as Béziers about its own origin, and the decimals that they need.
 //!
 //! Icon sets hold tens of thousands of arcs, so what every file asks for, equal segments of a rule whose ends lie on the circle,
-//! is placed here without an allocation; a test holds it against [`approximate`], which serves everything else.
+//! is placed into a buffer; a test holds it against [`approximate`], which serves everything else.
 
-use kurbo::{PathSeg, Point, Vec2};
+use core::iter::repeat;
 
-use super::decimals::{Pieces, decimals, most};
+use kurbo::{Point, Vec2};
+
 use super::memo::Memo;
-use super::segments::{Beziers, Joint};
+use super::segments::Beziers;
 use super::{Options, Reason};
 use crate::Angle;
-use crate::approximate::{self, Drawing, approximate, approximate_between};
-use crate::curve::control_points;
-use crate::joints::{Cut, MOST_SEGMENTS, quarters};
-use crate::method::{Degree, Ends, Method, Rule};
+use crate::approximate::{self, Drawing, Known, approximate, approximate_between};
+use crate::curve::map_points;
+use crate::joints::chain::{Chain, Equal};
+use crate::joints::{Cut, quarters};
+use crate::method::{Ends, Method, Rule};
 use crate::number::Precision;
-use crate::numeric::functions::angle_of;
-use crate::shape::endpoint::{Chord, SvgArc};
-use crate::shape::{Axes, Ellipse, Outline, Shape, Truth};
+use crate::number::decimal::MAX_DECIMALS;
+use crate::place::Placed;
+use crate::shape::endpoint::SvgArc;
+use crate::shape::{Axes, Ellipse, Shape, Truth};
 
 /// From this many decimals on the last digits of every sum show, and they are to be those of the engine.
 const LAST_DIGITS: u32 = 12;
@@ -25,7 +28,7 @@ const LAST_DIGITS: u32 = 12;
 /// What draws that which cannot be placed here.
 type Engine = fn(&Shape, &approximate::Options) -> crate::Result<Drawing>;
 
-/// Fills `out` with an arc of a path, whose ends stay as they are. It is drawn from `arc.from`, and the points are offsets from there.
+/// Fills `out` with an arc of a path, whose ends stay as they are; points are counted from `arc.from`.
 pub(super) fn arc(
     arc: &SvgArc,
     options: &Options,
@@ -52,71 +55,62 @@ fn arc_by(
     memo: &mut Memo,
     out: &mut Beziers,
 ) -> Result<(), Reason> {
-    let chord = arc.chord().map_err(|error| refused(&error))?;
-    let chord = chord.ok_or(Reason::TooLarge)?;
+    let chord = arc.chord()?.ok_or(Reason::TooLarge)?;
     let count = count(options, Angle::from_degrees(chord.sweep));
+    let ends = Some([Point::ZERO, (arc.to - arc.from).to_point()]);
     if count == Some(1) {
-        single(arc, &chord, options, memo, out)?;
+        let truth = chord.truth_of(arc);
+        let placed = Placed {
+            chain: &chord,
+            placement: truth.placement(),
+            ends,
+        };
+        let axes = Axes::of(truth.radii);
+        fill(out, &placed, (&truth, axes), arc.from, options, memo)?;
         if out.decimals < LAST_DIGITS {
             return Ok(());
         }
     }
-    let shape = arc.shape().map_err(|error| refused(&error))?;
-    let Some(outline) = shape.outline() else {
-        return Err(Reason::TooLarge);
+    let shape = arc.shape()?;
+    let outline = shape.outline().ok_or(Reason::TooLarge)?;
+    let Some(count) = count else {
+        return by_engine(engine, &shape, arc.from, options, out);
     };
-    match count {
-        Some(count) => equal(&outline, arc, count, options, memo, out),
-        None => by_engine(engine, &shape, arc.from, options, out).map(|_| ()),
-    }
+    let placed = Placed {
+        chain: &Equal::new(outline.unit, count)?,
+        placement: outline.placement,
+        ends,
+    };
+    let truth = (&outline.truth, outline.axes());
+    fill(out, &placed, truth, arc.from, options, memo)
 }
 
-/// Fills `out` with an ellipse that starts at `center` + (`radii.x`, 0) and runs towards +y, as offsets from its centre; returns the
-/// first of them.
+/// Fills `out` with an ellipse that starts at `center` + (`radii.x`, 0) and runs towards +y, its points counted from its centre.
 pub(super) fn ellipse(
     center: Point,
     radii: Vec2,
     options: &Options,
     memo: &mut Memo,
     out: &mut Beziers,
-) -> Result<Vec2, Reason> {
-    // Where a precision is asked for, sums with the centre are rounded; else the centre keeps its digits and offsets are.
-    let center = options.precision.map_or(Point::ZERO, |_| center);
-    let shape =
-        Shape::Ellipse(Ellipse::new(center, radii, Angle::ZERO).map_err(|error| refused(&error))?);
+) -> Result<(), Reason> {
+    let about = |center| Ellipse::new(center, radii, Angle::ZERO).map(Shape::Ellipse);
+    let shape = about(Point::ZERO)?;
+    let outline = shape.outline().ok_or(Reason::TooLarge)?;
     let Some(count) = count(options, Angle::TURN) else {
-        return by_engine(approximate, &shape, center, options, out);
+        // Where a precision is asked for, sums with the centre are rounded; else the centre keeps its digits and offsets are.
+        let center = options.precision.map_or(Point::ZERO, |_| center);
+        return by_engine(approximate, &about(center)?, center, options, out);
     };
-    let truth = Truth::new(Point::ZERO, radii, Vec2::new(1.0, 0.0));
-    let size = 360.0 / count as f64;
-    let (piece, error) = memo
-        .piece(options.rule, size)
-        .map_err(|error| refused(&error))?;
-    out.begin(piece.degree);
-    let place = |v: Vec2| Vec2::new(radii.x * v.x, radii.y * v.y);
-    let joint = |i: usize| Joint {
-        radius: Angle::ZERO.direction_in_turn(1.0, i % count, count),
-        offset: Vec2::ZERO,
-    };
-    let start = place(joint(0).radius);
-    for i in 0..count {
-        let (before, after) = (joint(i), joint(i + 1));
-        let inner = [before.control(&piece, 1.0), after.control(&piece, -1.0)];
-        out.segment(inner[0], inner[1], after.radius, place);
-    }
-    let pieces = Pieces {
-        error,
-        axes: Axes::of(radii),
-        count,
-        size,
-        from: |i| i as f64 * size,
-    };
-    out.decimals = decimals(&truth, start, Point::ZERO, &pieces, options, out);
-    Ok(start)
+    let pieces = Equal::new(outline.unit, count)?;
+    let placed = Placed::new(&outline, &pieces);
+    let truth = (&outline.truth, outline.axes());
+    fill(out, &placed, truth, Point::ZERO, options, memo)
 }
 
-fn refused(error: &crate::Error) -> Reason {
-    Reason::Refused(error.to_string())
+impl From<crate::Error> for Reason {
+    fn from(error: crate::Error) -> Self {
+        Self::Refused(error.to_string())
+    }
 }
 
 /// The number of segments, where the arc can be placed here.
@@ -128,7 +122,7 @@ fn count(options: &Options, sweep: Angle) -> Option<usize> {
     };
     match options.cut {
         Cut::Quarters if serves => Some(quarters(sweep)),
-        Cut::Count(count @ 1..=MOST_SEGMENTS) if serves => Some(count),
+        Cut::Count(count) if serves => Some(count),
         _ => None,
     }
 }
@@ -140,128 +134,62 @@ fn by_engine(
     from: Point,
     options: &Options,
     out: &mut Beziers,
-) -> Result<Vec2, Reason> {
+) -> Result<(), Reason> {
     let asked = approximate::Options {
         rule: options.rule,
         cut: options.cut.clone(),
         precision: options.precision.map(Precision::Fixed),
         ..approximate::Options::default()
     };
-    let drawing = engine(shape, &asked).map_err(|error| refused(&error))?;
-    let quadratic = matches!(drawing.curve.segments.first(), Some(PathSeg::Quad(_)));
-    out.begin(if quadratic {
-        Degree::Quadratic
-    } else {
-        Degree::Cubic
-    });
-    for segment in &drawing.curve.segments {
-        out.points.extend(
-            control_points(segment)[1..]
-                .iter()
-                .map(|point| *point - from),
-        );
-    }
-    out.decimals = most(drawing.precision);
-    Ok(drawing.curve.start().unwrap_or_default() - from)
-}
-
-/// One segment, as most arcs are: its ends on the unit circle are known from the chord, without an angle.
-fn single(
-    arc: &SvgArc,
-    chord: &Chord,
-    options: &Options,
-    memo: &mut Memo,
-    out: &mut Beziers,
-) -> Result<(), Reason> {
-    let (piece, error) = memo
-        .piece(options.rule, chord.sweep.abs())
-        .map_err(|error| refused(&error))?;
-    out.begin(piece.degree);
-    let truth = chord.truth_of(arc);
-    let sign = 1.0_f64.copysign(chord.sweep);
-    let [first, last] = chord.directions();
-    let joint = |radius, offset| Joint { radius, offset };
-    let ends = [joint(first, Vec2::ZERO), joint(last, arc.to - arc.from)];
-    out.between(ends, &piece, sign, |way| truth.image(way));
-    let pieces = Pieces {
-        error,
-        axes: Axes::of(truth.radii),
-        count: 1,
-        size: chord.sweep,
-        from: |_| angle_of(first).to_degrees(),
-    };
-    out.decimals = decimals(&truth, Vec2::ZERO, arc.from, &pieces, options, out);
+    let drawing = engine(shape, &asked)?;
+    let segments = drawing.curve.segments.iter();
+    out.segments.clear();
+    out.segments
+        .extend(segments.map(|segment| map_points(segment, |p| (p - from).to_point())));
+    out.decimals = decimals(drawing.precision);
     Ok(())
 }
 
-/// Equal segments, each point reached from the nearer end of the arc.
-fn equal(
-    outline: &Outline,
-    arc: &SvgArc,
-    count: usize,
+/// Equal pieces of a true shape. They are counted from `base`.
+fn fill<C: Chain>(
+    out: &mut Beziers,
+    placed: &Placed<'_, C>,
+    (truth, axes): (&Truth, Axes),
+    base: Point,
     options: &Options,
     memo: &mut Memo,
-    out: &mut Beziers,
 ) -> Result<(), Reason> {
-    let (start, sweep) = (outline.unit.start.degrees(), outline.unit.sweep.degrees());
-    let (piece, error) = memo
-        .piece(options.rule, (sweep / count as f64).abs())
-        .map_err(|error| refused(&error))?;
-    out.begin(piece.degree);
-    let [a, b, c, d, _, _] = outline.placement.as_coeffs();
-    let place = |v: Vec2| Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y);
-    let to = arc.to - arc.from;
-    let sign = 1.0_f64.copysign(sweep);
-    let first = Joint {
-        radius: outline.unit.start.direction(),
-        offset: Vec2::ZERO,
+    let chain = placed.chain;
+    let (piece, peak) = memo.piece(options.rule, chain.size(0))?;
+    out.segments.clear();
+    out.segments.extend(placed.segments(repeat([piece; 2])));
+    let known = Known {
+        rule: options.rule,
+        truth,
+        axes,
+        chain,
+        peak: truth.is_circle().then_some(peak * truth.radii.x),
+        told: None,
     };
-    let end = start + sweep;
-    let last = Joint {
-        radius: Angle::from_degrees(end).direction(),
-        offset: to,
-    };
-    let joint = |i: usize| {
-        if i == count {
-            return last;
-        }
-        // Counted from the nearer end, as the engine does.
-        let (base, from, angle) = if 2 * i <= count {
-            (Vec2::ZERO, start, start + sweep * (i as f64 / count as f64))
-        } else {
-            (to, end, end - sweep * ((count - i) as f64 / count as f64))
-        };
-        Joint {
-            radius: Angle::from_degrees(angle).direction(),
-            offset: base + place(chord(from, angle)),
-        }
-    };
-    let mut before = first;
-    for i in 1..=count {
-        let after = joint(i);
-        out.between([before, after], &piece, sign, place);
-        before = after;
-    }
-    let pieces = Pieces {
-        error,
-        axes: outline.axes(),
-        count,
-        size: sweep / count as f64,
-        from: |i| start + sweep * (i as f64 / count as f64),
-    };
-    out.decimals = decimals(&outline.truth, Vec2::ZERO, arc.from, &pieces, options, out);
+    let in_place = || out.placed(|p| base + p.to_vec2());
+    let automatic = || known.precision(f64::INFINITY, in_place);
+    out.decimals = decimals(options.precision.map_or_else(automatic, Precision::Fixed));
     Ok(())
 }
 
-/// From one angle of the unit circle to another: 2 sin(δ/2) across the direction halfway.
-fn chord(from: f64, to: f64) -> Vec2 {
-    let halfway = Angle::from_degrees(f64::midpoint(from, to)).direction();
-    Vec2::new(-halfway.y, halfway.x) * (2.0 * libm::sin(((to - from) / 2.0).to_radians()))
+/// The decimals of a precision, as many as a number is given.
+fn decimals(precision: Precision) -> u32 {
+    match precision {
+        Precision::Fixed(decimals) => u32::from(decimals).min(MAX_DECIMALS),
+        Precision::Full => MAX_DECIMALS,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::curve::control_points;
+    use kurbo::ParamCurve as _;
 
     /// What the engine draws, unrounded.
     fn engine(shape: &Shape, options: &Options) -> (Vec<Point>, Precision) {
@@ -276,7 +204,7 @@ mod tests {
             .curve
             .segments
             .iter()
-            .flat_map(|segment| control_points(segment)[1..].to_vec())
+            .flat_map(control_points)
             .collect();
         (points, approximate(shape, &asked(None)).unwrap().precision)
     }
@@ -303,10 +231,11 @@ mod tests {
     }
 
     fn assert_agree(drawn: &Beziers, base: Point, engine: &(Vec<Point>, Precision), size: f64) {
-        assert_eq!(drawn.points().len(), engine.0.len());
-        for (own, other) in drawn.points().iter().zip(&engine.0) {
+        let points: Vec<Point> = drawn.segments.iter().flat_map(control_points).collect();
+        assert_eq!(points.len(), engine.0.len());
+        for (own, other) in points.iter().zip(&engine.0) {
             assert!(
-                (base + *own - *other).hypot() <= 4e-15 * size,
+                (base + own.to_vec2() - *other).hypot() <= 4e-15 * size,
                 "{own:?} {other:?}"
             );
         }
@@ -366,7 +295,7 @@ mod tests {
             rule: Rule::Method(Method::MinimaxFree),
             ..Options::default()
         };
-        let start = ellipse(
+        ellipse(
             Point::ZERO,
             Vec2::new(1.0, 1.0),
             &free,
@@ -374,7 +303,8 @@ mod tests {
             &mut drawn,
         )
         .unwrap();
-        assert!(start.x < 1.0 && drawn.points().last() == Some(&start));
+        let [start, end] = [drawn.segments[0].start(), drawn.segments[3].end()];
+        assert!(start.x < 1.0 && end == start);
         let arc = SvgArc {
             from: Point::ZERO,
             radii: Vec2::new(1.0, 1.0),
@@ -394,6 +324,6 @@ mod tests {
             ..Options::default()
         };
         super::arc(&arc, &close, &mut memo, &mut drawn).unwrap();
-        assert!(drawn.segments().len() > 1);
+        assert!(drawn.segments.len() > 1);
     }
 }

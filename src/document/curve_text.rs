@@ -1,9 +1,9 @@
 //! The arguments of the curve commands that an arc becomes.
 
-use kurbo::{PathSeg, Point, Vec2};
+use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 
 use super::path_data::Segment;
-use super::segments::Beziers;
+use super::segments::{Beziers, arguments};
 use super::{Options, Reason};
 use crate::measure::radial;
 use crate::number::decimal::{After, Decimal, Form};
@@ -62,16 +62,15 @@ pub(super) fn absolute(
     drawn: &Beziers,
     out: &mut Vec<u8>,
 ) -> Result<After, Reason> {
-    let inner = &drawn.points()[..drawn.points().len() - 1];
     let mut after = After::Letter;
-    for offset in inner {
-        let at = from + *offset;
-        // Written so that what is not a number is refused too.
-        if !(at.x.abs() < FARTHEST && at.y.abs() < FARTHEST) {
-            return Err(Reason::TooLarge);
+    for (segment, is_last) in with_last(&drawn.segments) {
+        let (points, count) = arguments(segment);
+        for point in &points[..count - usize::from(is_last)] {
+            let at = *point + from;
+            check_size(at)?;
+            after.push(out, Decimal::round(at.x, drawn.decimals), Form::Short);
+            after.push(out, Decimal::round(at.y, drawn.decimals), Form::Short);
         }
-        after.push(out, Decimal::round(at.x, drawn.decimals), Form::Short);
-        after.push(out, Decimal::round(at.y, drawn.decimals), Form::Short);
     }
     after.push_text(out, &data.as_bytes()[segment.tail..segment.end]);
     Ok(after)
@@ -84,30 +83,28 @@ pub(super) fn relative(
     drawn: &Beziers,
     out: &mut Vec<u8>,
 ) -> Result<After, Reason> {
-    let grid = |p: Vec2| {
+    let grid = |p: Point| {
         [
             Decimal::round(p.x, drawn.decimals),
             Decimal::round(p.y, drawn.decimals),
         ]
     };
-    let count = drawn.segments().len();
     let mut joint = [Decimal::ZERO; 2];
     let mut after = After::Letter;
-    for (i, points) in drawn.segments().enumerate() {
+    for (segment, is_last) in with_last(&drawn.segments) {
+        let (points, count) = arguments(segment);
         let mut at = joint;
-        for point in &points[..points.len() - usize::from(i + 1 == count)] {
-            if !(point.x.abs() < FARTHEST && point.y.abs() < FARTHEST) {
-                return Err(Reason::TooLarge);
-            }
+        for point in &points[..count - usize::from(is_last)] {
+            check_size(*point)?;
             at = grid(*point);
             after.push(out, at[0].minus(joint[0]), Form::Short);
             after.push(out, at[1].minus(joint[1]), Form::Short);
         }
-        if i + 1 < count {
+        if !is_last {
             joint = at;
         }
     }
-    if count == 1 {
+    if drawn.segments.len() == 1 {
         after.push_text(out, &data.as_bytes()[segment.tail..segment.end]);
     } else {
         // The end point as spelled, counted from the last joint: exactly where the file put it.
@@ -118,23 +115,42 @@ pub(super) fn relative(
     Ok(after)
 }
 
+/// The segments, and whether each is the last.
+fn with_last(segments: &[PathSeg]) -> impl Iterator<Item = (&PathSeg, bool)> {
+    let count = segments.len();
+    (1..)
+        .zip(segments)
+        .map(move |(i, segment)| (segment, i == count))
+}
+
+/// Refuses what lies too far away, and what is not a number.
+fn check_size(p: Point) -> Result<(), Reason> {
+    if p.x.abs() < FARTHEST && p.y.abs() < FARTHEST {
+        Ok(())
+    } else {
+        Err(Reason::TooLarge)
+    }
+}
+
 /// The peak error of the curve of an arc as it is printed, whose end is the arc's own, where it is to be measured.
 pub(super) fn strayed(arc: &SvgArc, options: &Options, drawn: &Beziers) -> f64 {
     if !options.measure {
         return 0.0;
     }
-    let decimals = drawn.decimals;
-    let rounded = |x: f64| Decimal::round(x, decimals).value();
-    let printed = |offset: Vec2| {
-        let at = arc.from + offset;
-        Point::new(rounded(at.x), rounded(at.y))
-    };
-    let mut segments: Vec<PathSeg> = drawn.path_segments(arc.from, printed).collect();
-    match segments.last_mut() {
-        Some(PathSeg::Cubic(cubic)) => cubic.p3 = arc.to,
-        Some(PathSeg::Quad(quad)) => quad.p2 = arc.to,
-        _ => {}
-    }
+    let rounded = |x: f64| Decimal::round(x, drawn.decimals).value();
+    let end = drawn.segments.last().map(ParamCurve::end);
+    let segments: Vec<PathSeg> = drawn
+        .placed(|offset| {
+            if offset == Point::ZERO {
+                return arc.from;
+            }
+            if Some(offset) == end {
+                return arc.to;
+            }
+            let at = arc.from + offset.to_vec2();
+            Point::new(rounded(at.x), rounded(at.y))
+        })
+        .collect();
     let outline = arc.shape().ok().and_then(|shape| shape.outline());
     outline.map_or(0.0, |outline| {
         radial::error(&segments, &outline.truth).peak()

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use kurbo::{Point, Vec2};
+use kurbo::{ParamCurve, Point, Vec2};
 
 use super::bezier;
 use super::collapse::is_too_small;
@@ -129,7 +129,7 @@ pub(super) fn path_data(
         Shape::Ellipse(center, radii) => {
             let [rx, ry] = radii.map(|radius| radius.value);
             check_size(&[center, radii], options, rx.min(ry))?;
-            let start = bezier::ellipse(
+            bezier::ellipse(
                 Point::new(center[0].value, center[1].value),
                 Vec2::new(rx, ry),
                 options,
@@ -144,7 +144,8 @@ pub(super) fn path_data(
                 let [cx, cy] = center.map(|length| length.value);
                 Truth::new(Point::new(cx, cy), Vec2::new(rx, ry), Vec2::new(1.0, 0.0))
             });
-            pen.move_to(pen.place(start));
+            let start = drawn.segments.first().map(ParamCurve::start);
+            pen.move_to(pen.place(start.unwrap_or_default()));
             pen.curves(drawn, true);
             Ok(pen.close())
         }

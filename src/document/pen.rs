@@ -1,9 +1,10 @@
 //! Path data for a shape: exact vertices, rounded control points, and of the absolute and the relative form the shorter.
 
-use kurbo::{CubicBez, Point, QuadBez, Vec2};
+use kurbo::Point;
 
 use super::length::Length;
-use super::segments::Beziers;
+use super::segments::{Beziers, arguments};
+use crate::curve::segment_of;
 use crate::measure::radial;
 use crate::number::decimal::{Decimal, Form};
 use crate::path::PathText;
@@ -68,7 +69,7 @@ impl<'a> Pen<'a> {
     }
 
     /// The place at an offset from the base.
-    pub(super) fn place(&self, offset: Vec2) -> Place {
+    pub(super) fn place(&self, offset: Point) -> Place {
         let axis = |value: f64, base: &Length, known: &Length| {
             let rounded = if value == known.value {
                 known.exact
@@ -105,14 +106,10 @@ impl<'a> Pen<'a> {
     /// Curves; where they close the path the last one is absolute, so that it ends on the first point digit for digit.
     pub(super) fn curves(&mut self, drawn: &Beziers, closes: bool) {
         let letter = if drawn.is_quadratic() { b'q' } else { b'c' };
-        let count = drawn.segments().len();
         let (mut absolute, mut relative) = (Vec::new(), Vec::new());
-        for (i, offsets) in drawn.segments().enumerate() {
-            let mut places = [self.current; 3];
-            for (place, offset) in places.iter_mut().zip(offsets) {
-                *place = self.place(*offset);
-            }
-            let places = &places[..offsets.len()];
+        for (i, segment) in (1..).zip(&drawn.segments) {
+            let (points, count) = arguments(segment);
+            let places = &points.map(|point| self.place(point))[..count];
             self.measure(places);
             let (mut text_absolute, mut text_relative) = (self.text, self.text);
             absolute.clear();
@@ -126,7 +123,7 @@ impl<'a> Pen<'a> {
                 places,
                 Some(self.current),
             );
-            let last = closes && i + 1 == count;
+            let last = closes && i == drawn.segments.len();
             let (chosen, text) = if last || absolute.len() <= relative.len() {
                 (&absolute, text_absolute)
             } else {
@@ -142,12 +139,12 @@ impl<'a> Pen<'a> {
     fn measure(&mut self, places: &[Place]) {
         let Some(truth) = &self.truth else { return };
         let point = |place: &Place| Point::new(place[0].value(), place[1].value());
-        let from = point(&self.current);
-        let segment = match places {
-            [p1, p2, p3] => CubicBez::new(from, point(p1), point(p2), point(p3)).into(),
-            [p1, p2] => QuadBez::new(from, point(p1), point(p2)).into(),
-            _ => return,
-        };
+        let points: Vec<Point> = [&self.current]
+            .into_iter()
+            .chain(places)
+            .map(point)
+            .collect();
+        let segment = segment_of(&points);
         self.strayed = self.strayed.max(radial::error([&segment], truth).peak());
     }
 

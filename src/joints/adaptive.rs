@@ -17,6 +17,7 @@ mod lobes;
 mod march;
 
 use super::Joints;
+use super::chain::Chain;
 use crate::error::Result;
 use crate::method::{Ends, Method, Rule};
 use crate::shape::{Axes, Outline, UnitArc};
@@ -51,19 +52,19 @@ pub(crate) fn serves(rule: Rule) -> bool {
     }
 }
 
-/// Between what the peak error of pieces of an ellipse of this larger radius lies, each from an angle on over so many degrees, in the
-/// direction of the sign; the largest coordinate is about `reach`. `None` where the lobes do not tell, or rounding counts beside them.
+/// Between what the peak error of pieces of an ellipse of this larger radius lies; the largest coordinate is about `reach`. `None` where
+/// the lobes do not tell, or rounding counts beside them.
 pub(crate) fn nearly(
     rule: Rule,
     axes: Axes,
     sizes: [f64; 2],
-    sign: f64,
-    pieces: impl IntoIterator<Item = (f64, f64)>,
+    chain: &impl Chain,
 ) -> Option<[f64; 2]> {
     let lobes = Lobes::new(rule, f64::from(rule.method()?.card().order), axes.short);
     let mut peak = 0.0_f64;
-    for (angle, size) in pieces {
-        peak = peak.max(lobes.of(sign * (angle - axes.angle), size)?.size);
+    for i in 0..chain.count() {
+        let from = chain.sign() * (chain.angle(i) - axes.angle);
+        peak = peak.max(lobes.of(from, chain.size(i))?.size);
     }
     around(rule, sizes, peak)
 }
@@ -386,10 +387,8 @@ mod tests {
                 continue;
             };
             let joints = Joints::equal(&outline.unit, count).unwrap();
-            let pieces = joints.angles.iter().zip(&joints.spans);
-            let pieces = pieces.map(|(angle, span)| (*angle, span.degrees()));
             let (axes, sizes) = (outline.axes(), [100.0; 2]);
-            if let Some([low, high]) = nearly(options.rule, axes, sizes, joints.sign, pieces) {
+            if let Some([low, high]) = nearly(options.rule, axes, sizes, &joints) {
                 told += 1;
                 let off = f64::midpoint(low, high) / drawing.error.peak() - 1.0;
                 assert!(off.abs() < LOBES_OFF / 10.0, "{i}: {off}");

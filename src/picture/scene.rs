@@ -1,5 +1,6 @@
 //! A picture as a short list of strokes, fills, dots and words: what SVG, PNG, EPS and PDF have in common.
 
+use core::iter::repeat;
 use std::borrow::Cow;
 
 use kurbo::{Circle, Rect};
@@ -10,10 +11,10 @@ use super::size::Size;
 use super::text::Text;
 use crate::curve::Curve;
 use crate::error::Result;
-use crate::joints::Joints;
-use crate::method::Rule;
+use crate::joints::chain::{Chain as _, Equal};
+use crate::method::{Rule, Span};
 use crate::number::Precision;
-use crate::place::place;
+use crate::place::Placed;
 use crate::shape::Outline;
 
 /// The largest angle, in degrees, that one cubic of a true shape spans: it strays by less than 1e-9 of the radius.
@@ -143,9 +144,10 @@ impl Mark {
 /// The outline in so many cubics that nobody can tell it from the true shape.
 fn finely(outline: &Outline) -> Result<Curve> {
     let count = (outline.unit.sweep.degrees().abs() / TRUE_SPAN).ceil() as usize;
-    let joints = Joints::equal(&outline.unit, count.max(1))?;
-    let pieces = Rule::default().pieces(&joints.spans, joints.closed)?;
-    Ok(place(outline, &joints, &pieces))
+    let pieces = Equal::new(outline.unit, count.max(1))?;
+    let piece = Rule::default().piece(&Span::from_degrees(pieces.size(0)))?;
+    let placed = Placed::new(outline, &pieces);
+    Ok(placed.curve(repeat([piece; 2]), outline.unit.closed))
 }
 
 impl Scene {

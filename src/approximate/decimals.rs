@@ -1,0 +1,70 @@
+//! How many decimals a curve needs.
+
+use kurbo::PathSeg;
+
+use crate::curve::largest_coordinate;
+use crate::joints::adaptive;
+use crate::joints::chain::Chain;
+use crate::measure::radial::{self, nearly::decided};
+use crate::method::Rule;
+use crate::number::Precision;
+use crate::shape::{Axes, Truth};
+
+/// The part of the peak error, or of the tolerance, that rounding for output may add.
+pub(crate) const ROUNDING_SHARE: f64 = 0.1;
+
+/// The fewest decimals for which rounding moves no point farther than a tenth of `error`.
+pub(crate) fn automatic_precision<'a>(
+    error: f64,
+    segments: impl IntoIterator<Item = &'a PathSeg>,
+) -> Precision {
+    Precision::moving_at_most(ROUNDING_SHARE * error, largest_coordinate(segments))
+}
+
+/// What is known of a curve before it is measured.
+pub(crate) struct Known<'a, C> {
+    pub(crate) rule: Rule,
+    pub(crate) truth: &'a Truth,
+    pub(crate) axes: Axes,
+    pub(crate) chain: &'a C,
+    /// Its peak error, where a formula tells it.
+    pub(crate) peak: Option<f64>,
+    /// The same over the larger radius, where the lobes of its pieces told it before.
+    pub(crate) told: Option<f64>,
+}
+
+impl<C: Chain> Known<'_, C> {
+    /// The fewest decimals for a peak error of at most `most`. Mostly what the lobes of the pieces or samples tell of the peak asks for
+    /// as many decimals as the exact one.
+    pub(crate) fn precision<S: Iterator<Item = PathSeg>>(
+        &self,
+        most: f64,
+        segments: impl Fn() -> S,
+    ) -> Precision {
+        let truth = self.truth;
+        let largest = largest_coordinate(segments());
+        let for_peak =
+            |peak: f64| Precision::moving_at_most(ROUNDING_SHARE * peak.min(most), largest);
+        if let Some(peak) = self.peak {
+            return for_peak(peak);
+        }
+        let decided = decided(self.by_lobes(largest), &segments, truth, for_peak);
+        decided.unwrap_or_else(|| {
+            let segments: Vec<PathSeg> = segments().collect();
+            for_peak(radial::error_within(&segments, truth, most).peak())
+        })
+    }
+
+    /// Between what the peak error on an ellipse lies by the lobes of the pieces.
+    fn by_lobes(&self, largest: f64) -> Option<[f64; 2]> {
+        if self.truth.is_circle() {
+            return None;
+        }
+        let larger = self.truth.larger_radius();
+        let sizes = [larger, larger + largest];
+        match self.told {
+            Some(peak) => adaptive::around(self.rule, sizes, peak),
+            None => adaptive::nearly(self.rule, self.axes, sizes, self.chain),
+        }
+    }
+}

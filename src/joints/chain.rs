@@ -1,0 +1,106 @@
+//! What is known of the pieces of an arc, however that is kept.
+
+use kurbo::Vec2;
+
+use crate::angle::Angle;
+use crate::error::{Error, Result};
+use crate::numeric::functions::angle_of;
+use crate::shape::UnitArc;
+use crate::shape::endpoint::Chord;
+
+use super::MOST_SEGMENTS;
+
+/// Pieces of the unit circle, each of which starts where the one before it ends. Joint 0 is the start of the first.
+pub(crate) trait Chain {
+    /// The number of pieces; the last joint is that of this number.
+    fn count(&self) -> usize;
+    /// The angle of a joint in degrees.
+    fn angle(&self, joint: usize) -> f64;
+    /// The point of the unit circle at a joint; the last of a closed shape is the first.
+    fn direction(&self, joint: usize) -> Vec2;
+    /// The size of a piece in degrees.
+    fn size(&self, piece: usize) -> f64;
+    /// 1 where angles grow along the pieces, else -1.
+    fn sign(&self) -> f64;
+}
+
+/// Pieces of equal size.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Equal {
+    arc: UnitArc,
+    count: usize,
+}
+
+impl Equal {
+    /// Refuses a count of 0 or beyond [`MOST_SEGMENTS`].
+    pub(crate) fn new(arc: UnitArc, count: usize) -> Result<Self> {
+        if count == 0 || count > MOST_SEGMENTS {
+            return Err(Error::Count {
+                count,
+                most: MOST_SEGMENTS,
+            });
+        }
+        Ok(Self { arc, count })
+    }
+}
+
+impl Chain for Equal {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Counted from the nearer end, so that both halves round alike.
+    fn angle(&self, joint: usize) -> f64 {
+        let (start, sweep) = (self.arc.start.degrees(), self.arc.sweep.degrees());
+        if 2 * joint <= self.count {
+            start + sweep * (joint as f64 / self.count as f64)
+        } else {
+            start + sweep - sweep * ((self.count - joint) as f64 / self.count as f64)
+        }
+    }
+
+    fn direction(&self, joint: usize) -> Vec2 {
+        if self.arc.sweep.degrees().abs() == 360.0 {
+            let joint = if self.arc.closed && joint == self.count {
+                0
+            } else {
+                joint
+            };
+            let start = self.arc.start;
+            start.direction_in_turn(self.sign(), joint, self.count)
+        } else {
+            Angle::from_degrees(self.angle(joint)).direction()
+        }
+    }
+
+    fn size(&self, _: usize) -> f64 {
+        (self.arc.sweep.degrees() / self.count as f64).abs()
+    }
+
+    fn sign(&self) -> f64 {
+        1.0_f64.copysign(self.arc.sweep.degrees())
+    }
+}
+
+/// One piece, whose ends are known without an angle.
+impl Chain for Chord {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn angle(&self, joint: usize) -> f64 {
+        angle_of(self.direction(joint)).to_degrees()
+    }
+
+    fn direction(&self, joint: usize) -> Vec2 {
+        self.directions()[joint]
+    }
+
+    fn size(&self, _: usize) -> f64 {
+        self.sweep.abs()
+    }
+
+    fn sign(&self) -> f64 {
+        1.0_f64.copysign(self.sweep)
+    }
+}
