@@ -195,9 +195,10 @@ impl Plan {
         // A path of lines alone has nothing to fit.
         let curved = pieces.iter().any(|piece| !piece.is_line());
         if curved && room <= 0.0 && size > 0.0 {
-            return Err(Error::Shape(format!(
-                "rounding alone moves a point by up to {rounding}, which is no less than the tolerance {tolerance}: give more decimals or a larger tolerance"
-            )));
+            return Err(Error::RoundingAlone {
+                rounding,
+                tolerance,
+            });
         }
         Ok(Self {
             tolerance,
@@ -209,10 +210,9 @@ impl Plan {
     }
 
     fn too_coarse(&self) -> Error {
-        Error::Shape(format!(
-            "with so few decimals the result strays farther than the tolerance {}: give more decimals or a larger tolerance",
-            self.tolerance
-        ))
+        Error::TooCoarse {
+            tolerance: self.tolerance,
+        }
     }
 
     /// How far rounding may move yet what strays so far.

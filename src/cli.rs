@@ -19,6 +19,7 @@ mod methods;
 mod output;
 mod path;
 mod procset;
+mod remedies;
 mod shell;
 #[cfg(unix)]
 mod signals;

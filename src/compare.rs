@@ -6,7 +6,7 @@ use core::str::FromStr;
 use crate::angle::Angle;
 use crate::approximate::{Options, approximate};
 use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, ShapeError};
 use crate::joints::Cut;
 use crate::joints::chain::Equal;
 use crate::measure::extent;
@@ -256,10 +256,7 @@ impl Comparison {
     /// Where an angle is not above 0 and at most 360.
     pub fn by_span(rules: &[Rule], spans: &[f64], by: Criterion) -> Result<Self> {
         if let Some(wrong) = spans.iter().find(|&&span| !(span > 0.0 && span <= 360.0)) {
-            return Err(Error::Shape(format!(
-                "the angle of a segment is more than 0 and at most 360 degrees, not {}",
-                text(*wrong)
-            )));
+            return Err(Error::Shape(ShapeError::Span(*wrong)));
         }
         let figure = |rule: Rule, &span: &f64| {
             let piece = rule.piece(&Span::from_degrees(span))?;

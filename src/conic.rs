@@ -14,10 +14,10 @@ use kurbo::{Affine, CubicBez, PathSeg, Point, QuadBez, Vec2};
 use crate::angle::Angle;
 use crate::approximate::{Options, automatic_precision};
 use crate::curve::Curve;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, JointsError, Remedy, Result, ShapeError, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Method, Rule};
-use crate::number::{Precision, compact};
+use crate::number::Precision;
 use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Shape, Truth};
 use frame::Frame;
@@ -110,14 +110,8 @@ impl Conic {
             finite("coordinate of a point", x)?;
         }
         if !(weight > 0.0 && weight <= LARGEST_WEIGHT) {
-            return Err(Error::Shape(format!(
-                "the weight of a conic is above 0 and at most {LARGEST_WEIGHT:e}, not {}: below 1 an ellipse, 1 a parabola, above 1 a hyperbola",
-                if weight.is_nan() {
-                    "NaN".to_owned()
-                } else {
-                    compact(weight, 6)
-                }
-            )));
+            let most = LARGEST_WEIGHT;
+            return Err(Error::Shape(ShapeError::Weight { weight, most }));
         }
         let (u, v) = (from - control, to - control);
         let conic = Self {
@@ -127,10 +121,7 @@ impl Conic {
             weight,
         };
         if u.cross(v).abs() <= 1e-12 * u.hypot() * v.hypot() {
-            return Err(Error::Shape(
-                "the three points of a conic lie on a line: nothing is left of it but the line"
-                    .to_owned(),
-            ));
+            return Err(Error::Shape(ShapeError::StraightConic));
         }
         positive("size of the conic", conic.size())?;
         Ok(conic)
@@ -229,18 +220,14 @@ impl Conic {
                 let tolerance = positive("tolerance", tolerance.for_radius(conic.size()))?;
                 conic.within(tolerance, method, options)
             }
-            _ => Err(Error::Joints(
-                "a hyperbola and a parabola have no angles; -n and -t cut them".to_owned(),
-            )),
+            _ => Err(Error::Joints(JointsError::NoAngles)),
         }
     }
 
     /// What gives the handles; nothing where none are needed.
     fn method(&self, rule: Rule) -> Result<Option<Method>> {
         let Rule::Method(method) = rule else {
-            return Err(Error::Shape(
-                "a literal handle and --quadrature are for circles and ellipses, not for a hyperbola or a parabola".to_owned(),
-            ));
+            return Err(Error::Shape(ShapeError::RuleOfEllipses));
         };
         Ok((self.kind() != Kind::Parabola).then_some(method))
     }
@@ -311,7 +298,7 @@ impl Conic {
             method: method.id(),
             tolerance,
             why: "rounding moves points farther than that".to_owned(),
-            remedy: "give more decimals with -p, or take a larger tolerance".to_owned(),
+            remedy: Remedy::MoreDecimalsOrTolerance,
         })
     }
 
@@ -342,7 +329,7 @@ impl Conic {
                     why: format!(
                         "it takes more than {MOST_FOR_TOLERANCE} segments, or is finer than coordinates are"
                     ),
-                    remedy: "take a larger tolerance, or -m minimax".to_owned(),
+                    remedy: Remedy::LargerTolerance("minimax"),
                 });
             }
             from = low;

@@ -1,6 +1,17 @@
-//! The library's errors: each says what was asked and why it cannot be; [`Error::hint`] says what can.
+//! The library's errors: each says what was asked and why it cannot be, and many what can in its place, a [`Remedy`].
+
+mod picture;
+mod plain;
+mod remedy;
+mod shape;
 
 use thiserror::Error;
+
+use plain::plain;
+
+pub use picture::PictureError;
+pub use remedy::Remedy;
+pub use shape::{JointsError, ShapeError};
 
 /// A specialised result.
 pub type Result<T, E = Error> = core::result::Result<T, E>;
@@ -57,7 +68,7 @@ pub enum Error {
         /// The reason.
         why: String,
         /// What can be done instead.
-        remedy: String,
+        remedy: Remedy,
     },
     /// No number of segments meets the tolerance.
     #[error("no number of segments brings {method} within {} of the true shape: {why}", plain(*tolerance))]
@@ -69,13 +80,31 @@ pub enum Error {
         /// The reason.
         why: String,
         /// What can be done instead.
-        remedy: String,
+        remedy: Remedy,
     },
     /// Rounding takes what was drawn farther from what was given than was asked for.
     #[error("so few decimals take it {} away, farther than the tolerance {}", plain(*distance), plain(*tolerance))]
     Rounding {
         /// How far it would be, in user units.
         distance: f64,
+        /// The tolerance in user units.
+        tolerance: f64,
+    },
+    /// Rounding alone moves points as far as the tolerance.
+    #[error(
+        "rounding alone moves a point by up to {rounding}, which is no less than the tolerance {tolerance}: give more decimals or a larger tolerance"
+    )]
+    RoundingAlone {
+        /// How far it moves a point at most.
+        rounding: f64,
+        /// The tolerance in user units.
+        tolerance: f64,
+    },
+    /// With the decimals that were asked for, the arcs of a path stray too far.
+    #[error(
+        "with so few decimals the result strays farther than the tolerance {tolerance}: give more decimals or a larger tolerance"
+    )]
+    TooCoarse {
         /// The tolerance in user units.
         tolerance: f64,
     },
@@ -107,7 +136,7 @@ pub enum Error {
     },
     /// The joints that were asked for cannot be used.
     #[error("the joints cannot be used: {0}")]
-    Joints(String),
+    Joints(JointsError),
     /// A curve through fewer points than it takes.
     #[error(
         "a curve with {} ends runs through at least {least} points, but there {} {count}",
@@ -138,7 +167,7 @@ pub enum Error {
     },
     /// No shape is defined by what was given.
     #[error("{0}")]
-    Shape(String),
+    Shape(ShapeError),
     /// Path data, a transform, a document or a PostScript drawing that cannot be read.
     #[error("{0}")]
     Read(String),
@@ -147,7 +176,7 @@ pub enum Error {
     Unmeasurable(String),
     /// The picture that was asked for cannot be made.
     #[error("{0}")]
-    Picture(String),
+    Picture(PictureError),
     /// A format cannot hold what was drawn.
     #[error("{format} cannot hold this: {why}")]
     Format {
@@ -156,59 +185,11 @@ pub enum Error {
         /// The reason.
         why: String,
         /// What can be done instead.
-        remedy: &'static str,
+        remedy: Remedy,
     },
     /// What was to be written cannot be JSON.
     #[error("this cannot be written as JSON: {0}")]
     Json(String),
-}
-
-/// A number as people write it: with an exponent where it would be long.
-fn plain(value: f64) -> String {
-    if value == 0.0 || (1e-6..1e15).contains(&value.abs()) {
-        value.to_string()
-    } else {
-        format!("{value:e}")
-    }
-}
-
-impl Error {
-    /// What the user can do about it, where there is something to say.
-    #[must_use]
-    pub fn hint(&self) -> Option<String> {
-        match self {
-            Self::UnknownMethod { name, nearest } => {
-                let before = match name.as_str() {
-                    "ahn-kim" => {
-                        "Ahn and Kim 1997 is cited by Apprich et al. without a formula; ".to_owned()
-                    }
-                    "degen" => "Degen 2005 is cited by Apprich et al. as an overview; ".to_owned(),
-                    _ if nearest.is_empty() => String::new(),
-                    _ => format!("did you mean {}? ", nearest.join(", ")),
-                };
-                Some(before + "'curveto methods' lists them all")
-            }
-            Self::Impossible { remedy, .. } | Self::ToleranceOutOfReach { remedy, .. } => {
-                (!remedy.is_empty()).then(|| remedy.clone())
-            }
-            Self::Collapsed { .. } => Some("give more decimals".to_owned()),
-            Self::Rounding { .. } => Some("give more decimals or a larger tolerance".to_owned()),
-            Self::Format { remedy, .. } => Some((*remedy).to_owned()),
-            Self::TooFewPoints { cyclic: true, .. } => {
-                Some("--ends free takes two points and more".to_owned())
-            }
-            Self::RepeatedPoint { second: 0, .. } => {
-                Some("leave the last point out: cyclic ends close the curve by themselves".to_owned())
-            }
-            Self::RepeatedPoint { .. } => {
-                Some("leave one of the two out: a segment between equal points has no direction".to_owned())
-            }
-            Self::Unsettled { .. } => Some(
-                "the parameter is arc length, so that end derivatives are of length 1; --unit-tangents makes them so, --parametrization chord iterates nothing".to_owned(),
-            ),
-            _ => None,
-        }
-    }
 }
 
 /// `value` if it is positive and finite, and neither it nor its square leaves the range of `f64`.

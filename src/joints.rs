@@ -8,9 +8,8 @@ use core::str::FromStr;
 use kurbo::Vec2;
 
 use crate::angle::Angle;
-use crate::error::{Error, Result};
+use crate::error::{Error, JointsError, Remedy, Result};
 use crate::method::{Degrees, Rule, Span};
-use crate::number::text;
 use crate::shape::UnitArc;
 
 use chain::{Chain, Equal};
@@ -144,7 +143,7 @@ impl Joints {
             joints
                 .first()
                 .copied()
-                .ok_or_else(|| Error::Joints("a closed shape needs at least one".to_owned()))?
+                .ok_or(Error::Joints(JointsError::None))?
         } else {
             arc.start
         };
@@ -153,21 +152,18 @@ impl Joints {
         for joint in joints.iter().skip(usize::from(arc.closed)) {
             let way = (sign * (joint.degrees() - first.degrees())).rem_euclid(360.0);
             if !arc.closed && (way >= size || way == 0.0) {
-                return Err(Error::Joints(format!(
-                    "{} degrees is not inside the sweep from {} to {} degrees",
-                    joint.degrees(),
-                    first.degrees(),
-                    first.degrees() + arc.sweep.degrees()
-                )));
+                return Err(Error::Joints(JointsError::Outside {
+                    joint: joint.degrees(),
+                    start: first.degrees(),
+                    end: first.degrees() + arc.sweep.degrees(),
+                }));
             }
             ways.push(way);
         }
         ways.sort_by(f64::total_cmp);
         if let Some(pair) = ways.windows(2).find(|pair| pair[1] - pair[0] < 1e-9) {
-            return Err(Error::Joints(format!(
-                "two of them lie at {} degrees",
-                first.degrees() + sign * pair[0]
-            )));
+            let at = first.degrees() + sign * pair[0];
+            return Err(Error::Joints(JointsError::Twice(at)));
         }
         let from = UnitArc {
             start: first,
@@ -223,17 +219,14 @@ impl Joints {
             (0..parts as u32).map(at)
         });
         // An arc's own start is none of the joints that are given.
-        let with_more: Vec<String> = with_more
-            .skip(usize::from(!self.closed))
-            .map(text)
-            .collect();
+        let with_more = with_more.skip(usize::from(!self.closed));
         Err(Error::Impossible {
             method: rule.id(),
             why: format!(
                 "a segment of {} is beyond its largest, {largest} degrees",
                 Degrees(span.degrees())
             ),
-            remedy: format!("take nearer joints, as --joints {}", with_more.join(",")),
+            remedy: Remedy::Joints(with_more.collect()),
         })
     }
 

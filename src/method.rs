@@ -30,7 +30,7 @@ use core::str::FromStr;
 
 use kurbo::{CubicBez, PathSeg, Point, QuadBez, Vec2};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Remedy, Result};
 use crate::radial_error::RadialError;
 
 /// A method of the catalogue.
@@ -260,18 +260,16 @@ impl Method {
         if self == Self::LancasterDrawellipse && !span.is_about(90.0) {
             return Err(self.refuse(
                 format!("its one number serves quarters only, not segments of {degrees}"),
-                "take -n 4 for a full turn, or -m midpoint, minimax, which serve every angle"
-                    .to_owned(),
+                Remedy::Segments(vec![4], &["midpoint", "minimax"]),
             ));
         }
         let largest = card.largest_angle;
         if span.exceeds(largest) {
-            let remedy = format!("take more segments, at least one for every {largest} degrees");
             return Err(self.refuse(
                 format!("a segment of {degrees} is beyond its largest, {largest} degrees"),
-                match self.beyond_its_angle() {
-                    Some(others) => format!("{remedy}, or -m {others}"),
-                    None => remedy,
+                Remedy::MoreSegments {
+                    degrees: Some(largest),
+                    methods: self.beyond_its_angle(),
                 },
             ));
         }
@@ -279,20 +277,18 @@ impl Method {
     }
 
     /// What serves the angles beyond the method's largest, where that is less than half a turn.
-    const fn beyond_its_angle(self) -> Option<&'static str> {
+    const fn beyond_its_angle(self) -> &'static [&'static str] {
         match self {
-            Self::Apprich | Self::ApprichPlus => {
-                Some("curvature, minimax, which serve 180 degrees")
-            }
-            Self::ApprichScaled => Some("curvature-scaled, minimax-free, which serve 180 degrees"),
-            Self::Chen1 => Some("chen-3, minimax, which serve 180 degrees"),
-            Self::QuadraticTangent => Some("quadratic-minimax, which serves 180 degrees"),
-            _ => None,
+            Self::Apprich | Self::ApprichPlus => &["curvature", "minimax"],
+            Self::ApprichScaled => &["curvature-scaled", "minimax-free"],
+            Self::Chen1 => &["chen-3", "minimax"],
+            Self::QuadraticTangent => &["quadratic-minimax"],
+            _ => &[],
         }
     }
 
     /// The error that says why this method cannot do something.
-    pub(crate) fn refuse(self, why: String, remedy: String) -> Error {
+    pub(crate) fn refuse(self, why: String, remedy: Remedy) -> Error {
         Error::Impossible {
             method: self.id(),
             why,

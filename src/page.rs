@@ -18,7 +18,7 @@ use core::fmt::Write as _;
 
 use crate::angle::Angle;
 use crate::compare::Criterion;
-use crate::error::{Error, Result};
+use crate::error::{Error, Remedy, Result};
 use crate::method::Rule;
 use crate::number::compact;
 use crate::shape::Shape;
@@ -75,7 +75,7 @@ fn too_large() -> Error {
     Error::Format {
         format: "html",
         why: format!("the page would have more than {} kB", LARGEST / 1000),
-        remedy: "name fewer methods or counts: -m minimax,midpoint,apprich -n 3,4,8",
+        remedy: Remedy::SmallerPage,
     }
 }
 

@@ -13,7 +13,7 @@ pub use outline::{Outline, Truth, UnitArc};
 use kurbo::{Point, Vec2};
 
 use crate::angle::Angle;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, ShapeError, finite, positive};
 pub(crate) use outline::positive_radii;
 
 /// A shape that can be drawn.
@@ -156,10 +156,7 @@ impl Arc {
         finite("start angle", start.degrees())?;
         let sweep = whole_turn(Angle::from_degrees(finite("sweep", sweep.degrees())?));
         if sweep.degrees().abs() > 360.0 {
-            return Err(Error::Shape(format!(
-                "the sweep of an arc is at most one turn, 360 degrees, but it is {} degrees",
-                sweep.degrees()
-            )));
+            return Err(Error::Shape(ShapeError::Sweep(sweep.degrees())));
         }
         Ok(Self {
             center,

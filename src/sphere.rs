@@ -14,7 +14,7 @@ use kurbo::{Affine, Point};
 use crate::angle::Angle;
 use crate::approximate::{self, Drawing, approximate, automatic_precision};
 use crate::curve::{Curve, control_points, largest_move};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, ShapeError, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS};
 use crate::method::Rule;
 use crate::number::Precision;
@@ -117,9 +117,8 @@ impl Sphere {
         finite("x coordinate of the centre", center.x)?;
         finite("y coordinate of the centre", center.y)?;
         if let Some(count) = [meridians, parallels].into_iter().find(|&n| n > MOST_LINES) {
-            return Err(Error::Shape(format!(
-                "a sphere takes up to {MOST_LINES} meridians and as many parallels, not {count}"
-            )));
+            let most = MOST_LINES;
+            return Err(Error::Shape(ShapeError::TooManyLines { count, most }));
         }
         Ok(Self {
             center,

@@ -36,7 +36,7 @@ use crate::approximate::Drawing;
 use crate::contour::Closeness;
 use crate::course::Course;
 use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::error::{Error, PictureError, Remedy, Result};
 use crate::number::Precision;
 use crate::picture::figure::Figure;
 #[cfg(feature = "plot")]
@@ -179,9 +179,8 @@ fn named(
 fn check_shown(figure: &Figure, style: &Style) -> Result<()> {
     let segments: usize = figure.curves().map(|curve| curve.segments.len()).sum();
     if style.show.is_any() && segments > MOST_SHOWN {
-        return Err(Error::Picture(format!(
-            "what is shown beside a curve is shown of up to {MOST_SHOWN} segments, not of {segments}"
-        )));
+        let (count, most) = (segments, MOST_SHOWN);
+        return Err(Error::Picture(PictureError::TooManyShown { count, most }));
     }
     Ok(())
 }
@@ -193,7 +192,7 @@ fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<V
         return Err(Error::Format {
             format: format.name(),
             why: "its arcs are those of circles".to_owned(),
-            remedy: "leave out --elliptic, so that circular arcs take the place of elliptical ones",
+            remedy: Remedy::CircularArcs,
         });
     }
     let text = match format {
@@ -208,7 +207,7 @@ fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<V
             return Err(Error::Format {
                 format: format.name(),
                 why: "it has no circular arcs here".to_owned(),
-                remedy: "-f path, json, dxf and gcode have them; --to beziers and --to lines go with every format",
+                remedy: Remedy::FormatsOfArcs,
             });
         }
     };
@@ -242,7 +241,7 @@ fn courses(figure: &Figure) -> Result<Vec<Course>> {
         course.ok_or_else(|| Error::Format {
             format: Format::Gcode.name(),
             why: "it has straight lines and circular arcs only".to_owned(),
-            remedy: "draw a circle or an arc of one, or make arcs of a path by --to arcs; -f dxf takes every curve",
+            remedy: Remedy::Arcs,
         })
     };
     drawn.map(course).collect()

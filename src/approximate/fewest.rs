@@ -6,7 +6,7 @@ use core::ops::RangeInclusive;
 use kurbo::Point;
 
 use super::{ROUNDING_SHARE, Request, Sketch};
-use crate::error::{Error, Result};
+use crate::error::{Error, Remedy, Result};
 use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
 use crate::measure::radial;
@@ -186,7 +186,7 @@ impl Request<'_> {
             return Err(self.out_of_reach(
                 tolerance,
                 "it is finer than the digits of a double-precision coordinate",
-                format!("the finest tolerance at this size is about {finest:.1e}"),
+                Remedy::FinestTolerance(finest),
             ));
         }
         Ok(())
@@ -201,29 +201,24 @@ impl Request<'_> {
                 self.out_of_reach(
                     tolerance,
                     format!("rounding to {decimals} decimals moves points farther than that"),
-                    "give more decimals with -p, or leave the precision to -p auto",
+                    Remedy::MoreDecimals,
                 )
             }
             (Some(refusal), _) if self.counts(tolerance).count() < 2 => refusal,
             _ => self.out_of_reach(
                 tolerance,
                 "its error does not fall that far",
-                "take a larger tolerance, or -m minimax, whose error falls with the sixth power of the angle",
+                Remedy::LargerToleranceOrOrder("minimax"),
             ),
         }
     }
 
-    fn out_of_reach(
-        &self,
-        tolerance: f64,
-        why: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> Error {
+    fn out_of_reach(&self, tolerance: f64, why: impl Into<String>, remedy: Remedy) -> Error {
         Error::ToleranceOutOfReach {
             method: self.options.rule.id(),
             tolerance,
             why: why.into(),
-            remedy: remedy.into(),
+            remedy,
         }
     }
 

@@ -11,10 +11,10 @@ use curveto::batch::{self, OnError, Options, Summary};
 use curveto::number::{compact, rounded_up};
 use curveto::write::{Format, Image, write};
 
-use super::Outcome;
 use super::args::BatchArgs;
 use super::failure::{Failure, tell};
 use super::output::{Target, stream_file};
+use super::{Outcome, remedies};
 
 /// How often the progress of a run is shown.
 const STEP: Duration = Duration::from_millis(200);
@@ -88,9 +88,10 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
     };
     let target = Target::new(args.output.as_deref());
     let complain = |line: u64, error: &curveto::Error| {
-        let hint = error.hint().map(|hint| format!("hint: {hint}\n"));
+        let hint = remedies::hint(error).map(|hint| format!("hint: {hint}\n"));
+        let message = remedies::message(error);
         tell(&format!(
-            "error: {name}:{line}: {error}\n{}",
+            "error: {name}:{line}: {message}\n{}",
             hint.unwrap_or_default()
         ));
     };

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 
-use super::hints;
+use super::{hints, remedies};
 
 /// Why a command ended, and how the process is to end.
 #[derive(Debug)]
@@ -66,8 +66,8 @@ impl fmt::Display for Failure {
 impl From<curveto::Error> for Failure {
     fn from(error: curveto::Error) -> Self {
         Self::Request {
-            hint: error.hint(),
-            message: error.to_string(),
+            hint: remedies::hint(&error),
+            message: remedies::message(&error),
         }
     }
 }

@@ -10,10 +10,10 @@ use curveto::spline::Spline;
 use curveto::spline::points::{Points, ReadError};
 use curveto::write::spline::SplineDrawing;
 
-use super::Outcome;
 use super::args::{SplineArgs, SplineSource};
 use super::failure::Failure;
 use super::output::write_drawn;
+use super::{Outcome, remedies};
 
 pub(super) fn run(args: &SplineArgs) -> Outcome {
     let format = args.output.format()?;
@@ -94,7 +94,7 @@ impl<'a> Source<'a> {
                 let other = lines[first].min(lines[second]);
                 Failure::Request {
                     message: format!("{}:{at}: {error} (lines {other} and {at})", self.name()),
-                    hint: error.hint(),
+                    hint: remedies::hint(&error),
                 }
             }
             error => error.into(),

@@ -6,7 +6,7 @@
 use kurbo::Vec2;
 
 use crate::angle::first_direction;
-use crate::error::{Error, Result};
+use crate::error::{Error, Remedy, Result};
 use crate::joints::MOST_SEGMENTS;
 use crate::method::{Method, Rule, Span};
 use crate::number::digits::ROUNDING;
@@ -116,7 +116,7 @@ impl Steps {
         Err(Error::Impossible {
             method: rule.id(),
             why: "its segments are no cubics with the same handles along the tangents".to_owned(),
-            remedy: "approximate() draws by every method".to_owned(),
+            remedy: Remedy::Approximate,
         })
     }
 }

@@ -687,14 +687,6 @@ mod tests {
     }
 
     #[test]
-    fn cited_works_without_a_method_are_named() {
-        for name in ["ahn-kim", "degen"] {
-            let hint = name.parse::<Method>().unwrap_err().hint().unwrap();
-            assert!(hint.contains("cited by Apprich et al."), "{hint}");
-        }
-    }
-
-    #[test]
     fn near_names_are_offered() {
         assert_eq!(nearest("minmax")[0], "minimax");
         assert_eq!(nearest("midpont")[0], "midpoint");

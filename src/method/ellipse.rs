@@ -22,7 +22,7 @@ use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Vec2};
 
 use super::{Degree, Method, Piece, Span, minimax};
 use crate::angle::Angle;
-use crate::error::Result;
+use crate::error::{Remedy, Result};
 use crate::numeric::foot::{Foot, foot_by_excess};
 use crate::numeric::{linear, root};
 use crate::shape::Axes;
@@ -352,7 +352,7 @@ pub(crate) fn pieces(
     if is_free && !(is_closed && angles.len() == 5 && on_axes) {
         return Err(method.refuse(
             "on an ellipse it serves whole ones in quarters from axis to axis".to_owned(),
-            "take -n 4 and --start on an axis, or -m minimax-ellipse, minimax".to_owned(),
+            Remedy::Quarters(&["minimax-ellipse", "minimax"]),
         ));
     }
     let piece = |pair: &[f64]| {
@@ -362,7 +362,7 @@ pub(crate) fn pieces(
         let Some(fit) = best(short, from, sweep.abs(), is_free) else {
             return Err(method.refuse(
                 "it serves ellipses up to 1:50, in segments up to 170 degrees".to_owned(),
-                "take more segments, or -m minimax, which serves every ellipse".to_owned(),
+                Remedy::MoreSegmentsOfEllipse("minimax"),
             ));
         };
         let end = |degrees: f64, k: f64| {

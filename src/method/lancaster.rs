@@ -1,7 +1,7 @@
 //! `lancaster-best` and `lancaster-drawellipse`: the magic numbers of Don Lancaster, "Approximating a Circle or an Ellipse
 //! Using Four Bezier Cubic Splines" (2005).
 
-use crate::error::Result;
+use crate::error::{Remedy, Result};
 
 use super::{Degrees, Method, Span};
 
@@ -24,7 +24,7 @@ pub(super) fn best(span: &Span) -> Result<f64> {
         let counts = BEST.map(|(count, _)| count.to_string()).join(" ");
         Method::LancasterBest.refuse(
             format!("his table has no number for segments of {}, only for {counts} segments to the circle", Degrees(span.degrees())),
-            format!("take -n with one of {counts}, or -m midpoint, minimax, which serve every angle"),
+            Remedy::Segments(BEST.map(|(count, _)| count as usize).to_vec(), &["midpoint", "minimax"]),
         )
     })
 }

@@ -1,6 +1,6 @@
 //! What gives the control points of a whole chain of pieces, and what it refuses.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Remedy, Result};
 use crate::radial_error::RadialError;
 
 use super::{Degree, Degrees, Ends, Iteration, Method, Piece, Quadrature, Span, chen, tangent};
@@ -160,10 +160,7 @@ impl Method {
             };
             return Err(self.refuse(
                 format!("its segments end off the circle, and {why}"),
-                format!(
-                    "take -m {}, whose ends lie on the circle",
-                    self.on_circle_instead(spans)
-                ),
+                Remedy::OnCircle(self.on_circle_instead(spans)),
             ));
         }
         if self == Self::Chen1 && closed && spans.len() < 3 {
@@ -174,14 +171,14 @@ impl Method {
             };
             return Err(self.refuse(
                 format!("his cyclic system (11) through {points} gives handles of length 0"),
-                "take at least three segments, or -m chen-3, minimax".to_owned(),
+                Remedy::ThreeSegments(&["chen-3", "minimax"]),
             ));
         }
         Ok(())
     }
 
     /// The methods that do the same, or nearly, with their ends on the circle, at these angles.
-    fn on_circle_instead(self, spans: &[Span]) -> String {
+    fn on_circle_instead(self, spans: &[Span]) -> Vec<&'static str> {
         let candidates: &[Self] = match self {
             Self::ApprichScaled => &[Self::Apprich, Self::Curvature, Self::Minimax],
             Self::CurvatureScaled => &[Self::Curvature, Self::Minimax],
@@ -194,8 +191,7 @@ impl Method {
             let largest = method.card().largest_angle;
             !spans.iter().any(|span| span.exceeds(largest))
         };
-        let ids: Vec<&str> = candidates.iter().filter(serves).map(|m| m.id()).collect();
-        ids.join(", ")
+        candidates.iter().filter(serves).map(|m| m.id()).collect()
     }
 }
 
@@ -207,7 +203,7 @@ fn check_half_turn_of_chen_1(span: &Span) -> Result<()> {
     let degrees = Degrees(span.degrees());
     Err(Method::Chen1.refuse(
         format!("a segment of {degrees} is more than half a turn"),
-        "take more segments or nearer joints".to_owned(),
+        Remedy::NearerJoints,
     ))
 }
 
@@ -217,11 +213,14 @@ fn check_half_turn(span: &Span) -> Result<()> {
         return Ok(());
     }
     Err(Error::Impossible {
-        method: "--handle",
+        method: "a literal handle",
         why: format!(
             "a segment of {} is more than half a turn",
             Degrees(span.degrees())
         ),
-        remedy: "take more segments".to_owned(),
+        remedy: Remedy::MoreSegments {
+            degrees: None,
+            methods: &[],
+        },
     })
 }

@@ -10,7 +10,7 @@ use super::{LARGEST, Request, filled, sources, too_large};
 use crate::angle::Angle;
 use crate::approximate::approximate;
 use crate::compare::Criterion;
-use crate::error::{Error, Result};
+use crate::error::{Error, PictureError, Result};
 use crate::method::{Degree, Method, Rule};
 use crate::number::{Precision, text};
 use crate::picture::words::describe;
@@ -61,11 +61,7 @@ impl PageDocument {
             Shape::Arc(arc) => Shape::Arc(Arc { ends: None, ..arc }),
             shape => shape,
         };
-        let outline = shape.outline().ok_or_else(|| {
-            Error::Shape(
-                "there is nothing to look at: the shape is a straight line or nothing, and that is exact".to_owned(),
-            )
-        })?;
+        let outline = shape.outline().ok_or(Error::Picture(PictureError::Exact))?;
         let rules = distinct(request.rules);
         // A segment has six numbers: what is certainly too large need not be drawn first.
         let counts = request.counts.iter();
@@ -250,7 +246,7 @@ fn why_not(shape: &Shape, request: &Request<'_>) -> Error {
         let options = options(rule, count, Some(Precision::Full));
         approximate(shape, &options).err()
     });
-    refusal.unwrap_or_else(|| Error::Shape("no method and no count was named".to_owned()))
+    refusal.unwrap_or(Error::Picture(PictureError::Nothing))
 }
 
 fn entry(rule: Rule) -> MethodEntry {

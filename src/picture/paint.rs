@@ -2,7 +2,7 @@
 
 use core::str::FromStr;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, PictureError, Result};
 
 /// A colour of sRGB, in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,11 +83,9 @@ impl FromStr for Paint {
         if is("rebeccapurple") {
             return Ok(REBECCA_PURPLE);
         }
-        parse(text).map(Self::Color).ok_or_else(|| {
-            Error::Picture(format!(
-                "'{text}' is not a colour: a colour is none, currentColor, a CSS name like tomato, or like #d50, #dd5500, rgb(221 85 0)"
-            ))
-        })
+        parse(text)
+            .map(Self::Color)
+            .ok_or_else(|| Error::Picture(PictureError::Color(text.to_owned())))
     }
 }
 

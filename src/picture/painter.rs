@@ -9,7 +9,7 @@ use super::palette::{GREEN, ORANGE, SKY_BLUE};
 use super::scene::{Group, Mark, Pen, Scene};
 use super::style::Style;
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, PictureError, Result, finite};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
 use crate::numeric::functions::power;
 
@@ -168,10 +168,7 @@ impl<'a> Painter<'a> {
         let mut segments = self.figure.curves().flat_map(|curve| &curve.segments);
         let exact = self.figure.closeness.is_none() && segments.all(is_line);
         if self.figure.truths.is_empty() && !exact {
-            return Err(Error::Picture(
-                "there is no true shape to show: it is known of circles, ellipses and arcs"
-                    .to_owned(),
-            ));
+            return Err(Error::Picture(PictureError::NoTruth));
         }
         Ok(&self.figure.truths)
     }

@@ -3,7 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, PictureError, Result};
 use crate::number::text;
 
 /// Pixels of CSS in an inch.
@@ -136,15 +136,11 @@ impl FromStr for Size {
             ])
         });
         let Some([width, height]) = sides.next_back() else {
-            return Err(Error::Picture(format!(
-                "'{text}' is not a width and a height, like 640x480 or 80x60mm"
-            )));
+            return Err(Error::Picture(PictureError::Size(text.to_owned())));
         };
         for (side, _) in [width, height] {
             if !(side.is_finite() && side > 0.0) {
-                return Err(Error::Picture(format!(
-                    "the sides of a picture are positive and finite, and '{text}' has one that is not"
-                )));
+                return Err(Error::Picture(PictureError::Side(text.to_owned())));
             }
         }
         let [width, height] = [width, height].map(|(value, unit)| Side { value, unit });

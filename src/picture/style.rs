@@ -4,7 +4,7 @@ use core::str::FromStr;
 
 use super::paint::Paint;
 use super::size::Size;
-use crate::error::{Error, Result};
+use crate::error::{Error, PictureError, Result};
 use crate::number::round_one_two_five;
 
 /// The part of the larger side that the default stroke is wide.
@@ -111,22 +111,16 @@ impl FromStr for Shown {
             "handles" => return Ok(Self::Handles),
             "truth" => return Ok(Self::Truth),
             "error" => {
-                return Err(Error::Picture(
-                    "error needs its factor, like error=500: the deviation is drawn this many times as large".to_owned(),
-                ));
+                return Err(Error::Picture(PictureError::NoFactor));
             }
             _ => {}
         }
         let Some(factor) = text.trim().strip_prefix("error=") else {
-            return Err(Error::Picture(format!(
-                "'{text}' cannot be shown: what can is joints, handles, truth, error=K"
-            )));
+            return Err(Error::Picture(PictureError::Shown(text.to_owned())));
         };
         match factor.trim().parse::<f64>() {
             Ok(factor) if factor.is_finite() && factor > 0.0 => Ok(Self::Error(factor)),
-            _ => Err(Error::Picture(format!(
-                "the factor of error=K is a positive, finite number, not '{factor}'"
-            ))),
+            _ => Err(Error::Picture(PictureError::Factor(factor.to_owned()))),
         }
     }
 }

@@ -7,7 +7,7 @@ pub use super::svg_arc::SvgArc;
 pub(crate) use super::svg_arc::{Chord, Half};
 use super::{Arc, Given, Line, Shape, finite_point};
 use crate::angle::Angle;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, ShapeError, finite, positive};
 use crate::numeric::double::Double;
 
 /// The arc of path data `M x y A rx ry rotation large sweep x y`, in any form that the grammar of SVG allows.
@@ -76,12 +76,8 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
         return full_circle(from, from.midpoint(on), false);
     }
     if from == on || on == to {
-        let which = if from == on && on == to {
-            "three points are the same"
-        } else {
-            "two of the three points are the same"
-        };
-        return Err(Error::Shape(format!("no arc is determined: {which}")));
+        let all = from == on && on == to;
+        return Err(Error::Shape(ShapeError::SamePoints { all }));
     }
     let (u, v) = (from - on, to - on);
     let [cross, dot] = products_about(on, from, to);
@@ -92,9 +88,7 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
         .fold(0.0, f64::max);
     if cross.abs() <= 4.0 * f64::EPSILON * largest * (u.hypot() + v.hypot()) {
         if dot > 0.0 {
-            return Err(Error::Shape(
-                "no arc is determined: the three points lie on a line, and the second is not between the others".to_owned(),
-            ));
+            return Err(Error::Shape(ShapeError::PointsOnLine));
         }
         return Ok(Shape::Line(Line { from, to }));
     }

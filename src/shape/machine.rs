@@ -5,7 +5,7 @@ use kurbo::{Point, Vec2};
 use super::endpoint::{SvgArc, from_bulge, full_circle};
 use super::{Shape, finite_point};
 use crate::angle::Angle;
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, ShapeError, positive};
 
 /// How far a radius may be off by the rounding of the program that wrote it, as a part of itself.
 const RADIUS_SHARE: f64 = 1e-3;
@@ -37,16 +37,12 @@ pub fn from_radius(
         finite_point("end point", to)?,
     );
     if from == to {
-        return Err(Error::Shape(
-            "no arc is determined: the ends are the same, and a radius does not say where the centre lies".to_owned(),
-        ));
+        return Err(Error::Shape(ShapeError::SameEnds));
     }
     let half = (to - from).hypot() / 2.0;
     if half > radius && !is_rounding(half - radius, half) {
-        return Err(Error::Shape(format!(
-            "no circle of radius {radius} runs through both ends: they are {} apart, more than the diameter",
-            2.0 * half
-        )));
+        let distance = 2.0 * half;
+        return Err(Error::Shape(ShapeError::SmallRadius { radius, distance }));
     }
     SvgArc {
         from,
@@ -78,9 +74,7 @@ pub fn about_center(from: Point, to: Point, center: Point, reverse: bool) -> Res
     let (first, last) = ((from - center).hypot(), (to - center).hypot());
     positive("radius", first.min(last))?;
     if !is_rounding(first - last, first.min(last)) {
-        return Err(Error::Shape(format!(
-            "no circle about the centre runs through both ends: their distances from it are {first} and {last}"
-        )));
+        return Err(Error::Shape(ShapeError::Centre { first, last }));
     }
     let chord = to - from;
     let half = chord.hypot() / 2.0;

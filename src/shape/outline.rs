@@ -5,7 +5,7 @@ use kurbo::{Affine, Point, Vec2};
 use super::Given;
 use super::frame::Frame;
 use crate::angle::Angle;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, ShapeError, finite, positive};
 use crate::numeric::double::Double;
 use crate::numeric::functions::unit_vector;
 
@@ -140,8 +140,7 @@ impl Truth {
         // By the area, because the singular values' own formula cancels for flat ellipses.
         let smaller = placement.determinant().abs() / larger;
         if smaller <= f64::EPSILON * larger {
-            let message = "the transform flattens the shape to a line: nothing is left to draw";
-            return Err(Error::Shape(message.to_owned()));
+            return Err(Error::Shape(ShapeError::Flattened));
         }
         let radii = positive_radii(Vec2::new(larger, smaller))?;
         // The larger singular value's direction; kurbo has the same formula, but asks the platform.
@@ -256,11 +255,8 @@ pub(crate) fn positive_radii(radii: Vec2) -> Result<Vec2> {
     let radii = Vec2::new(positive(what, radii.x)?, positive(what, radii.y)?);
     let (small, large) = (radii.x.min(radii.y), radii.x.max(radii.y));
     if large > FLATTEST * small {
-        let message = format!(
-            "an ellipse with the radii {} and {} is too flat: one radius may be up to {FLATTEST:e} of the other",
-            radii.x, radii.y
-        );
-        return Err(Error::Shape(message));
+        let (radii, most) = ([radii.x, radii.y], FLATTEST);
+        return Err(Error::Shape(ShapeError::TooFlat { radii, most }));
     }
     Ok(radii)
 }

@@ -4,7 +4,7 @@ use kurbo::{Affine, Vec2};
 
 use super::{Sphere, View};
 use crate::angle::Angle;
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, ShapeError, finite};
 
 /// A vector in space: x lies on the equator at the longitude of the view, y on it a quarter turn to the east, z towards the north.
 type Vector = [f64; 3];
@@ -38,9 +38,7 @@ impl Space {
         finite("longitude", view.longitude.degrees())?;
         let latitude = finite("latitude", view.latitude.degrees())?;
         if latitude.abs() > 90.0 {
-            return Err(Error::Shape(format!(
-                "a latitude lies between -90 and 90 degrees, but that of the view is {latitude}"
-            )));
+            return Err(Error::Shape(ShapeError::Latitude(latitude)));
         }
         let Vec2 { x: cos, y: sin } = view.latitude.direction();
         Ok(Self {

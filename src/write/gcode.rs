@@ -6,7 +6,7 @@ use kurbo::Point;
 
 use crate::contour::Closeness;
 use crate::course::{Course, Step};
-use crate::error::{Error, Result};
+use crate::error::{Error, Remedy, Result};
 use crate::number::{Precision, compact, rounded_up, significant, text};
 use crate::numeric::functions::power;
 
@@ -78,7 +78,7 @@ fn precision(courses: &[Course], options: &Options) -> Result<(Precision, f64)> 
             Err(Error::Format {
                 format: "gcode",
                 why: "with so few decimals it strays farther than the tolerance".to_owned(),
-                remedy: "give more decimals by -p or a larger tolerance by -t",
+                remedy: Remedy::MoreDecimalsOrTolerance,
             })
         };
     }

@@ -11,7 +11,7 @@ use pdf_writer::{Name, Pdf, Rect, Ref, TextStr};
 
 use super::postscript::{PathOperators, number, push_path, shares};
 use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::error::{Error, PictureError, Result};
 use crate::picture::paint::Paint;
 use crate::picture::scene::{Group, Pen, Scene};
 use crate::picture::size::Size;
@@ -69,9 +69,7 @@ fn page(scene: &Scene) -> Result<[f64; 2]> {
         return if width.max(height) <= most {
             Ok([width, height])
         } else {
-            Err(Error::Picture(format!(
-                "the page is too large: a side has at most {most} points, which are 200 inches"
-            )))
+            Err(Error::Picture(PictureError::LargePage(most)))
         };
     }
     let sides = [scene.view.width(), scene.view.height()];

@@ -6,7 +6,7 @@ use tiny_skia::{
 };
 
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, Result};
+use crate::error::{Error, PictureError, Result};
 use crate::picture::paint::{Color, Paint};
 use crate::picture::scene::{Mark, Pen, Scene};
 use crate::picture::size::Size;
@@ -57,7 +57,7 @@ pub fn encode(scene: &Scene) -> Result<Vec<u8>> {
     }
     pixmap
         .encode_png()
-        .map_err(|error| Error::Picture(format!("the picture cannot be encoded: {error}")))
+        .map_err(|error| Error::Picture(PictureError::Encoder(error.to_string())))
 }
 
 /// Width and height in pixels.
@@ -80,9 +80,11 @@ fn pixels(scene: &Scene) -> Result<[u32; 2]> {
 }
 
 fn too_large(width: f64, height: f64) -> Error {
-    Error::Picture(format!(
-        "a picture of {width}x{height} pixels is too large: the most is 100 million pixels, such as 10000x10000, and {LONGEST_SIDE} on a side"
-    ))
+    Error::Picture(PictureError::TooManyPixels {
+        width,
+        height,
+        longest: LONGEST_SIDE,
+    })
 }
 
 /// Refuses what would take minutes.
@@ -95,9 +97,11 @@ fn check_segments(scene: &Scene) -> Result<()> {
     });
     let segments: usize = counts.sum();
     if segments > MOST_SEGMENTS {
-        return Err(Error::Picture(format!(
-            "a picture in pixels takes up to {MOST_SEGMENTS} segments, not {segments}: svg, eps and pdf take any number"
-        )));
+        let (count, most) = (segments, MOST_SEGMENTS);
+        return Err(Error::Picture(PictureError::TooManySegments {
+            count,
+            most,
+        }));
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use kurbo::{PathSeg, Point, Rect};
 
 use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::error::{Error, PictureError, Remedy, Result};
 use crate::method::{Method, Rule, Span};
 use crate::number::{Precision, push_shortest, rounded_up, significant, text};
 use crate::picture::paint::{Color, Paint};
@@ -159,9 +159,7 @@ fn paint_group(group: &Group, scene: &Scene) -> Result<String> {
 
 fn set_color(color: Color) -> Result<String> {
     if color.alpha < 255 {
-        return Err(Error::Picture(
-            "PostScript has no translucent colours: an eps file takes opaque ones".to_owned(),
-        ));
+        return Err(Error::Picture(PictureError::Translucent));
     }
     let [red, green, blue] = shares(color);
     Ok(if red == green && green == blue {
@@ -227,7 +225,7 @@ pub fn procset(rule: Rule, with: &[Procedures]) -> Result<String> {
         let method = rule.method().unwrap_or(Method::Minimax);
         return Err(method.refuse(
             "the procedures have one magic number, for cubics that touch the circle at the quadrants".to_owned(),
-            "take -m minimax, midpoint or lancaster-drawellipse".to_owned(),
+            Remedy::Methods(&["minimax", "midpoint", "lancaster-drawellipse"]),
         ));
     }
     let error = rule.radial_error(&Span::from_degrees(90.0))?;

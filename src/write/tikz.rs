@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 use kurbo::{PathSeg, Point};
 
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, Result};
+use crate::error::{Error, Remedy, Result};
 use crate::number::text;
 
 /// TeX's largest dimension is just below 16384 points, and TikZ takes no larger number.
@@ -36,7 +36,7 @@ fn push_curve(out: &mut String, curve: &Curve) -> Result<()> {
         return Err(Error::Format {
             format: "tikz",
             why: format!("TeX takes no number beyond {LARGEST}, and there is {far:e}"),
-            remedy: "--transform 'scale(0.01)' makes it smaller",
+            remedy: Remedy::Scale,
         });
     }
     // Writing to a string cannot fail.

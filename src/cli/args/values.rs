@@ -11,15 +11,18 @@ use curveto::write::Format;
 use curveto::{Angle, Method, Tolerance};
 use kurbo::{Affine, Point, Vec2};
 
+use crate::cli::remedies;
+
 /// Readers give clap the message; it adds the argument's name and the value.
 type Read<T> = Result<T, String>;
 
 /// The message of a library error, with its hint.
 fn told(error: &curveto::Error) -> String {
-    error.hint().map_or_else(
-        || error.to_string(),
-        |hint| format!("{error}\nhint: {hint}"),
-    )
+    let message = remedies::message(error);
+    match remedies::hint(error) {
+        Some(hint) => format!("{message}\nhint: {hint}"),
+        None => message,
+    }
 }
 
 pub(super) fn method(text: &str) -> Read<Method> {

@@ -1,0 +1,149 @@
+//! What the library refuses, in the words of the command line.
+
+use curveto::Error;
+use curveto::error::{JointsError, Remedy, ShapeError};
+use curveto::number::text;
+
+/// The message of an error.
+pub(crate) fn message(error: &Error) -> String {
+    match error {
+        Error::Impossible {
+            method: "a literal handle",
+            why,
+            ..
+        } => format!("--handle cannot do this: {why}"),
+        Error::Shape(ShapeError::RuleOfEllipses) => {
+            "a literal handle and --quadrature are for circles and ellipses, not for a hyperbola or a parabola".to_owned()
+        }
+        Error::Joints(JointsError::NoAngles) => {
+            "the joints cannot be used: a hyperbola and a parabola have no angles; -n and -t cut them".to_owned()
+        }
+        _ => error.to_string(),
+    }
+}
+
+/// What the user can do about it, where there is something to say.
+pub(crate) fn hint(error: &Error) -> Option<String> {
+    let hint = match error {
+        Error::UnknownMethod { name, nearest } => return Some(known_methods(name, nearest)),
+        Error::Impossible { remedy, .. }
+        | Error::ToleranceOutOfReach { remedy, .. }
+        | Error::Format { remedy, .. } => return Some(advice(remedy)),
+        Error::Collapsed { .. } => "give more decimals",
+        Error::Rounding { .. } => "give more decimals or a larger tolerance",
+        Error::TooFewPoints { cyclic: true, .. } => "--ends free takes two points and more",
+        Error::RepeatedPoint { second: 0, .. } => {
+            "leave the last point out: cyclic ends close the curve by themselves"
+        }
+        Error::RepeatedPoint { .. } => {
+            "leave one of the two out: a segment between equal points has no direction"
+        }
+        Error::Unsettled { .. } => {
+            "the parameter is arc length, so that end derivatives are of length 1; --unit-tangents makes them so, --parametrization chord iterates nothing"
+        }
+        _ => return None,
+    };
+    Some(hint.to_owned())
+}
+
+fn known_methods(name: &str, nearest: &[&str]) -> String {
+    let before = match name {
+        "ahn-kim" => "Ahn and Kim 1997 is cited by Apprich et al. without a formula; ".to_owned(),
+        "degen" => "Degen 2005 is cited by Apprich et al. as an overview; ".to_owned(),
+        _ if nearest.is_empty() => String::new(),
+        _ => format!("did you mean {}? ", nearest.join(", ")),
+    };
+    before + "'curveto methods' lists them all"
+}
+
+/// A remedy by the flags that bring it.
+fn advice(remedy: &Remedy) -> String {
+    match remedy {
+        Remedy::MoreSegments { degrees, methods } => more_segments(*degrees, methods),
+        Remedy::ThreeSegments(methods) => {
+            format!("take at least three segments, or -m {}", methods.join(", "))
+        }
+        Remedy::Segments(counts, methods) => {
+            let methods = methods.join(", ");
+            let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
+            let counts = match &counts[..] {
+                [count] => format!("{count} for a full turn"),
+                _ => format!("with one of {}", counts.join(" ")),
+            };
+            format!("take -n {counts}, or -m {methods}, which serve every angle")
+        }
+        Remedy::MoreSegmentsOfEllipse(method) => {
+            format!("take more segments, or -m {method}, which serves every ellipse")
+        }
+        Remedy::Quarters(methods) => format!(
+            "take -n 4 and --start on an axis, or -m {}",
+            methods.join(", ")
+        ),
+        Remedy::Joints(angles) => {
+            let angles: Vec<String> = angles.iter().map(|&angle| text(angle)).collect();
+            format!("take nearer joints, as --joints {}", angles.join(","))
+        }
+        Remedy::Methods([all @ .., last]) => format!("take -m {} or {last}", all.join(", ")),
+        Remedy::OnCircle(methods) => format!(
+            "take -m {}, whose ends lie on the circle",
+            methods.join(", ")
+        ),
+        Remedy::FinestTolerance(finest) => {
+            format!("the finest tolerance at this size is about {finest:.1e}")
+        }
+        Remedy::LargerTolerance(method) => format!("take a larger tolerance, or -m {method}"),
+        Remedy::LargerToleranceOrOrder(method) => format!(
+            "take a larger tolerance, or -m {method}, whose error falls with the sixth power of the angle"
+        ),
+        _ => plain_advice(remedy).to_owned(),
+    }
+}
+
+/// A remedy in which nothing varies.
+const fn plain_advice(remedy: &Remedy) -> &'static str {
+    match remedy {
+        Remedy::NearerJoints => "take more segments or nearer joints",
+        Remedy::MoreDecimals => "give more decimals with -p, or leave the precision to -p auto",
+        Remedy::MoreDecimalsOrTolerance => "give more decimals with -p, or take a larger tolerance",
+        Remedy::SmallerPage => "name fewer methods or counts: -m minimax,midpoint,apprich -n 3,4,8",
+        Remedy::CircularArcs => {
+            "leave out --elliptic, so that circular arcs take the place of elliptical ones"
+        }
+        Remedy::FormatsOfArcs => {
+            "-f path, json, dxf and gcode have them; --to beziers and --to lines go with every format"
+        }
+        Remedy::Arcs => {
+            "draw a circle or an arc of one, or make arcs of a path by --to arcs; -f dxf takes every curve"
+        }
+        Remedy::Scale => "--transform 'scale(0.01)' makes it smaller",
+        _ => "another method or another number of segments may serve",
+    }
+}
+
+fn more_segments(degrees: Option<f64>, methods: &[&str]) -> String {
+    let each = degrees.map(|degrees| format!(", at least one for every {degrees} degrees"));
+    let serve = if methods.len() == 1 {
+        "serves"
+    } else {
+        "serve"
+    };
+    let others = match methods.join(", ") {
+        ids if ids.is_empty() => ids,
+        ids => format!(", or -m {ids}, which {serve} 180 degrees"),
+    };
+    format!("take more segments{}{others}", each.unwrap_or_default())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use curveto::Method;
+
+    #[test]
+    fn cited_works_without_a_method_are_named() {
+        for name in ["ahn-kim", "degen"] {
+            let hint = hint(&name.parse::<Method>().unwrap_err()).unwrap();
+            assert!(hint.contains("cited by Apprich et al."), "{hint}");
+        }
+    }
+}
