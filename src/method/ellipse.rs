@@ -15,8 +15,10 @@
 //! The extremes are not looked for anew in every step: each goes one step of Newton's method of its own, d' = p'·n and
 //! d'' = p''·n + κ(p'·T)²/(1+κd), and its distance is corrected by d'²/(2d''), so that what is left is of third order. Then it goes
 //! where the new handles move it, by -(∂d'/∂k · δk)/d'', and no step moves an extreme far: on a short segment k0 - k1 hardly changes
-//! the peak and moves the extremes much. Where that does not settle soon (1 in 15 arcs, beside the tip of a flat ellipse) it begins anew
-//! from the extremes of the start, which are looked for; where that does not either, they are looked for in each step.
+//! the peak and moves the extremes much. It begins where the problem to first order ([`start`]) ends; where that does not settle, the
+//! extremes of the circle's segment are looked for, and where the search does not, those of each step.
+
+mod start;
 
 use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Vec2};
 
@@ -27,18 +29,11 @@ use crate::numeric::foot::{Foot, foot_by_excess};
 use crate::numeric::{linear, root};
 use crate::shape::Axes;
 
-/// The flattest ellipse that was tried, and the longest segment.
-const FLATTEST: f64 = 0.02;
-const LARGEST_ANGLE: f64 = 170.0;
+/// The flattest ellipses, by their ratio, and the longest segments on those, in degrees: what was tried, and found in 3 microseconds.
+const SERVED: [(f64, f64); 2] = [(0.05, 170.0), (0.02, 120.0)];
 
-/// Four or five steps reach the last digits, more where the extremes have far to go.
+/// Two or three steps reach the last digits, more where the extremes have far to go.
 const MOST_STEPS: usize = 24;
-
-/// After so many steps from about where the extremes are it is cheaper, by trial, to look for them.
-const MOST_BLIND_STEPS: usize = 10;
-
-/// Where the extremes of a circle's segment lie, about.
-const TIMES: [f64; 3] = [0.182, 0.5, 0.818];
 
 /// The farthest that an extreme goes in a step: by trial the one of which most searches settle.
 const LONGEST_STEP: f64 = 0.03;
@@ -81,6 +76,21 @@ struct Extreme {
     /// d''; infinite, as `moved`, where the distance bends the other way, so that there is no such extreme near.
     bends: f64,
     moved: f64,
+}
+
+/// The point at t and the two derivatives there.
+fn derivatives(cubic: &CubicBez, t: f64) -> [Vec2; 3] {
+    let s = 1.0 - t;
+    let [a, b, c] = [
+        cubic.p1 - cubic.p0,
+        cubic.p2 - cubic.p1,
+        cubic.p3 - cubic.p2,
+    ];
+    [
+        cubic.p0.to_vec2() + (a * (1.0 + s + s * s) + b * (t * (1.0 + 2.0 * s)) + c * (t * t)) * t,
+        (a * (s * s) + b * (2.0 * s * t) + c * (t * t)) * 3.0,
+        ((b - a) * s + (c - b) * t) * 6.0,
+    ]
 }
 
 /// A segment of the ellipse whose short axis, from the origin to (`short`, 0), lies along x and whose larger radius is 1.
@@ -156,16 +166,7 @@ impl Segment {
 
     /// The extreme near t.
     fn extreme(&self, cubic: &CubicBez, t: f64, sign: f64) -> Extreme {
-        let s = 1.0 - t;
-        let [a, b, c] = [
-            cubic.p1 - cubic.p0,
-            cubic.p2 - cubic.p1,
-            cubic.p3 - cubic.p2,
-        ];
-        let p = cubic.p0.to_vec2()
-            + (a * (1.0 + s + s * s) + b * (t * (1.0 + 2.0 * s)) + c * (t * t)) * t;
-        let velocity = (a * (s * s) + b * (2.0 * s * t) + c * (t * t)) * 3.0;
-        let acceleration = ((b - a) * s + (c - b) * t) * 6.0;
+        let [p, velocity, acceleration] = derivatives(cubic, t);
         let Foot { distance, outward } = self.foot(p);
         // The radius of curvature where the normal is n: a²b²/h³, h² = a²nx² + b²ny².
         let bend = self.on_ellipse(outward).hypot() / self.radii.x;
@@ -277,25 +278,16 @@ impl Segment {
         if fit.peak < FINEST {
             return Some(fit);
         }
-        let from_start = || {
-            let times = self.extremes(&self.cubic(&fit))?;
-            self.settled(fit, times, MOST_STEPS, false)
-        };
-        self.settled(fit, TIMES, MOST_BLIND_STEPS, false)
-            .or_else(from_start)
-            .or_else(|| self.settled(fit, TIMES, MOST_STEPS, true))
+        let first_order = || (!self.is_free).then(|| self.start(fit.handles))?;
+        let looked_for = || Some((fit, self.extremes(&self.cubic(&fit))?));
+        let (start, times) = first_order().or_else(looked_for)?;
+        self.settled(start, times, false)
+            .or_else(|| self.settled(fit, times, true))
     }
 
-    /// The best handles from these, where they settle in so many steps, the extremes followed from these times or looked for in
-    /// each step.
-    fn settled(
-        &self,
-        mut fit: Fit,
-        mut times: [f64; 3],
-        most_steps: usize,
-        looks: bool,
-    ) -> Option<Fit> {
-        for _ in 0..most_steps {
+    /// The best handles from these, where they settle, the extremes followed from these times or looked for in each step.
+    fn settled(&self, mut fit: Fit, mut times: [f64; 3], looks: bool) -> Option<Fit> {
+        for _ in 0..MOST_STEPS {
             if looks {
                 times = self.extremes(&self.cubic(&fit))?;
             }
@@ -319,7 +311,8 @@ impl Segment {
 
 /// The best handles of a segment that begins `from` degrees after an end of the short axis; `None` where the method does not serve.
 fn best(short: f64, from: f64, size: f64, is_free: bool) -> Option<Fit> {
-    (short >= FLATTEST && size <= LARGEST_ANGLE).then_some(())?;
+    let serves = |(ratio, angle)| short >= ratio && size <= angle;
+    SERVED.into_iter().any(serves).then_some(())?;
     Segment::new(short, from, size, is_free).fit(&Span::from_degrees(size))
 }
 
@@ -338,7 +331,7 @@ pub(crate) fn peak(short: f64, from: f64, size: f64) -> Option<f64> {
 ///
 /// # Errors
 ///
-/// [`crate::Error::Impossible`] where the ellipse is flatter than 1:50 or a segment longer than 170 degrees, and for the free variant unless
+/// [`crate::Error::Impossible`] beyond [`SERVED`], and for the free variant unless
 /// the ellipse is closed and cut into quarters on its axes.
 pub(crate) fn pieces(
     method: Method,
@@ -361,7 +354,7 @@ pub(crate) fn pieces(
         let from = 1.0_f64.copysign(sweep) * (pair[0] - axis);
         let Some(fit) = best(short, from, sweep.abs(), is_free) else {
             return Err(method.refuse(
-                "it serves ellipses up to 1:50, in segments up to 170 degrees".to_owned(),
+                "it serves ellipses up to 1:20 in segments up to 170 degrees, up to 1:50 in segments up to 120".to_owned(),
                 Remedy::MoreSegmentsOfEllipse("minimax"),
             ));
         };
