@@ -5,6 +5,9 @@ mod plain;
 mod remedy;
 mod shape;
 
+#[cfg(feature = "serde")]
+pub(crate) mod json;
+
 use thiserror::Error;
 
 use plain::plain;

@@ -194,7 +194,7 @@ mod tests {
             (
                 r#"{"circle": {"radius": 5}, "colour": 3}"#,
                 34,
-                "unknown field `colour`",
+                "no key 'colour'",
             ),
             (r#"{"circle": {"radius": 5}"#, 24, "ends within"),
             ("{}", 1, "one of circle, ellipse"),

@@ -147,8 +147,13 @@ fn without_numbers_of_the_system(text: &str) -> String {
 /// Tells what the parser of the command line has to say: help and version on standard output, errors on standard error.
 pub(crate) fn usage(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() {
-        let _ = error.print();
-        return ExitCode::SUCCESS;
+        return match error.print() {
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+                tell(&format!("error: cannot write to standard output: {error}"));
+                ExitCode::FAILURE
+            }
+            _ => ExitCode::SUCCESS,
+        };
     }
     let words: Vec<String> = std::env::args_os()
         .skip(1)

@@ -6,6 +6,7 @@ use serde_json::value::RawValue;
 
 use super::{Spec, Subject, arc, ellipse, point, polyline};
 use crate::angle::Angle;
+use crate::error::json::in_plain_words;
 use crate::error::{Error, Result};
 use crate::joints::{Cut, Tolerance};
 use crate::path::contours;
@@ -190,11 +191,8 @@ pub(super) fn from_json(line: &str) -> Result<Spec<'_>> {
         column,
         why,
     };
-    let keys: Line<'_> = serde_json::from_str(line).map_err(|error| {
-        let text = error.to_string();
-        let why = text.split(" at line ").next().unwrap_or(&text);
-        syntax(error.column().max(1), in_plain_words(why))
-    })?;
+    let keys: Line<'_> = serde_json::from_str(line)
+        .map_err(|error| syntax(error.column().max(1), in_plain_words(&error)))?;
     let (1, Some(subject)) = (keys.subjects(), keys.subject(syntax)?) else {
         let why =
             "one of circle, ellipse, arc, svg_arc, bulge, through, polyline and path is expected";
@@ -237,21 +235,4 @@ pub(super) fn from_json(line: &str) -> Result<Spec<'_>> {
         method: keys.method.map(|name| name.parse()).transpose()?,
         cut,
     })
-}
-
-/// What the reader of JSON says, without the names of Rust's types.
-fn in_plain_words(why: &str) -> String {
-    let why = why.replace("EOF while parsing", "the line ends within");
-    let expected = |what: &str| match what {
-        "f64" => "a number".to_owned(),
-        "usize" => "a whole number, at least 0,".to_owned(),
-        other => other.to_owned(),
-    };
-    let found = ["invalid type: ", "invalid value: ", "invalid "]
-        .iter()
-        .find_map(|prefix| why.strip_prefix(prefix));
-    match found.and_then(|rest| rest.split_once(", expected ")) {
-        Some((found, wanted)) => format!("{found} where {} is expected", expected(wanted)),
-        None => why,
-    }
 }

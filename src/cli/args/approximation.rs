@@ -32,7 +32,7 @@ pub(crate) struct ApproximationArgs {
     /// A method by id or alias; 'curveto methods' lists them [default: minimax]
     #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::METHOD, hide_possible_values = true, action = ArgAction::Set)]
     method: Vec<Method>,
-    /// Exactly N segments, of equal parametric angle; measure takes several, as in 2,3,4
+    /// Exactly N segments, of equal parametric angle
     #[arg(short = 'n', long, value_name = "N", value_delimiter = ',', value_parser = values::count, allow_hyphen_values = true, action = ArgAction::Set, conflicts_with_all = ["tolerance", "joints"])]
     segments: Vec<usize>,
     /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius

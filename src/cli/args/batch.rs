@@ -24,7 +24,7 @@ A line is a JSON object or one of:
   through X1 Y1 X2 Y2 X3 Y3
   polyline X Y B X Y B ... [close]      (a DXF LWPOLYLINE: B the bulge to the next vertex)
   path DATA
-JSON, with id, method, segments or tolerance where a line needs its own, and stroke, fill or stroke_width for a picture:
+JSON, with id, method, segments or tolerance where a line needs its own, and stroke, fill or stroke_width for svg, eps, png or pdf:
   {\"id\": \"a1\", \"circle\": {\"center\": [0,0], \"radius\": 50}, \"method\": \"minimax\", \"segments\": 4}
   {\"ellipse\": {\"center\": [0,0], \"radii\": [30,20], \"rotation\": 15}, \"tolerance\": 0.001}
   {\"arc\": {\"center\": [0,0], \"radius\": 50, \"start\": 0, \"sweep\": 90}}
@@ -36,7 +36,10 @@ JSON, with id, method, segments or tolerance where a line needs its own, and str
 Blank lines and lines that begin with # give a blank line.";
 
 #[derive(Debug, Args)]
-#[command(after_long_help = GRAMMAR)]
+#[command(
+    after_long_help = GRAMMAR,
+    mut_arg("precision", |arg| arg.help("Decimals after the point, or auto: for each shape the fewest that add no more than a tenth of its error [default: auto; in json all]")),
+)]
 pub(crate) struct BatchArgs {
     /// The lines, one shape each; what a line says of its method and segments wins; - is standard input [default: -]
     #[arg(value_name = "FILE")]

@@ -20,7 +20,7 @@ pub(crate) struct EachArgs {
     /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
     #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true)]
     tolerance: Option<Tolerance>,
-    /// Decimals after the point, or auto: for each shape the fewest that add no more than a tenth of its error [default: auto; in the JSON of batch all]
+    /// Decimals after the point, or auto: for each shape the fewest that add no more than a tenth of its error [default: auto]
     #[arg(short, long, value_name = "P", value_parser = values::precision, allow_hyphen_values = true)]
     pub(crate) precision: Option<values::PrecisionWord>,
     /// How many threads [default: one for each processor]

@@ -48,7 +48,11 @@ pub(crate) enum MeasuredShape {
 
 /// A shape, how it is approximated, and what is stated of it. Several methods may be named.
 #[derive(Debug, Args)]
-#[command(after_long_help = examples::of("measure"))]
+#[command(
+    after_long_help = examples::of("measure"),
+    mut_arg("method", |arg| arg.value_name("ID,ID").help("Methods by id or alias; 'curveto methods' lists them [default: minimax]")),
+    mut_arg("segments", |arg| arg.value_name("N,N").help("Exactly N segments, of equal parametric angle, once for each number")),
+)]
 pub(crate) struct Measured<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,

@@ -9,6 +9,8 @@ use crate::cli::failure::Failure;
 
 #[derive(Debug, Args)]
 #[command(
+    // A path has many arcs: -n, -t and -m are for each of them.
+    mut_arg("extremes", |arg| arg.hide(true)),
     after_help = "Points that are given stay as they are unless -p or --transform changes them; what is computed is rounded as the arc with the smallest error needs it."
 )]
 pub(crate) struct PathArgs {

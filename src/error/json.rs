@@ -1,0 +1,85 @@
+//! Why a text is not the JSON that is expected.
+
+/// What serde says, and what we say in its place.
+const WORDS: [(&str, &str); 17] = [
+    ("EOF while parsing", "the line ends within"),
+    ("key must be a string", "a key in double quotes is expected"),
+    ("expected `,` or `}`", "a comma or } is expected"),
+    ("expected `,` or `]`", "a comma or ] is expected"),
+    ("expected `:`", "a colon is expected"),
+    ("expected value", "a value is expected"),
+    ("expected ident", "true, false or null is expected"),
+    (
+        "trailing characters",
+        "nothing more is expected after the object",
+    ),
+    (
+        "trailing comma",
+        "a key or a value is expected after the comma",
+    ),
+    ("invalid number", "not a number"),
+    ("invalid escape", "no escape that JSON knows"),
+    ("unexpected end of hex escape", "half a surrogate pair"),
+    (
+        "lone leading surrogate in hex escape",
+        "half a surrogate pair",
+    ),
+    ("number out of range", "the number is too large"),
+    (
+        "recursion limit exceeded",
+        "too many brackets stand within one another",
+    ),
+    (
+        "control character (\\u0000-\\u001F) found while parsing a string",
+        "a control character within a string",
+    ),
+    (
+        "data did not match any variant of untagged enum ToleranceValue",
+        r#"a tolerance is a number, or a text like "1%""#,
+    ),
+];
+
+/// What the reader of JSON says, in words of ours and without the names of Rust's types; where is not said.
+pub(crate) fn in_plain_words(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let why = text.split(" at line ").next().unwrap_or(&text);
+    let expected = |what: &str| match what {
+        "f64" => "a number".to_owned(),
+        "usize" => "a whole number, at least 0,".to_owned(),
+        other => other.to_owned(),
+    };
+    let quoted = |text: &str| text.replace('`', "'");
+    if let Some((field, fields)) = why
+        .strip_prefix("unknown field ")
+        .and_then(|rest| rest.split_once(", expected "))
+    {
+        let fields = fields.strip_prefix("one of ").unwrap_or(fields);
+        return format!(
+            "there is no key {}, but {}",
+            quoted(field),
+            fields.replace('`', "")
+        );
+    }
+    if let Some(field) = why.strip_prefix("missing field ") {
+        return format!("the key {} is missing", quoted(field));
+    }
+    if let Some(field) = why.strip_prefix("duplicate field ") {
+        return format!("the key {} stands twice", quoted(field));
+    }
+    let found = ["invalid type: ", "invalid value: ", "invalid length "]
+        .iter()
+        .find_map(|prefix| why.strip_prefix(prefix));
+    if let Some((found, wanted)) = found.and_then(|rest| rest.split_once(", expected ")) {
+        let found = if why.starts_with("invalid length ") {
+            format!("an array of length {found}")
+        } else {
+            quoted(found)
+        };
+        return format!("{found} where {} is expected", expected(wanted));
+    }
+    let ours = WORDS.iter().find(|(theirs, _)| why.starts_with(theirs));
+    ours.map_or_else(
+        || why.to_owned(),
+        |(theirs, words)| why.replacen(theirs, words, 1),
+    )
+}
