@@ -3,6 +3,9 @@
 use super::push_fixed;
 use crate::numeric::functions;
 
+/// Where prose writes more decimals, it writes an exponent.
+const MOST_DECIMALS: f64 = 60.0;
+
 /// The text of a number with this many significant digits, for prose.
 #[must_use]
 pub fn significant(x: f64, digits: u8) -> String {
@@ -11,7 +14,16 @@ pub fn significant(x: f64, digits: u8) -> String {
     } else {
         libm::log10(x.abs()).floor()
     };
-    let decimals = (f64::from(digits) - 1.0 - magnitude).clamp(0.0, 60.0);
+    let decimals = (f64::from(digits) - 1.0 - magnitude).max(0.0);
+    if decimals > MOST_DECIMALS {
+        let text = format!("{x:.*e}", usize::from(digits.max(1)) - 1);
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let mantissa = match mantissa.split_once('.') {
+            Some(_) => mantissa.trim_end_matches('0').trim_end_matches('.'),
+            None => mantissa,
+        };
+        return format!("{mantissa}e{exponent}");
+    }
     let mut out = Vec::new();
     push_fixed(&mut out, x, decimals as u8);
     String::from_utf8_lossy(&out).into_owned()

@@ -304,3 +304,10 @@ fn a_billion_mixed_numbers_print_as_std_prints_them() {
         std::env::var("CURVETO_NUMBERS").map_or(1_000_000_000, |count| count.parse().unwrap()),
     );
 }
+
+#[test]
+fn what_needs_many_zeros_has_an_exponent_in_prose() {
+    let texts = [2.5, 1e-58, 1e-70, 1.9608e-64, -4.25e-99].map(|x| significant(x, 3));
+    let small = format!("0.{}1", "0".repeat(57));
+    assert_eq!(texts, ["2.5", &small, "1e-70", "1.96e-64", "-4.25e-99"]);
+}

@@ -7,8 +7,8 @@ use kurbo::Rect;
 use super::paint::Paint;
 use super::style::{Style, default_stroke_width};
 use super::words::{
-    conic_summary, conic_title, describe, describe_sphere, describe_spline, exactness, name,
-    path_summary, sentence,
+    conic_summary, conic_title, describe_sphere, describe_spline, exactness, name, path_summary,
+    sentence, title,
 };
 use crate::approximate::Drawing;
 use crate::conic;
@@ -151,7 +151,7 @@ impl Figure {
 
 impl From<&Drawing> for Figure {
     fn from(drawing: &Drawing) -> Self {
-        let title = describe(&drawing.shape);
+        let title = title(drawing);
         let description = if drawing.outline.is_some() {
             format!(
                 "{title}; {count} segment{s} by {method}; within {peak} of the true shape ({relative} of the larger radius)",

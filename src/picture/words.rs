@@ -74,7 +74,7 @@ pub(super) fn exactness(drawing: &Drawing) -> String {
 
 /// What was drawn and how closely, in a line; the figures are rounded up.
 pub(crate) fn summary(drawing: &Drawing) -> String {
-    let title = describe(&drawing.shape);
+    let title = title(drawing);
     let mut letters = title.chars();
     let first = letters
         .next()
@@ -102,6 +102,16 @@ pub(super) const fn name(shape: &Shape) -> &'static str {
         Shape::Line(_) => "line",
         Shape::Empty => "empty",
     }
+}
+
+/// What was drawn in a few words, with a mark where the figures of its error are those of another size or form.
+pub(super) fn title(drawing: &Drawing) -> String {
+    let transformed = if drawing.transform == kurbo::Affine::IDENTITY {
+        ""
+    } else {
+        ", transformed"
+    };
+    describe(&drawing.shape) + transformed
 }
 
 /// A shape in a few words.
