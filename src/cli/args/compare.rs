@@ -29,7 +29,7 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_name = "B", value_parser = values::positive, allow_hyphen_values = true)]
     pub(crate) ellipse: Option<f64>,
     /// What to compare; a table, JSON and a page take several [possible values: peak, square, mean, rms, area, length]
-    #[arg(long, value_name = "BY", default_value = "peak", value_delimiter = ',', action = ArgAction::Set, value_parser = |text: &str| text.parse::<Criterion>())]
+    #[arg(long, value_name = "BY,BY", default_value = "peak", value_delimiter = ',', action = ArgAction::Set, value_parser = values::CRITERION, hide_possible_values = true)]
     pub(crate) by: Vec<Criterion>,
     /// How chen-2 integrates arc length
     #[arg(long, value_enum, value_name = "RULE", default_value_t)]

@@ -168,7 +168,7 @@ pub(crate) struct ReportArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
     /// What the plot shows, several one below the other [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag, drawing]
-    #[arg(long, value_name = "Q,Q,...", requires = "plot", value_delimiter = ',', action = ArgAction::Set, value_parser = |text: &str| text.parse::<Quantity>())]
+    #[arg(long, value_name = "Q,Q,...", requires = "plot", value_delimiter = ',', action = ArgAction::Set, value_parser = values::QUANTITY, hide_possible_values = true)]
     pub(crate) quantity: Vec<Quantity>,
     /// The size of the plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
     #[arg(

@@ -45,7 +45,7 @@ struct Way {
     #[arg(long)]
     unit_tangents: bool,
     /// What holds at the ends: cyclic (a closed curve), free (derivatives zero), natural (no curvature) or fixed:DX,DY,DX,DY (these derivatives)
-    #[arg(long, value_name = "ENDS", value_parser = ends, default_value = "free")]
+    #[arg(long, value_name = "ENDS", value_parser = values::ENDS, hide_possible_values = true, default_value = "free")]
     ends: Ends,
     /// How arc length is integrated
     #[arg(long, value_enum, value_name = "RULE", default_value_t)]
@@ -108,7 +108,7 @@ impl SplineArgs {
     }
 }
 
-fn ends(text: &str) -> Result<Ends, String> {
+pub(super) fn ends(text: &str) -> Result<Ends, String> {
     match text {
         "cyclic" => Ok(Ends::Cyclic),
         "free" => Ok(Ends::Free),

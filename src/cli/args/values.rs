@@ -5,8 +5,11 @@ use std::num::NonZeroUsize;
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
+use curveto::compare::Criterion;
+use curveto::measure::Quantity;
 use curveto::number::Precision;
 use curveto::picture::style::Shown;
+use curveto::spline::Ends;
 use curveto::write::Format;
 use curveto::{Angle, Method, Tolerance};
 use kurbo::{Affine, Point, Vec2};
@@ -76,6 +79,36 @@ pub(super) const SHOWN: Listed<Shown> = Listed {
     },
     words: || {
         ["joints", "handles", "truth", "error=500"]
+            .map(PossibleValue::new)
+            .into()
+    },
+};
+
+/// Reads by what `compare` compares.
+pub(super) const CRITERION: Listed<Criterion> = Listed {
+    read: |text| text.parse().map_err(|error| told(&error)),
+    words: || {
+        Criterion::ALL
+            .map(|criterion| PossibleValue::new(criterion.name()))
+            .into()
+    },
+};
+
+/// Reads what a plot of `measure` shows.
+pub(super) const QUANTITY: Listed<Quantity> = Listed {
+    read: |text| text.parse().map_err(|error| told(&error)),
+    words: || {
+        Quantity::ALL
+            .map(|quantity| PossibleValue::new(quantity.name()))
+            .into()
+    },
+};
+
+/// Reads what holds at the ends of a spline.
+pub(super) const ENDS: Listed<Ends> = Listed {
+    read: super::spline::ends,
+    words: || {
+        ["cyclic", "free", "natural", "fixed:"]
             .map(PossibleValue::new)
             .into()
     },
