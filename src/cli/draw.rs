@@ -77,7 +77,7 @@ pub(super) fn drawing(
 ) -> Result<Drawing, Failure> {
     let shape_asked = shape.shape(default)?;
     let mut drawing = if extremes {
-        approximate_at_extremes(&shape_asked, options)?
+        approximate_at_extremes(&shape_asked, shape.start().is_some(), options)?
     } else {
         approximate(&shape_asked, options)?
     };

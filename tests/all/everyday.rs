@@ -616,8 +616,13 @@ fn a_sphere_states_what_rounding_adds() {
 }
 
 #[test]
-fn extremes_begin_at_the_start_that_is_one() {
+fn extremes_begin_at_the_start() {
     assert!(printed(&["circle", "50", "--extremes", "--start", "90"]).starts_with("M0 50C"));
+    // A start that was asked for wins.
+    let words = "ellipse 50 30 --extremes --start 30 -p 2 -f json";
+    let document = json(&words.split(' ').collect::<Vec<_>>());
+    assert!(document["path"].as_str().unwrap().starts_with("M43.3 15C"));
+    assert_eq!(document["segments"].as_array().unwrap().len(), 5);
     // What rounding makes of a rotation moves no start.
     assert!(
         printed(&["ellipse", "50", "30", "--rotation", "1e-13", "--extremes"])

@@ -49,7 +49,7 @@ pub(crate) struct ApproximationArgs {
     adaptive: bool,
     /// Joints at every horizontal and vertical extreme
     ///
-    /// -n and -t then cut the pieces between them.
+    /// -n and -t then cut the pieces between them; an explicit --start is a joint too.
     #[arg(long, conflicts_with_all = ["joints", "adaptive"])]
     pub(crate) extremes: bool,
     /// How chen-2 integrates arc length
