@@ -30,7 +30,8 @@ const DEFAULT_PART: f64 = 1e-3;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
     /// How far they may lie from what was given; a part is one of half the larger side of the subpath's box. Without it, a
-    /// thousandth of that and what rounding moves a point: to the decimals of the file, or to fewer that are asked for.
+    /// thousandth of that and what rounding moves a point: to the precision that is asked for, and of arcs to the decimals of the
+    /// file, where these are fewer.
     pub tolerance: Option<Tolerance>,
     /// How points are rounded, those that were given too; without it these stay as they are.
     pub precision: Option<Precision>,
@@ -101,7 +102,7 @@ pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 
 fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let pieces = pieces(contour, options.transform)?;
-    let plan = Plan::new(contour, &pieces, options)?;
+    let plan = Plan::new(&pieces, options, 0.0)?;
     let rounding = plan.tolerance - plan.room;
     let room = plan.room
         - if options.rounds_again {
@@ -173,16 +174,16 @@ struct Plan {
 }
 
 impl Plan {
-    fn new(contour: &Contour, pieces: &[Piece], options: &Options) -> Result<Self> {
+    /// Without a tolerance the rounding of what was given explains so much more of it.
+    fn new(pieces: &[Piece], options: &Options, explained: f64) -> Result<Self> {
         let bounds = pieces.iter().map(Piece::bounding_box);
         let bounds = bounds.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
         let size = bounds.width().max(bounds.height()) / 2.0;
         let tolerance = if let Some(tolerance) = options.tolerance {
             positive("tolerance", tolerance.for_radius(size))?
         } else {
-            let given = Precision::Fixed(decimals_given(contour)).farthest_moved();
             let asked = options.precision.map_or(0.0, Precision::farthest_moved);
-            DEFAULT_PART * size + given.max(asked)
+            DEFAULT_PART * size + explained.max(asked)
         };
         let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
         let largest = corners

@@ -1,12 +1,12 @@
 //! Lines and circular arcs: what machines and CAD draw exactly.
 
-use kurbo::{Affine, PathSeg, Point};
+use kurbo::{Affine, PathSeg, Point, Vec2};
 
 use crate::angle::Angle;
 use crate::curve::Curve;
 use crate::number::Precision;
-use crate::shape::Outline;
 use crate::shape::endpoint::SvgArc;
+use crate::shape::{Arc, Given, Outline, Shape};
 
 /// By what part the radii of a circle may differ after a map that turns and scales it: its rounding, and a margin.
 const ROUND: f64 = 1e-12;
@@ -58,6 +58,27 @@ impl Step {
             Self::Line(to) => *to,
             Self::Arc(arc) => arc.to,
             Self::Elliptical(arc) => arc.to,
+        }
+    }
+}
+
+impl Step {
+    /// The outline of an arc that begins here; `None` of a line.
+    #[must_use]
+    pub fn outline(&self, from: Point) -> Option<Outline> {
+        match self {
+            Self::Line(_) => None,
+            Self::Arc(arc) => Shape::Arc(Arc {
+                center: arc.center,
+                radii: Vec2::splat(arc.radius),
+                rotation: Angle::ZERO,
+                start: arc.start,
+                sweep: arc.sweep,
+                ends: Some([from, arc.to]),
+                given: Given::Sweep,
+            })
+            .outline(),
+            Self::Elliptical(arc) => arc.shape().ok()?.outline(),
         }
     }
 }

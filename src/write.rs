@@ -177,7 +177,9 @@ fn named(
 
 /// Refuses to show more than anyone could see, which would take minutes.
 fn check_shown(figure: &Figure, style: &Style) -> Result<()> {
-    let segments: usize = figure.curves().map(|curve| curve.segments.len()).sum();
+    let segments = figure.curves().map(|curve| curve.segments.len());
+    let steps = figure.courses.iter().map(|course| course.steps.len());
+    let segments: usize = segments.chain(steps).sum();
     if style.show.is_any() && segments > MOST_SHOWN {
         let (count, most) = (segments, MOST_SHOWN);
         return Err(Error::Picture(PictureError::TooManyShown { count, most }));
@@ -203,6 +205,10 @@ fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<V
             dxf::drawing(&figure.title, &traces)
         }
         Format::Gcode => gcode::program(&figure.title, courses, &options.gcode(figure))?,
+        Format::Image(image) => {
+            check_shown(figure, &options.style)?;
+            return picture(&figure.scene(&options.style)?, image, options.relative);
+        }
         _ => {
             return Err(Error::Format {
                 format: format.name(),

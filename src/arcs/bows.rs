@@ -28,13 +28,18 @@ const LEAST_PART: f64 = 0.25;
 /// The most decimals of what was given that are believed: beyond, digits are noise.
 const MOST_DECIMALS: u8 = 12;
 
+/// The part of the tolerance that is left to the rounding of centres where that takes as many decimals as it needs.
+const ROUNDED_AGAIN: f64 = 1e-3;
+
 /// A cubic is a line where it lies no farther from its chord than this part of that.
 const STRAIGHT: f64 = 1e-9;
 
 pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
     let given = pieces(contour, options.transform)?;
-    let plan = Plan::new(contour, &given, options)?;
-    let decimals = decimals_given(contour).min(MOST_DECIMALS);
+    let decimals = decimals_given(contour);
+    let explained = Precision::Fixed(decimals).farthest_moved();
+    let plan = Plan::new(&given, options, explained)?;
+    let decimals = decimals.min(MOST_DECIMALS);
     // The ends of an arc may be rounded along it, and its radius, or its centre.
     let rounding = plan.tolerance - plan.room;
     let times = if options.rounds_again { 4.0 } else { 2.0 };
@@ -161,13 +166,18 @@ impl Builder<'_> {
         let chain = core::mem::take(cubics);
         let room = self.plan.room - strayed;
         let room = (self.rules.absolute - strayed).max(LEAST_PART * room);
-        // An arc that is found runs between ends that were given, with a radius that is not rounded.
-        let rounds = self.plan.rounds_given || self.options.rounds_again;
+        // An arc that is found runs between ends that were given, with a radius that is not rounded; G-code takes decimals until
+        // its centre is near enough.
+        let again = if self.options.rounds_again {
+            ROUNDED_AGAIN * self.plan.tolerance
+        } else {
+            0.0
+        };
         let rules = Rules {
-            absolute: if rounds {
+            absolute: if self.plan.rounds_given {
                 room
             } else {
-                self.plan.tolerance - strayed
+                self.plan.tolerance - again - strayed
             },
             ..self.rules
         };

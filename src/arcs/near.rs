@@ -24,7 +24,7 @@ pub(super) const LARGEST_TURN: f64 = 8.0;
 /// What a run is to keep to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rules {
-    /// The tolerance as a part of the larger radius, which is added to the absolute one.
+    /// The tolerance as a part of the [`size`] of an arc, which is added to the absolute one.
     pub(crate) part: f64,
     /// The absolute tolerance.
     pub(crate) absolute: f64,
@@ -38,9 +38,9 @@ pub(crate) struct Rules {
 }
 
 impl Rules {
-    /// How far an arc of this radius may lie from its cubics.
-    pub(crate) fn room(&self, radius: f64) -> f64 {
-        self.part * radius + self.absolute
+    /// How far an arc of this size may lie from its cubics.
+    pub(crate) fn room(&self, size: f64) -> f64 {
+        self.part * size + self.absolute
     }
 
     /// How far the rounding of the file moves a point.
@@ -48,10 +48,24 @@ impl Rules {
         Precision::Fixed(self.decimals).farthest_moved()
     }
 
-    /// How far a control point may lie from where an arc of this radius has it.
-    pub(crate) fn slack(&self, radius: f64) -> f64 {
-        MARGIN * self.moved() + HANDLE_PART * radius
+    /// How far a control point may lie from where an arc of this size has it.
+    pub(crate) fn slack(&self, size: f64) -> f64 {
+        MARGIN * self.moved() + HANDLE_PART * size
     }
+}
+
+/// What the distance of an arc from its cubics is compared with: the larger radius, or the length of the run where that is less. From
+/// a sweep of 60 degrees on it is the radius; a flat arc of a huge radius is no larger than it looks.
+pub(super) fn size(cubics: &[CubicBez], radius: f64) -> f64 {
+    let Some([from, on, to]) = ends_and_middle(cubics) else {
+        return radius;
+    };
+    let sides = [
+        from.distance_squared(to),
+        from.distance_squared(on),
+        on.distance_squared(to),
+    ];
+    radius.min(sides.into_iter().fold(0.0, f64::max).sqrt())
 }
 
 /// The first point of a run, the one in its middle and its last.
@@ -77,7 +91,7 @@ pub(super) fn larger(arc: &Arc) -> f64 {
 
 /// Whether cubics are drawn as an arc is: their control points lie where it has them, up to what rounding and other constants do.
 pub(super) fn is_drawn_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bool {
-    let (to_unit, slack) = (to_unit(arc), rules.slack(larger(arc)));
+    let (to_unit, slack) = (to_unit(arc), rules.slack(size(cubics, larger(arc))));
     let from_unit = to_unit.inverse();
     let on =
         |p: Point| ((to_unit * p).to_vec2().hypot2().sqrt() - 1.0).abs() * larger(arc) <= slack;
@@ -87,9 +101,9 @@ pub(super) fn is_drawn_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bo
             control - end,
             from_unit * tip.to_point() - from_unit * unit.to_point(),
         );
-        let size = ideal.hypot2().sqrt();
-        let (along, across) = (own.dot(ideal) / size, own.cross(ideal) / size);
-        across.abs() <= slack && (along - size).abs() <= slack + LENGTH_PART * size
+        let length = ideal.hypot2().sqrt();
+        let (along, across) = (own.dot(ideal) / length, own.cross(ideal) / length);
+        across.abs() <= slack && (along - length).abs() <= slack + LENGTH_PART * length
     };
     cubics.iter().all(|cubic| {
         let [u, v] = [cubic.p0, cubic.p3].map(|p| (to_unit * p).to_vec2());

@@ -12,8 +12,8 @@ use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
 pub(crate) use super::near::Rules;
 use super::near::{
-    MARGIN, bound, ends_and_middle, is_drawn_like, is_tangent, joins_smoothly, larger, strays,
-    swept,
+    MARGIN, bound, ends_and_middle, is_drawn_like, is_tangent, joins_smoothly, larger, size,
+    strays, swept,
 };
 use crate::Angle;
 use crate::curve::first_direction;
@@ -27,6 +27,9 @@ const SWEEPS: [f64; 2] = [4.0, 350.0];
 
 /// How many decimals more than the file radii may have.
 const MORE_DECIMALS: u8 = 3;
+
+/// Half a turn and the noise of a computed sweep, in degrees.
+const HALF_TURN: f64 = 180.0 + 1e-9;
 
 /// The part of the tolerance by which a radius is rounded that nobody meant.
 const NEAR_PART: f64 = 0.1;
@@ -63,7 +66,7 @@ pub(crate) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
     let ellipse = alone.arc.truth();
     longest(cubics, rules, |count| {
         let run = &cubics[..count];
-        placed(run, &ellipse).filter(|arc| strays(run, arc) <= rules.room(larger(arc)))
+        placed(run, &ellipse).filter(|arc| strays(run, arc) <= rules.room(size(run, larger(arc))))
     })
 }
 
@@ -144,7 +147,7 @@ pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<
     let arc = turn.arc(cubics)?;
     let fits = cubics.windows(2).all(joins_smoothly)
         && is_drawn_like(cubics, &arc, rules)
-        && strays(cubics, &arc) <= rules.room(larger(&arc));
+        && strays(cubics, &arc) <= rules.room(size(cubics, larger(&arc)));
     fits.then(|| (arc.sweep.degrees(), bound(cubics, &arc)))
 }
 
@@ -157,7 +160,7 @@ pub(crate) fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<F
         let Ok(Shape::Arc(arc)) = given.shape() else {
             return None;
         };
-        let room = rules.room(larger(&arc));
+        let room = rules.room(size(cubics, larger(&arc)));
         let off = strays(cubics, &arc);
         let likely = off <= room
             && is_tangent(cubics, &arc)
@@ -183,7 +186,10 @@ pub(crate) fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<F
         guesses.find_map(|guess| attempt(guess, decimals, true))
     });
     // Nobody meant a radius that is only near: it is rounded by little, however wide the tolerance is.
-    let least = Precision::moving_at_most(NEAR_PART * rules.room(larger(found)), larger(found));
+    let least = Precision::moving_at_most(
+        NEAR_PART * rules.room(size(cubics, larger(found))),
+        larger(found),
+    );
     let near = || match least {
         Precision::Fixed(least) => {
             (least..=most.max(least)).find_map(|decimals| attempt(found, decimals, false))
@@ -219,7 +225,7 @@ fn rounded(cubics: &[CubicBez], arc: &Arc, decimals: u8) -> Option<SvgArc> {
         from: cubics.first()?.p0,
         radii,
         rotation: Angle::from_degrees(rotation),
-        large_arc: arc.sweep.degrees().abs() > 180.0,
+        large_arc: arc.sweep.degrees().abs() > HALF_TURN,
         sweep: arc.sweep.degrees() > 0.0,
         to: cubics.last()?.p3,
     })
@@ -234,7 +240,7 @@ fn circle_of(cubics: &[CubicBez], rules: &Rules) -> Option<Arc> {
     } else {
         1.0
     };
-    let room = |radius: f64| times * rules.room(radius);
+    let room = |radius: f64| times * rules.room(size(cubics, radius));
     if from == to || is_askew(cubics, from, on, to, room) {
         return None;
     }
@@ -308,7 +314,7 @@ fn ellipse_of(cubic: &CubicBez, rules: &Rules) -> Option<Truth> {
     ];
     let (mean, half) = (0.5 * (a + c), (0.25 * (a - c) * (a - c) + b * b).sqrt());
     let radii = Vec2::new((mean + half).sqrt(), (mean - half).max(0.0).sqrt());
-    let room = rules.room(radii.x) / radii.x;
+    let room = rules.room(size(&[*cubic], radii.x.max(radii.y))) / radii.x.max(radii.y);
     let off = |t: f64| ((to_unit * cubic.eval(t)).to_vec2().hypot2().sqrt() - 1.0).abs();
     if !(radii.y > 1e-3 * radii.x && off(0.25) <= room && off(0.75) <= room) {
         return None;

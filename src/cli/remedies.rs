@@ -110,7 +110,7 @@ const fn plain_advice(remedy: &Remedy) -> &'static str {
             "leave out --elliptic, so that circular arcs take the place of elliptical ones"
         }
         Remedy::FormatsOfArcs => {
-            "-f path, json, dxf and gcode have them; --to beziers and --to lines go with every format"
+            "-f path, svg, json, dxf and gcode have them, and eps, pdf and png draw them; --to beziers and --to lines go with every format"
         }
         Remedy::Arcs => {
             "draw a circle or an arc of one, or make arcs of a path by --to arcs; -f dxf takes every curve"

@@ -5,6 +5,7 @@ use core::ops::Range;
 use kurbo::Rect;
 
 use super::paint::Paint;
+use super::scene::along;
 use super::style::{Style, default_stroke_width};
 use super::words::{
     conic_summary, conic_title, describe_sphere, describe_spline, exactness, name, path_summary,
@@ -122,8 +123,11 @@ impl Figure {
     /// The smallest rectangle around the curves themselves, not their control points.
     #[must_use]
     pub fn bounding_box(&self) -> Option<Rect> {
+        let of_courses = self.courses.iter().filter_map(|course| along(course).ok());
+        let boxes = of_courses.filter_map(|curve| curve.bounding_box());
         self.curves()
             .filter_map(Curve::bounding_box)
+            .chain(boxes)
             .reduce(|a, b| a.union(b))
     }
 

@@ -8,6 +8,7 @@ use super::paint::Paint;
 use super::palette::{GREEN, ORANGE, SKY_BLUE};
 use super::scene::{Group, Mark, Pen, Scene};
 use super::style::Style;
+use crate::course::Step;
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, PictureError, Result, finite};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
@@ -107,7 +108,7 @@ impl<'a> Painter<'a> {
                 class: Some("fill"),
                 id: None,
                 pen: Pen::filled(self.fill(layer)),
-                marks: marks(layer),
+                marks: self.marks(layer),
             }));
         }
         if let Some(factor) = show.error {
@@ -150,8 +151,18 @@ impl<'a> Painter<'a> {
                 dash: dash.into_iter().collect(),
                 fill,
             },
-            marks: marks(layer),
+            marks: self.marks(layer),
         }
+    }
+
+    fn marks(&self, layer: &Layer) -> Vec<Mark> {
+        if !self.figure.courses.is_empty() {
+            return vec![Mark::Arcs(self.figure.courses.clone())];
+        }
+        if layer.joined && !layer.curves.is_empty() {
+            return vec![Mark::Path(layer.curves.clone())];
+        }
+        layer.curves.iter().cloned().map(Mark::Curve).collect()
     }
 
     fn fill(&self, layer: &Layer) -> Paint {
@@ -251,6 +262,13 @@ impl<'a> Painter<'a> {
 
     fn joints(&self) -> Group {
         let mut joints = Vec::new();
+        for course in &self.figure.courses {
+            joints.push(course.start);
+            joints.extend(course.steps.iter().map(Step::to));
+            if course.steps.last().map(Step::to) == Some(course.start) {
+                joints.pop();
+            }
+        }
         for curve in self.figure.curves() {
             joints.extend(curve.start());
             joints.extend(curve.segments.iter().map(|segment| match *segment {
@@ -339,13 +357,6 @@ impl<'a> Painter<'a> {
             up(framed.y1),
         ))
     }
-}
-
-fn marks(layer: &Layer) -> Vec<Mark> {
-    if layer.joined && !layer.curves.is_empty() {
-        return vec![Mark::Path(layer.curves.clone())];
-    }
-    layer.curves.iter().cloned().map(Mark::Curve).collect()
 }
 
 /// The area inside a closed curve.

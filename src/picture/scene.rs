@@ -3,12 +3,13 @@
 use core::iter::repeat;
 use std::borrow::Cow;
 
-use kurbo::{Circle, Rect};
+use kurbo::{Circle, Line, PathSeg, Rect};
 
 use super::paint::{Color, Paint};
 use super::size::Size;
 #[cfg(feature = "plot")]
 use super::text::Text;
+use crate::course::Course;
 use crate::curve::Curve;
 use crate::error::Result;
 use crate::joints::chain::{Chain as _, Equal};
@@ -74,6 +75,8 @@ pub enum Mark {
     Curve(Curve),
     /// Curves that are one path, of which one may be a hole in another.
     Path(Vec<Curve>),
+    /// Lines and arcs that are one path.
+    Arcs(Vec<Course>),
     /// A true shape.
     Truth(Box<Outline>),
     /// A dot.
@@ -113,11 +116,12 @@ impl Pen {
 }
 
 impl Mark {
-    /// The mark as Béziers, true shapes and dots within 1e-9 of their radius. Those of words belong together: one is a hole in another.
+    /// The mark as Béziers, arcs, true shapes and dots within 1e-9 of their radius. Those of words belong together: one is a hole in another.
     fn to_curves(&self) -> Result<Cow<'_, [Curve]>> {
         Ok(match self {
             Self::Curve(curve) => Cow::Borrowed(std::slice::from_ref(curve)),
             Self::Path(curves) => Cow::Borrowed(curves),
+            Self::Arcs(courses) => Cow::Owned(courses.iter().map(along).collect::<Result<_>>()?),
             Self::Truth(outline) => Cow::Owned(vec![finely(outline)?]),
             Self::Dot(dot) => {
                 let circle = crate::shape::Circle::new(dot.center, dot.radius)?;
@@ -141,6 +145,23 @@ impl Mark {
     }
 }
 
+/// Lines and arcs as a curve, its arcs as [`finely`] has them.
+pub(super) fn along(course: &Course) -> Result<Curve> {
+    let mut segments = Vec::new();
+    let mut from = course.start;
+    for step in &course.steps {
+        match step.outline(from) {
+            Some(outline) => segments.extend(finely(&outline)?.segments),
+            None => segments.push(PathSeg::Line(Line::new(from, step.to()))),
+        }
+        from = step.to();
+    }
+    Ok(Curve {
+        segments,
+        closed: course.closed,
+    })
+}
+
 /// The outline in so many cubics that nobody can tell it from the true shape.
 fn finely(outline: &Outline) -> Result<Curve> {
     let count = (outline.unit.sweep.degrees().abs() / TRUE_SPAN).ceil() as usize;
@@ -158,7 +179,7 @@ impl Scene {
     /// Where a true shape is such that a curve along it could not be drawn either.
     pub fn curves<'a>(&self, mark: &'a Mark) -> Result<Cow<'a, [Curve]>> {
         let curves = mark.to_curves()?;
-        if matches!(mark, Mark::Curve(_) | Mark::Path(_)) {
+        if matches!(mark, Mark::Curve(_) | Mark::Path(_) | Mark::Arcs(_)) {
             return Ok(curves);
         }
         let precision = Precision::Fixed(self.decimals);

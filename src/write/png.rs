@@ -93,6 +93,7 @@ fn check_segments(scene: &Scene) -> Result<()> {
     let counts = marks.map(|mark| match mark {
         Mark::Curve(curve) => curve.segments.len(),
         Mark::Path(curves) => curves.iter().map(|curve| curve.segments.len()).sum(),
+        Mark::Arcs(courses) => courses.iter().map(|course| course.steps.len()).sum(),
         _ => 0,
     });
     let segments: usize = counts.sum();

@@ -91,6 +91,9 @@ fn shape(mark: &Mark, scene: &Scene, relative: bool) -> Element {
     match mark {
         Mark::Curve(curve) => Path::new().set("d", path::data([curve], relative)).into(),
         Mark::Path(curves) => Path::new().set("d", path::data(curves, relative)).into(),
+        Mark::Arcs(courses) => Path::new()
+            .set("d", path::data_of_courses(courses, relative))
+            .into(),
         Mark::Truth(outline) => Path::new().set("d", arcs(outline, scene)).into(),
         Mark::Dot(dot) => Circle::new()
             .set("cx", digits(dot.center.x))

@@ -308,6 +308,24 @@ fn the_program_draws_arcs_for_machines() {
     let arc = &json["subpaths"][0]["segments"][0]["arc"];
     assert_eq!(arc["radii"][0].as_f64(), Some(10.0));
     assert_eq!(arc["to"][0].as_f64(), Some(-10.0));
+    // A picture holds the arcs themselves, or draws them.
+    let svg = printed(&["path", circle, "--to", "arcs", "-f", "svg"]);
+    let data = r#"<path d="M10 0A10 10 0 0 1-10 0A10 10 0 0 1 10 0Z""#;
+    assert!(
+        svg.contains(data) && svg.contains(r#"viewBox="-10.1 "#),
+        "{svg}"
+    );
+    let shown = printed(&[
+        "path", circle, "--to", "arcs", "-f", "svg", "--show", "joints",
+    ]);
+    assert_eq!(shown.matches("<circle").count(), 2, "{shown}");
+    let eps = printed(&["path", circle, "--to", "arcs", "-f", "eps"]);
+    let cubics = eps
+        .lines()
+        .filter(|line| line.ends_with(" curveto") && !line.starts_with('%'));
+    assert_eq!(cubics.count(), 32, "{eps}");
+    let png = run(&["path", circle, "--to", "arcs", "-f", "png"]);
+    assert!(png.stdout.starts_with(b"\x89PNG"));
     let refused = run(&["path", circle, "--to", "arcs", "-f", "ps"]);
     assert_eq!(refused.status.code(), Some(2));
     let relative = printed(&["path", circle, "--to", "arcs", "--relative"]);

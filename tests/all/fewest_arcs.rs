@@ -322,6 +322,12 @@ fn gcode_says_how_closely_it_follows_and_refuses_too_few_decimals() {
         ];
         assert_eq!(run(&words).status.code(), Some(2), "{to}");
     }
+    // An arc that was meant is one, however little its Béziers leave to the rounding of centres.
+    let quarter = printed(&["arc", "50", "--sweep", "90"]);
+    let whole = printed(&[
+        "path", &quarter, "--to", "arcs", "-t", "0.01", "-f", "gcode",
+    ]);
+    assert_eq!(whole.matches("G3 ").count(), 1, "{whole}");
     let circle = printed(&["path", "M5 0A5 5 0 0 1-5 0", "--to", "arcs", "-f", "gcode"]);
     assert!(
         circle.starts_with("(Path, exact but for rounding"),

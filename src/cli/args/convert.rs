@@ -46,7 +46,7 @@ enum TargetArg {
     /// Circles, ellipses, round rectangles and arcs become Béziers
     #[default]
     Beziers,
-    /// Béziers that are arcs within -t become arcs; without it a thousandth of the radius and the rounding of the file
+    /// Béziers that are arcs within -t become arcs; without it a thousandth of the radius (of the length of flat arcs) and the rounding of the file
     Arcs,
 }
 

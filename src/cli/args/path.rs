@@ -27,7 +27,7 @@ pub(crate) struct PathArgs {
     /// What it becomes
     #[arg(long, value_enum, value_name = "KIND", default_value_t)]
     to: TargetArg,
-    /// With --to arcs: arcs of ellipses too
+    /// With --to arcs: what was drawn as an arc of an ellipse becomes one, and one that was given stays; other curves become circular arcs
     #[arg(long)]
     elliptic: bool,
     /// Leave out the closing operators
@@ -46,9 +46,9 @@ enum TargetArg {
     Beziers,
     /// Arcs and cubics become quadratics, cubics within -t or a thousandth of their size
     Quadratics,
-    /// All becomes lines within -t, or a thousandth of half the subpath's size and the rounding of its points
+    /// All becomes lines within -t, or a thousandth of half the subpath's size
     Lines,
-    /// All becomes lines and circular arcs within -t (without it as for lines); for path, json, dxf and gcode
+    /// All becomes lines and circular arcs within -t, or that and the rounding of its points; for path, json, svg, eps, png, pdf, dxf and gcode
     Arcs,
 }
 

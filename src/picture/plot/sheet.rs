@@ -62,7 +62,7 @@ pub(super) fn lowered(mut group: Group, by: f64) -> Group {
             }
             Mark::Dot(dot) => dot.center = tidy(dot.center + down),
             Mark::Text(text) => text.at = tidy(text.at + down),
-            Mark::Truth(_) | Mark::Path(_) => {}
+            Mark::Truth(_) | Mark::Path(_) | Mark::Arcs(_) => {}
         }
     }
     group

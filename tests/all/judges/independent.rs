@@ -505,7 +505,7 @@ pub(crate) struct Center {
     pub(crate) radii: P,
     rotation: (f64, f64),
     start: f64,
-    sweep: f64,
+    pub(crate) sweep: f64,
 }
 
 impl Center {
