@@ -2,7 +2,7 @@
 
 mod decimals;
 mod extremes;
-mod fewest;
+pub(crate) mod fewest;
 mod rounding;
 mod rounds;
 mod sketch;

@@ -5,7 +5,7 @@ use core::ops::RangeInclusive;
 
 use kurbo::Point;
 
-use super::{ROUNDING_SHARE, Request, Sketch};
+use super::{Options, ROUNDING_SHARE, Request, Sketch};
 use crate::error::{Error, Remedy, Result};
 use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
@@ -15,6 +15,7 @@ use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
 use crate::place::Placed;
+use crate::shape::Shape;
 
 /// From this many segments on, counts are halved and not tried one by one.
 const MANY: usize = 1000;
@@ -33,6 +34,37 @@ const LUCK: f64 = 1.03;
 
 /// The parts of a tolerance, the largest first, for which joints are marched out: the measure decides which of them serves.
 const NEARLY: [f64; 10] = [1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7];
+
+/// A bound on how far rounding may bring a curve nearer to the true shape.
+pub(crate) fn rounding(precision: Option<Precision>, tolerance: f64) -> f64 {
+    match precision {
+        Some(Precision::Fixed(decimals)) => power(10.0, -i32::from(decimals)),
+        _ => tolerance * ROUNDING_SHARE,
+    }
+}
+
+/// Whether a curve of this peak error before rounding is within the tolerance as it is written; `None` where rounding decides.
+pub(crate) fn by_formula(
+    peak: f64,
+    precision: Precision,
+    reach: f64,
+    tolerance: f64,
+) -> Option<bool> {
+    let Precision::Fixed(_) = precision else {
+        return None;
+    };
+    let moved = precision.farthest_moved() + 8.0 * f64::EPSILON * reach;
+    if peak + moved <= tolerance {
+        return Some(true);
+    }
+    (peak - moved > tolerance).then_some(false)
+}
+
+/// The count of a circle's equal segments from which on they are tried for a tolerance.
+pub(crate) fn least_count(circle: &Shape, options: &Options, tolerance: f64) -> Option<usize> {
+    let request = Request::new(circle, options).ok()??;
+    Some(request.least_count(tolerance))
+}
 
 /// Joints that are marched out when they are asked for.
 struct Marched<'a> {
@@ -124,14 +156,10 @@ impl Request<'_> {
     /// Whether the curve as it is written is within the tolerance; measured only where rounding decides.
     fn is_within(&self, sketch: &mut Sketch, tolerance: f64) -> bool {
         let truth = &self.outline.truth;
-        if let (Some(peak), Precision::Fixed(_)) = (sketch.peak, sketch.precision) {
-            let moved = sketch.precision.farthest_moved() + 8.0 * f64::EPSILON * self.reach();
-            if peak + moved <= tolerance {
-                return true;
-            }
-            if peak - moved > tolerance {
-                return false;
-            }
+        if let Some(peak) = sketch.peak
+            && let Some(is_within) = by_formula(peak, sketch.precision, self.reach(), tolerance)
+        {
+            return is_within;
         }
         let curve = sketch.rounded();
         let segments = || curve.segments.iter().copied();
@@ -282,12 +310,8 @@ impl Request<'_> {
         first..=last.min(2 * first + MOST_TRIES)
     }
 
-    /// A bound on how far rounding may bring the curve nearer to the true shape.
     fn rounding(&self, tolerance: f64) -> f64 {
-        match self.options.precision {
-            Some(Precision::Fixed(decimals)) => power(10.0, -i32::from(decimals)),
-            _ => tolerance * ROUNDING_SHARE,
-        }
+        rounding(self.options.precision, tolerance)
     }
 
     /// A count below which even the flattest place of the shape would be beyond the tolerance; more than the most where that

@@ -4,7 +4,7 @@ use kurbo::Affine;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
-use super::turn::Turn;
+use super::turn::Turns;
 use super::{Answers, OnError, Options, worsen};
 use crate::angle::Angle;
 use crate::approximate::{self, approximate, sketch};
@@ -34,8 +34,8 @@ pub struct Worker {
     on_error: OnError,
     /// What holds where a line does not say otherwise.
     options: approximate::Options,
-    /// What the last circle was drawn by.
-    turn: Option<Turn>,
+    /// What circles are drawn by.
+    turns: Turns,
     /// The last numbers of JSON.
     memo: Memo,
 }
@@ -56,7 +56,7 @@ impl Worker {
                 precision: options.precision,
                 transform: Affine::IDENTITY,
             },
-            turn: None,
+            turns: Turns::default(),
             memo: Memo::default(),
         }
     }
@@ -120,7 +120,7 @@ impl Worker {
         if spec.method.is_none() && spec.cut.is_none() {
             if let (Subject::Shape(Shape::Circle(circle)), Format::Path, false) =
                 (&spec.subject, self.form.format, self.form.measures)
-                && Turn::push(&mut self.turn, out, circle, &self.options).is_some()
+                && self.turns.push(out, circle, &self.options).is_some()
             {
                 return Ok(None);
             }

@@ -1,76 +1,182 @@
-//! Whole circles: each is the same drawing of the unit circle, placed.
+//! Whole circles: those of one count are the same drawing of the unit circle, placed.
 
-use crate::approximate::{self, automatic_precision};
+use crate::approximate::{self, automatic_precision, fewest};
+use crate::curve::Curve;
 use crate::joints::{Cut, Joints, quarters};
-use crate::method::{Method, Piece, Rule};
+use crate::method::{Method, Piece, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
 use crate::path;
 use crate::place::Placed;
-use crate::shape::{Circle, Shape, UnitArc};
+use crate::shape::{Circle, Outline, Shape, UnitArc};
+
+/// The most drawings that are kept, and the segments of those of which more than one is.
+const MOST: usize = 64;
+const FEW_SEGMENTS: usize = 1000;
 
 /// A drawing of the unit circle by equal pieces, each taken on its own.
 #[derive(Debug)]
-pub(super) struct Turn {
+struct Turn {
     unit: UnitArc,
     rule: Rule,
     joints: Joints,
     pieces: Vec<[Piece; 2]>,
-    /// The peak error before rounding.
+    /// The peak error before rounding, and that of one piece less.
     peak: f64,
+    peak_of_fewer: f64,
 }
 
 impl Turn {
-    /// `None` where the error depends on more than one piece, and where the rule cannot do it.
+    /// `None` where the rule cannot do it.
     fn new(unit: UnitArc, rule: Rule, count: usize) -> Option<Self> {
-        if rule.method() == Some(Method::Chen1) {
-            return None;
-        }
         let joints = Joints::equal(&unit, count).ok()?;
         let pieces = rule.pieces(&joints.spans, joints.closed).ok()?;
-        let peak = rule.radial_error(joints.spans.first()?).ok()?.peak();
+        let peak = |span: &Span| rule.radial_error(span).ok().map(|error| error.peak());
+        let fewer = (count > 1).then(|| Span::from_degrees(360.0 / (count - 1) as f64));
         Some(Self {
+            peak: peak(joints.spans.first()?)?,
+            peak_of_fewer: fewer.and_then(|span| peak(&span)).unwrap_or(f64::INFINITY),
             unit,
             rule,
             joints,
             pieces,
-            peak,
         })
     }
 
-    /// Appends the path data of a circle that is cut into a known number of equal segments, as [`approximate::sketch`] draws it, by
-    /// the last such drawing where that serves; `None` where the circle has to go the way of every shape.
+    fn placed(&self, outline: &Outline) -> Curve {
+        let placed = Placed::new(outline, &self.joints);
+        placed.curve(self.pieces.iter().copied(), self.joints.closed)
+    }
+}
+
+/// The drawings of the unit circle that were met.
+#[derive(Debug, Default)]
+pub(super) struct Turns {
+    kept: Vec<Turn>,
+}
+
+impl Turns {
+    /// The drawing for which this holds, or else the one of so many segments.
+    fn find(
+        &mut self,
+        unit: UnitArc,
+        rule: Rule,
+        serves: impl Fn(&Turn) -> bool,
+        count: impl FnOnce() -> Option<usize>,
+    ) -> Option<&Turn> {
+        let serves = |turn: &Turn| turn.unit == unit && turn.rule == rule && serves(turn);
+        if let Some(place) = self.kept.iter().position(serves) {
+            return self.kept.get(place);
+        }
+        let turn = Turn::new(unit, rule, count()?)?;
+        if self.kept.len() == MOST || turn.joints.count() > FEW_SEGMENTS {
+            self.kept.clear();
+        }
+        self.kept.push(turn);
+        self.kept.last()
+    }
+
+    /// Appends the path data of a circle, as [`approximate::sketch`] draws it; `None` where it has to go the way of every shape: where
+    /// its error depends on more than one piece, and where rounding decides on its count.
     pub(super) fn push(
-        last: &mut Option<Self>,
+        &mut self,
         out: &mut Vec<u8>,
         circle: &Circle,
         options: &approximate::Options,
     ) -> Option<()> {
-        let outline = Shape::Circle(*circle).outline()?;
-        let (unit, rule) = (outline.unit, options.rule);
-        let count = match options.cut {
-            Cut::Quarters => quarters(unit.sweep),
-            Cut::Count(count) => count,
-            _ => return None,
-        };
-        let serves =
-            |turn: &Self| turn.unit == unit && turn.rule == rule && turn.joints.count() == count;
-        if !last.as_ref().is_some_and(serves) {
-            *last = Some(Self::new(unit, rule, count)?);
+        let shape = Shape::Circle(*circle);
+        let outline = shape.outline()?;
+        let (unit, rule, radius) = (outline.unit, options.rule, circle.radius);
+        if rule.method() == Some(Method::Chen1) {
+            return None;
         }
-        let turn = last.as_ref()?;
-        let precision = options.precision;
-        if let Some(Precision::Fixed(decimals)) = precision
-            && circle.radius * power(10.0, i32::from(decimals)) < 1.0
+        if let Some(Precision::Fixed(decimals)) = options.precision
+            && radius * power(10.0, i32::from(decimals)) < 1.0
         {
             // It may vanish.
             return None;
         }
-        let placed = Placed::new(&outline, &turn.joints);
-        let curve = placed.curve(turn.pieces.iter().copied(), unit.closed);
-        let precision = precision
-            .unwrap_or_else(|| automatic_precision(turn.peak * circle.radius, &curve.segments));
+        let count = match options.cut {
+            Cut::Quarters => quarters(unit.sweep),
+            Cut::Count(count) => count,
+            Cut::Tolerance(tolerance) => {
+                let tolerance = tolerance.for_radius(radius);
+                return self.push_within(out, &shape, &outline, options, tolerance);
+            }
+            _ => return None,
+        };
+        let serves = |turn: &Turn| turn.joints.count() == count;
+        let turn = self.find(unit, rule, serves, || Some(count))?;
+        let curve = turn.placed(&outline);
+        let precision = options
+            .precision
+            .unwrap_or_else(|| automatic_precision(turn.peak * radius, &curve.segments));
         path::push_rounded(out, &curve, precision);
         Some(())
+    }
+
+    /// The same for a tolerance, which the least count that may be within it meets mostly.
+    fn push_within(
+        &mut self,
+        out: &mut Vec<u8>,
+        circle: &Shape,
+        outline: &Outline,
+        options: &approximate::Options,
+        tolerance: f64,
+    ) -> Option<()> {
+        // The error of a method falls with the count; a literal handle's and those of a table do not.
+        if let Method::LancasterBest | Method::LancasterDrawellipse = options.rule.method()? {
+            return None;
+        }
+        let truth = &outline.truth;
+        let radius = truth.larger_radius();
+        let allowed = (tolerance + fewest::rounding(options.precision, tolerance)) / radius;
+        let serves = |turn: &Turn| turn.peak <= allowed && turn.peak_of_fewer > allowed;
+        let count = || fewest::least_count(circle, options, tolerance);
+        let turn = self.find(outline.unit, options.rule, serves, count)?;
+        let peak = turn.peak * radius;
+        let curve = turn.placed(outline);
+        let precision = options
+            .precision
+            .unwrap_or_else(|| automatic_precision(peak.min(tolerance), &curve.segments));
+        let reach = truth.center.to_vec2().hypot() + radius;
+        let is_within = fewest::by_formula(peak, precision, reach, tolerance);
+        is_within.filter(|&is| is)?;
+        path::push_rounded(out, &curve, precision);
+        Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joints::Tolerance;
+
+    #[test]
+    fn circles_are_those_that_every_shape_goes_the_way_of() {
+        let mut turns = Turns::default();
+        let mut kept = 0;
+        for i in 0..4000_usize {
+            let at = |k: usize| (i * k % 1009) as f64 / 1009.0;
+            let center = (200.0 * at(11) - 100.0, 30.0 * at(17));
+            let circle = Circle::new(center, 0.1 + 100.0 * at(7)).unwrap();
+            let methods = [Method::Minimax, Method::Chen3, Method::MinimaxG0];
+            let tolerance = libm::pow(10.0, -5.0 * at(23));
+            let precision = [None, Some(Precision::Fixed(2)), Some(Precision::Full)][i % 3];
+            let options = approximate::Options {
+                rule: Rule::Method(methods[i % 7 % 3]),
+                cut: Cut::Tolerance(Tolerance::Absolute(tolerance)),
+                precision,
+                ..approximate::Options::default()
+            };
+            let [mut own, mut way] = [const { Vec::new() }; 2];
+            if turns.push(&mut own, &circle, &options).is_some() {
+                kept += 1;
+                let sketch = approximate::sketch(&Shape::Circle(circle), &options).unwrap();
+                path::push_rounded(&mut way, &sketch.curve, sketch.precision);
+                assert_eq!(String::from_utf8(own), String::from_utf8(way), "{i}");
+            }
+        }
+        assert!(kept > 1000, "{kept}");
     }
 }

@@ -3,7 +3,7 @@
 use kurbo::{PathSeg, Point};
 
 use super::continuity::{Joint, joint};
-use super::radial::Profile;
+use super::radial::{Known, Profile};
 use super::reference::Reference;
 use super::report::{
     ContinuityReport, CurvatureReport, ErrorReport, Extent, Extreme, LagReport, Place,
@@ -116,7 +116,7 @@ impl<'a> Bench<'a> {
         let (mut mean, mut square, mut over_angle, mut angle) = (0.0, 0.0, 0.0, 0.0);
         for (i, segment) in self.segments() {
             let profile = Profile::new(segment, truth);
-            profile.visit_bounds(|t, [least, most]| {
+            profile.visit_bounds(&mut Known::default(), |t, [least, most]| {
                 out.take(most, i, t);
                 inside.take(-least, i, t);
             });

@@ -18,6 +18,7 @@ mod settle;
 mod slopes;
 mod tangents;
 
+pub(crate) use peaks::Known;
 pub(crate) use search::visit_between;
 
 use core::iter;
@@ -50,10 +51,11 @@ pub(crate) fn error_within<'a>(
     limit: f64,
 ) -> RadialError {
     let mut range = RadialError::default();
+    let mut known = Known::default();
     let exact = truth.frame.exact(truth.radii);
     for segment in segments {
         let profile = Profile::within(segment, truth, &exact);
-        profile.visit_bounds(|_, bounds| range.take_in_all(bounds));
+        profile.visit_bounds(&mut known, |_, bounds| range.take_in_all(bounds));
         if range.peak() > limit {
             break;
         }
@@ -221,8 +223,9 @@ impl Profile {
         }
     }
 
-    /// Visits places with what the distance there lies between for certain; the whole segment lies between the largest and the least.
-    pub(crate) fn visit_bounds(&self, mut visit: impl FnMut(f64, [f64; 2])) {
+    /// Visits places with what the distance there lies between for certain; the whole segment lies between the largest and the least, those
+    /// included that were `known` before.
+    pub(crate) fn visit_bounds(&self, known: &mut Known, mut visit: impl FnMut(f64, [f64; 2])) {
         let noise = NOISE * self.larger_radius();
         let mut visit = |t: f64, [low, high]: [f64; 2]| {
             let beyond = |bound: f64| if bound > 0.0 { bound + noise } else { bound };
@@ -231,7 +234,7 @@ impl Profile {
         if self.is_circle() {
             self.visit_on_circle(|t, distance| visit(t, self.bounds(t, distance)));
         } else {
-            peaks::visit(self, visit);
+            peaks::visit(self, known, visit);
         }
     }
 

@@ -118,9 +118,9 @@ impl Polynomial {
             .fold(0.0, |largest, c| largest.max(c.abs()))
     }
 
-    /// A coefficient.
-    pub(crate) fn coefficient(&self, i: usize) -> f64 {
-        self.coefficients[i]
+    /// The coefficients of the square of a cubic.
+    pub(crate) const fn coefficients_of_square(&self) -> &[f64; MOST] {
+        &self.coefficients
     }
 
     /// The polynomial of the sizes of the coefficients.

@@ -24,6 +24,7 @@ impl Double {
     }
 
     /// a - b without rounding error.
+    #[inline]
     pub(crate) fn difference(a: f64, b: f64) -> Self {
         let high = a - b;
         let virtual_b = a - high;
@@ -33,10 +34,12 @@ impl Double {
         }
     }
 
+    #[inline]
     fn sum(a: f64, b: f64) -> Self {
         Self::difference(a, -b)
     }
 
+    #[inline]
     pub(crate) fn plus(self, other: Self) -> Self {
         let high = Self::sum(self.high, other.high);
         let low = Self::sum(self.low, other.low);
@@ -72,6 +75,7 @@ impl Double {
         }
     }
 
+    #[inline]
     pub(crate) fn times(self, other: Self) -> Self {
         let product = self.high * other.high;
         let error = self.high.mul_add(other.high, -product);
@@ -82,11 +86,13 @@ impl Double {
     }
 
     /// The product with a small whole number or a power of two.
+    #[inline]
     pub(crate) fn scaled(self, factor: f64) -> Self {
         self.times(Self::of(factor))
     }
 
     /// The quotient by a number that is not 0.
+    #[inline]
     pub(crate) fn over(self, divisor: f64) -> Self {
         let quotient = self.high / divisor;
         let rest = (-quotient).mul_add(divisor, self.high) + self.low;
@@ -116,6 +122,7 @@ impl Double {
     }
 
     /// The nearest `f64`.
+    #[inline]
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
     }

@@ -87,16 +87,29 @@ const FAR_OUTSIDE: f64 = 3.0;
 /// (x/a)² u (2 + u)/(1 + u)² + (y/b)² v (2 + v)/(1 + v)². Near the ellipse Sampson's distance is the start.
 pub(crate) fn foot_by_excess(radii: Vec2, p: Vec2, excess: f64) -> FootByExcess {
     let scale = radii.x.max(radii.y);
-    let (a, b) = (radii.x / scale, radii.y / scale);
-    let (alpha, beta) = (1.0 / (a * a), 1.0 / (b * b));
-    let (x, y) = (p.x / scale, p.y / scale);
+    let in_unit = |v: Vec2| Vec2::new(v.x / scale, v.y / scale);
+    let unit = in_unit(radii);
+    let alpha = [1.0 / (unit.x * unit.x), 1.0 / (unit.y * unit.y)];
+    let mut found = foot_in_unit(unit, alpha, in_unit(p), excess);
+    found.foot.distance *= scale;
+    found
+}
+
+/// The same where the larger radius is 1; the reciprocal squares of the radii are at hand.
+#[inline]
+pub(crate) fn foot_in_unit(
+    radii: Vec2,
+    [alpha, beta]: [f64; 2],
+    Vec2 { x, y }: Vec2,
+    excess: f64,
+) -> FootByExcess {
     let (xx, yy) = (x * x * alpha, y * y * beta);
     let largest = alpha.max(beta);
     let mut s = excess / (2.0 * (xx * alpha + yy * beta));
     // Where coefficients that are large beside it cancel, the excess knows less than the coordinates.
     let is_right = (xx + yy - 1.0 - excess).abs() <= RIGHT * (xx + yy);
     if !is_right || s.is_nan() || s.abs() * largest > NEAR {
-        let (foot, multiplier) = foot_and_multiplier(radii, p);
+        let (foot, multiplier) = foot_and_multiplier(radii, Vec2::new(x, y));
         let is_known = is_right && excess <= FAR_OUTSIDE && 1.0 + multiplier * largest >= FROM_POLE;
         if !is_known {
             return FootByExcess {
@@ -123,7 +136,7 @@ pub(crate) fn foot_by_excess(radii: Vec2, p: Vec2, excess: f64) -> FootByExcess 
     let length = arm.hypot();
     FootByExcess {
         foot: Foot {
-            distance: s * length * scale,
+            distance: s * length,
             outward: arm / length,
         },
         multiplier: s,

@@ -154,11 +154,11 @@ impl Lobes {
 
 /// How many degrees after a sharp end this angle lies, the last one before it.
 fn after_sharp_end(from: f64) -> f64 {
-    let after = from - 90.0;
-    if (0.0..180.0).contains(&after) {
-        after
-    } else {
-        after.rem_euclid(180.0)
+    // Beside the first turn nothing is rounded either way.
+    match from - 90.0 {
+        after @ 0.0..180.0 => after,
+        after @ -180.0..0.0 => after + 180.0,
+        after => after.rem_euclid(180.0),
     }
 }
 

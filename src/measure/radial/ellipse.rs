@@ -44,23 +44,35 @@ impl Profile {
         }
     }
 
-    /// The part of the segment between two parameters in that frame, and its control points about the centre of the exact one.
+    /// The part of the segment between two parameters in that frame, and its control points in the exact one.
     pub(super) fn part(&self, [from, to]: [f64; 2], turn: &[Vec2; 2]) -> (Part, [Twice; 4]) {
-        let framed = if from == 0.0 && to == 1.0 {
-            self.framed
+        let is_whole = from == 0.0 && to == 1.0;
+        let (framed, excess) = if is_whole {
+            (self.framed, self.excess)
         } else {
-            self.framed.between(from, to)
+            let framed = self.framed.between(from, to);
+            (framed, framed.excess().scaled(self.exact.unit))
         };
         let points = framed.points();
-        let excess = framed.excess().scaled(self.exact.unit);
+        let mut turned = [[0.0; 4]; 2];
+        for (turned, row) in turned.iter_mut().zip(turn) {
+            for (turned, [x, y]) in turned.iter_mut().zip(points) {
+                *turned = row.x * x.value() + row.y * y.value();
+            }
+        }
         let part = Part::new(
             [from, to],
-            core::array::from_fn(|i| excess.coefficient(i)),
-            turn.map(|row| points.map(|[x, y]| row.x * x.value() + row.y * y.value())),
+            *excess.coefficients_of_square(),
+            turned,
             self.exact.is_mapped(),
         );
-        let [x, y] = self.exact.center().map(|c| c.scaled(-1.0));
-        (part, points.map(|p| [p[0].plus(x), p[1].plus(y)]))
+        (part, *points)
+    }
+
+    /// A point of the exact frame about its centre.
+    pub(super) fn about_center(&self, [x, y]: Twice) -> Twice {
+        let [a, b] = self.exact.center();
+        [x.plus(a.scaled(-1.0)), y.plus(b.scaled(-1.0))]
     }
 
     /// Visits the ends and the extremes that a search finds, with which pictures are drawn.

@@ -16,6 +16,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             return;
         }
         let (part, points) = self.refreshed(part);
+        let points = points.map(|p| self.profile.about_center(p));
         let places = part.polygon(self.center);
         let found: [_; 4] = core::array::from_fn(|i| self.distance_exactly(places[i], points[i]));
         let [from, to] = part.parameters();

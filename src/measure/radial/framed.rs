@@ -22,7 +22,14 @@ impl FramedPoints {
             PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
             PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
         };
-        Self::of(points.map(|p| exact.point(p)), count, exact)
+        let [a, b, c, d] = points;
+        let points = [
+            exact.point(a),
+            exact.point(b),
+            exact.point(c),
+            exact.point(d),
+        ];
+        Self::of(points, count, exact)
     }
 
     /// The same as a cubic.
@@ -42,9 +49,16 @@ impl FramedPoints {
     }
 
     fn of(points: [Twice; 4], count: usize, exact: &Exact) -> Self {
+        let [a, b, c, d] = &points;
+        let levels = [
+            exact.level(*a),
+            exact.level(*b),
+            exact.level(*c),
+            exact.level(*d),
+        ];
         Self {
             points,
-            levels: points.map(|q| exact.level(q)),
+            levels,
             count,
         }
     }
@@ -130,9 +144,11 @@ impl FramedPoints {
 
     /// The segment about the origin of the frame, in the user's unit and along the axes `turned` to those of the true shape.
     pub(super) fn segment(&self, exact: &Exact, turned: impl Fn(Vec2) -> Vec2) -> PathSeg {
-        let [p0, p1, p2, p3] = self
-            .points
-            .map(|[x, y]| turned(exact.image(Vec2::new(x.value(), y.value()))).to_point());
+        let image = |i: usize| {
+            let [x, y] = self.points[i];
+            turned(exact.image(Vec2::new(x.value(), y.value()))).to_point()
+        };
+        let [p0, p1, p2, p3] = [image(0), image(1), image(2), image(3)];
         match self.count {
             2 => PathSeg::Line(Line::new(p0, p1)),
             3 => PathSeg::Quad(QuadBez::new(p0, p1, p2)),

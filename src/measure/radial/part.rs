@@ -15,7 +15,10 @@ pub(super) struct Part {
     /// The control points, x and y, not about the centre, and how far each may be off.
     points: [[f64; 4]; 2],
     moved: [f64; 2],
-    /// Whether no halving has added to that.
+    /// The largest sizes of both.
+    largest: f64,
+    reach: [f64; 2],
+    /// Whether no halving has added to the rounding.
     pub(super) is_fresh: bool,
 }
 
@@ -37,19 +40,22 @@ impl Part {
         points: [[f64; 4]; 2],
         turned: bool,
     ) -> Self {
-        let sizes = points.map(|c| largest(&c));
+        let reach = [largest(&points[0]), largest(&points[1])];
         let moved = if turned {
-            [4.0 * (1.0 + sizes[0] + sizes[1]); 2]
+            [4.0 * (1.0 + reach[0] + reach[1]); 2]
         } else {
-            sizes.map(|size| 2.0 * size)
+            [2.0 * reach[0], 2.0 * reach[1]]
         };
+        let largest = largest(&excess);
         Self {
             from,
             width: to - from,
             excess,
-            rounding: f64::EPSILON * largest(&excess),
+            rounding: f64::EPSILON * largest,
             points,
-            moved: moved.map(|moved| f64::EPSILON * moved),
+            moved: [f64::EPSILON * moved[0], f64::EPSILON * moved[1]],
+            largest,
+            reach,
             is_fresh: true,
         }
     }
@@ -67,12 +73,13 @@ impl Part {
 
     /// How far F may be off at a place: by de Casteljau's algorithm, three roundings in each of six steps.
     pub(super) fn rounding(&self) -> f64 {
-        self.rounding + 9.0 * f64::EPSILON * largest(&self.excess)
+        self.rounding + 9.0 * f64::EPSILON * self.largest
     }
 
     /// How far q may be off at a place, its size there left out.
     pub(super) fn moved(&self) -> [f64; 2] {
-        [0, 1].map(|i| self.moved[i] + 4.5 * f64::EPSILON * largest(&self.points[i]))
+        let moved = |i: usize| self.moved[i] + 4.5 * f64::EPSILON * self.reach[i];
+        [moved(0), moved(1)]
     }
 
     /// The control points from the point at the middle.
@@ -88,40 +95,36 @@ impl Part {
 
     /// Between what the coefficients of F lie.
     pub(super) fn excess_range(&self) -> [f64; 2] {
-        let fold = |start: f64, f: fn(f64, f64) -> f64| self.excess.into_iter().fold(start, f);
-        [
-            fold(f64::INFINITY, f64::min),
-            fold(f64::NEG_INFINITY, f64::max),
-        ]
+        let [mut low, mut high] = [self.excess[0]; 2];
+        for &x in &self.excess[1..] {
+            low = if x < low { x } else { low };
+            high = if x > high { x } else { high };
+        }
+        [low, high]
     }
 
     pub(super) fn halves(&self) -> [Self; 2] {
         let width = self.width / 2.0;
-        let [x, y] = &self.points;
         // One rounding in each step.
-        let rounding = self.rounding + 3.0 * f64::EPSILON * largest(&self.excess);
-        let moved = [0, 1].map(|i| self.moved[i] + 1.5 * f64::EPSILON * largest(&self.points[i]));
+        let rounding = self.rounding + 3.0 * f64::EPSILON * self.largest;
+        let moved = |i: usize| self.moved[i] + 1.5 * f64::EPSILON * self.reach[i];
+        let half = |from: f64, excess: [f64; 7], points: [[f64; 4]; 2]| Self {
+            from,
+            width,
+            largest: largest(&excess),
+            excess,
+            rounding,
+            reach: [largest(&points[0]), largest(&points[1])],
+            points,
+            moved: [moved(0), moved(1)],
+            is_fresh: false,
+        };
+        let [x, y] = &self.points;
         let ([before, after], [x, x_after], [y, y_after]) =
             (halves(self.excess), halves(*x), halves(*y));
         [
-            Self {
-                from: self.from,
-                width,
-                excess: before,
-                rounding,
-                points: [x, y],
-                moved,
-                is_fresh: false,
-            },
-            Self {
-                from: self.from + width,
-                width,
-                excess: after,
-                rounding,
-                points: [x_after, y_after],
-                moved,
-                is_fresh: false,
-            },
+            half(self.from, before, [x, y]),
+            half(self.from + width, after, [x_after, y_after]),
         ]
     }
 
@@ -167,10 +170,10 @@ impl Part {
 
     /// The same with what rounding may have done.
     pub(super) fn rounded(&self, motion: &Motion<f64>) -> Motion<Ball> {
-        let size = f64::EPSILON * largest(&self.excess);
+        let size = f64::EPSILON * self.largest;
         let rounded = |values: [f64; 2], moved: f64, factor: f64| {
             let ball = |i: usize| {
-                let size = f64::EPSILON * largest(&self.points[i]);
+                let size = f64::EPSILON * self.reach[i];
                 Ball::new(values[i], moved * self.moved[i] + factor * size)
             };
             [ball(0), ball(1)]
@@ -217,11 +220,14 @@ impl Part {
 }
 
 /// The largest size of these numbers.
-fn largest(numbers: &[f64]) -> f64 {
-    numbers.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
+#[inline]
+fn largest<const N: usize>(numbers: &[f64; N]) -> f64 {
+    let larger = |most: f64, x: &f64| if x.abs() > most { x.abs() } else { most };
+    numbers.iter().fold(0.0, larger)
 }
 
 /// The coefficients of both halves, by de Casteljau's algorithm.
+#[inline]
 fn halves<const N: usize>(mut after: [f64; N]) -> [[f64; N]; 2] {
     let mut before = after;
     for (k, last) in before.iter_mut().enumerate().skip(1) {
@@ -234,6 +240,7 @@ fn halves<const N: usize>(mut after: [f64; N]) -> [[f64; N]; 2] {
 }
 
 /// The value and the first two derivatives at t.
+#[inline]
 fn derivatives<const N: usize>(coefficients: &[f64; N], t: f64) -> [f64; 3] {
     let (mut c, rest, degree) = (*coefficients, 1.0 - t, (N - 1) as f64);
     for last in (3..N).rev() {

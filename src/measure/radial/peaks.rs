@@ -1,5 +1,6 @@
 //! The peaks of the distance from an ellipse by branch and bound, so that none is missed: docs/methods.md has the proof.
 
+use core::cell::OnceCell;
 use std::collections::BinaryHeap;
 
 use kurbo::Vec2;
@@ -12,7 +13,7 @@ use super::slopes::multipliers;
 use super::tangents::Tangents;
 use crate::numeric::ball::Ball;
 use crate::numeric::double::{Double, Twice};
-use crate::numeric::foot::foot_by_excess;
+use crate::numeric::foot::foot_in_unit;
 
 /// The largest x = |F| / (2 G b²), G = Σ αᵢ qᵢ² and b the smaller radius, for which a part passes for near. There s is F / (2 G) but for
 /// a factor between 1 - 3x and 1 + 3x, and d is F / (2 √G) but for one between 1 - 2x and 1 + 1.3x.
@@ -37,20 +38,28 @@ pub(super) struct Search<'a, F> {
     pub(super) radii: Vec2,
     pub(super) center: Vec2,
     pub(super) alpha: [f64; 2],
-    /// What the largest distance is at least.
-    least: [f64; 2],
-    /// The largest that was stated.
-    stated: [f64; 2],
+    known: &'a mut Known,
     /// The parts that have to be halved.
     pending: BinaryHeap<Pending>,
     /// Half a unit in the last place of the largest coordinate or so, or of the larger radius where that is less: no bound needs to be closer.
     pub(super) last_place: f64,
 }
 
-/// Visits places of a segment as (t, what the distance there lies between). What all of them lie between holds for the whole segment.
-pub(super) fn visit(profile: &Profile, visit: impl FnMut(f64, [f64; 2])) {
+/// What is known of the largest distance on either side, of one segment or of several from the same shape.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Known {
+    /// What it is at least.
+    least: [f64; 2],
+    /// The largest that was stated.
+    stated: [f64; 2],
+}
+
+/// Visits places of a segment as (t, what the distance there lies between). What all of them lie between, and what was known before,
+/// holds for the whole segment.
+pub(super) fn visit(profile: &Profile, known: &mut Known, visit: impl FnMut(f64, [f64; 2])) {
     let unit = profile.larger_radius();
-    let radii = profile.radii / unit;
+    // By quotients: the larger one is 1 to the last digit.
+    let radii = Vec2::new(profile.radii.x / unit, profile.radii.y / unit);
     let turn = profile.turn();
     let center = profile.exact.center().map(Double::value);
     let mut search = Search {
@@ -61,18 +70,26 @@ pub(super) fn visit(profile: &Profile, visit: impl FnMut(f64, [f64; 2])) {
         radii,
         center: vector(turn.map(|row| row.dot(vector(center)))),
         alpha: [radii.x, radii.y].map(|r| 1.0 / (r * r)),
-        least: [0.0; 2],
-        stated: [0.0; 2],
+        known,
         pending: BinaryHeap::new(),
         last_place: 0.5 * f64::EPSILON * (profile.largest_coordinate / unit).min(1.0),
     };
     let (whole, points) = profile.part([0.0, 1.0], &turn);
-    search.end(&whole, 0.0, points[0]);
     let mut parts = Vec::with_capacity(1 << FIRST_CUTS);
-    search.cut(whole, FIRST_CUTS, &mut parts);
-    for part in &parts {
-        search.bound(part, MOST_CUTS);
+    search.cut(&whole, FIRST_CUTS, &mut parts);
+    // Those that seem the farthest come first: their extremes leave little to be found of the others.
+    let farthest = |sign: f64| {
+        (1..parts.len()).fold(0, |far, place| {
+            let is_farther = sign * parts[place].0 > sign * parts[far].0;
+            if is_farther { place } else { far }
+        })
+    };
+    let first = [farthest(1.0), farthest(-1.0)];
+    let rest = (0..parts.len()).filter(|place| !first.contains(place));
+    for place in first.into_iter().chain(rest) {
+        search.bound(&parts[place].1, MOST_CUTS);
     }
+    search.end(&whole, 0.0, points[0]);
     search.end(&whole, 1.0, points[3]);
     search.close();
 }
@@ -108,10 +125,11 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         self.profile.part(part.parameters(), &self.turn)
     }
 
-    /// Cuts a part, and learns from the middle of each piece what the largest distances are at least.
-    fn cut(&mut self, part: Part, cuts: u32, parts: &mut Vec<Part>) {
+    /// Cuts a part, and learns from the middle of each piece what the largest distances are at least; the pieces with the distance there,
+    /// nearly.
+    fn cut(&mut self, part: &Part, cuts: u32, parts: &mut Vec<(f64, Part)>) {
         if cuts > 0 {
-            for half in part.halves() {
+            for half in &part.halves() {
                 self.cut(half, cuts - 1, parts);
             }
             return;
@@ -122,18 +140,26 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         if x <= NEAR {
             let least = excess.abs() * (1.0 - 2.0 * x - 1e-9) - part.rounding();
             let side = usize::from(excess < 0.0);
-            self.least[side] = self.least[side].max(least / (2.0 * gradient.sqrt()));
+            let least = least / (2.0 * gradient.sqrt());
+            self.known.least[side] = self.known.least[side].max(least);
         }
-        parts.push(part);
+        parts.push((excess / gradient.sqrt(), *part));
     }
 
     /// Visits an end of the segment, where F is one coefficient and the point is known in twice the digits.
     fn end(&mut self, whole: &Part, t: f64, point: Twice) {
         let motion = whole.motion_at(t, self.center);
+        let excess = [-1.0, 1.0].map(|side| motion.excess * (1.0 + side * f64::EPSILON));
+        let [x, y] = motion.place;
+        let gradient = (self.alpha[0] * x * x + self.alpha[1] * y * y) * (1.0 - 1e-9);
+        if self.is_settled(excess, gradient) {
+            return;
+        }
         let place = self.place(whole, &motion, f64::EPSILON * motion.excess.abs());
         if place.is_exact(self.last_place) {
             self.take(t, place.between(0.0));
         } else {
+            let point = self.profile.about_center(point);
             let between = self.distance_exactly(vector(motion.place), point).1;
             self.take(t, between);
         }
@@ -145,9 +171,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         // First by the control points, which cost little.
         let [p, q] = part.least_place(self.center);
         let gradient = (self.alpha[0] * p * p + self.alpha[1] * q * q) * (1.0 - 1e-14);
-        if let Some(bounds) = self.bounds(excess, gradient)
-            && [0, 1].iter().all(|&side| !self.is_open(side, bounds[side]))
-        {
+        if self.is_settled(excess, gradient) {
             return;
         }
         let middle = part.motion_at(0.5, self.center);
@@ -207,10 +231,10 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         let x = self.nearness(excess[1].max(-excess[0]), gradients[0]);
         let at = middle.slopes(self.alpha, place.foot.multiplier);
         let mut s = multipliers(excess, *gradients, x, place.multiplier());
+        let (alpha, certain) = (self.alpha, OnceCell::new());
+        let certain = || *certain.get_or_init(|| rounded.slopes(alpha, place.multiplier()).slope);
         for _ in 0..2 {
             let all = motion.slopes(self.alpha, s);
-            let alpha = self.alpha;
-            let certain = || rounded.slopes(alpha, place.multiplier()).slope;
             let half = all.bend.size() / 2.0;
             // Either the distance rises or falls all along, or N does.
             if at.slope.abs() > half && at.slope.abs() > half + certain().radius {
@@ -238,8 +262,14 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     fn is_coarse(&self, part: &Part, gradient: f64) -> bool {
         let [x, y] = part.moved();
         let share = f64::max(x * self.alpha[0].sqrt(), y * self.alpha[1].sqrt());
-        let allowed = 0.25 * self.last_place + CLOSE * self.least[0].min(self.least[1]);
+        let allowed = 0.25 * self.last_place + CLOSE * self.known.least[0].min(self.known.least[1]);
         part.rounding() > allowed * gradient.sqrt() || share > 0.1 * EXACT
+    }
+
+    /// Whether what F and G say of the distance leaves nothing open.
+    fn is_settled(&self, excess: [f64; 2], gradient: f64) -> bool {
+        let bounds = self.bounds(excess, gradient);
+        bounds.is_some_and(|[outer, inner]| !self.is_open(0, outer) && !self.is_open(1, inner))
     }
 
     /// What F and G say of the distance on both sides; `None` where a part is not near.
@@ -251,7 +281,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// Leaves a part to be halved.
     pub(super) fn leave(&mut self, part: &Part, cuts: u32, bounds: [f64; 2]) {
-        let above = |side: usize| bounds[side] - self.least[side];
+        let above = |side: usize| bounds[side] - self.known.least[side];
         self.pending.push(Pending {
             above: above(0).max(above(1)),
             part: *part,
@@ -265,7 +295,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         [0, 1].map(|side| {
             let bound = bounds[side];
             let is_open = self.is_open(side, bound);
-            let is_close = bound <= self.least[side] * (1.0 + CLOSE) + rounding;
+            let is_close = bound <= self.known.least[side] * (1.0 + CLOSE) + rounding;
             if is_open && is_close {
                 self.state(part, side, bound);
             }
@@ -274,11 +304,11 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     pub(super) fn is_open(&self, side: usize, bound: f64) -> bool {
-        bound > self.stated[side] && bound >= self.least[side]
+        bound > self.known.stated[side] && bound >= self.known.least[side]
     }
 
     fn state(&mut self, part: &Part, side: usize, bound: f64) {
-        self.stated[side] = bound;
+        self.known.stated[side] = bound;
         let signed = [bound, -bound][side] * self.profile.larger_radius();
         (self.visit)(part.parameter(0.5), [signed; 2]);
     }
@@ -286,8 +316,8 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// Takes what the signed distance at a place lies between.
     pub(super) fn take(&mut self, t: f64, [low, high]: [f64; 2]) {
         for (side, [least, most]) in [[low, high], [-high, -low]].into_iter().enumerate() {
-            self.least[side] = self.least[side].max(least);
-            self.stated[side] = self.stated[side].max(most);
+            self.known.least[side] = self.known.least[side].max(least);
+            self.known.stated[side] = self.known.stated[side].max(most);
         }
         (self.visit)(t, [low, high].map(|d| d * self.profile.larger_radius()));
     }
@@ -295,7 +325,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// The nearest point at a place where F is off so far at most.
     fn place(&self, part: &Part, motion: &Motion<f64>, rounding: f64) -> Place {
         let point = self.image(vector(motion.place));
-        let foot = foot_by_excess(self.radii, point, motion.excess);
+        let foot = foot_in_unit(self.radii, self.alpha, point, motion.excess);
         Place::new(self.alpha, part, motion, foot, rounding)
     }
 

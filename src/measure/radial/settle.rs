@@ -4,7 +4,7 @@ use super::part::Part;
 use super::peaks::{Search, vector};
 use super::place::Place;
 use super::slopes::Slopes;
-use crate::numeric::foot::foot_by_excess;
+use crate::numeric::foot::foot_in_unit;
 
 /// What Newton's method may leave of the distance, as a share of it.
 const LEFT: f64 = 1e-12;
@@ -21,7 +21,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             t = t.clamp(0.0, 1.0);
             let motion = part.motion_at(t, self.center);
             let point = self.image(vector(motion.place));
-            let foot = foot_by_excess(self.radii, point, motion.excess);
+            let foot = foot_in_unit(self.radii, self.alpha, point, motion.excess);
             let Slopes { slope, bend, .. } = motion.slopes(self.alpha, foot.multiplier);
             let step = -slope / bend;
             if step.abs() > 1e-6 && (t + step).clamp(0.0, 1.0) != t && steps + 1 < MOST_STEPS {

@@ -18,7 +18,8 @@ pub(super) struct Slopes<T> {
 }
 
 impl<T: Number> Motion<T> {
-    /// At a place, or between what they lie on a part, where s is so.
+    /// At a place, or between what they lie on a part, where s is so. Where it is called, what is not asked for is not computed.
+    #[inline(always)]
     pub(super) fn slopes(&self, alpha: [f64; 2], s: T) -> Slopes<T> {
         let [mut u, mut v, mut w, mut d] = [T::exact(0.0); 4];
         for (i, alpha) in alpha.into_iter().enumerate() {
