@@ -9,11 +9,11 @@ mod frame;
 mod report;
 mod samples;
 
-use kurbo::{Affine, CubicBez, PathSeg, Point, QuadBez, Vec2};
+use kurbo::{Affine, PathSeg, Point, QuadBez, Vec2};
 
 use crate::angle::Angle;
 use crate::approximate::{Options, automatic_precision};
-use crate::curve::Curve;
+use crate::curve::{Curve, with_handles};
 use crate::error::{Error, JointsError, Remedy, Result, ShapeError, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Method, Rule};
@@ -280,7 +280,7 @@ impl Conic {
             Some(method) => {
                 let handle = reach * method.conic_handle(weight)?;
                 let arms = [from, to].map(|x| -> Vec2 { frame.derivative(x) * handle });
-                PathSeg::Cubic(CubicBez::new(p0, p0 + arms[0], p3 - arms[1], p3))
+                PathSeg::Cubic(with_handles([p0, p3], arms))
             }
         })
     }

@@ -161,6 +161,12 @@ pub(crate) fn segment_of(points: &[Point]) -> PathSeg {
     }
 }
 
+/// The cubic between these ends with these handles: out of the first, and into the last.
+#[inline(always)]
+pub(crate) fn with_handles([p0, p3]: [Point; 2], [out, into]: [Vec2; 2]) -> CubicBez {
+    CubicBez::new(p0, p0 + out, p3 - into, p3)
+}
+
 /// The angle between the tangents of two segments where they join, in degrees.
 pub(crate) fn turn(before: &PathSeg, after: &PathSeg) -> f64 {
     let (incoming, outgoing) = (before.reverse(), *after);

@@ -105,7 +105,7 @@ impl Target {
 }
 
 /// What to replace, and how closely.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Options {
     /// What it becomes. For arcs, the rule, the cut and the precision have no say, and only shapes of a kind in `only` are made.
     pub to: Target,

@@ -28,6 +28,7 @@ use core::iter::FusedIterator;
 use kurbo::{CubicBez, Point, Vec2};
 
 use crate::angle::Angle;
+use crate::curve::with_handles;
 use crate::error::Result;
 use crate::method::Rule;
 use crate::shape::endpoint::{Chord, SvgArc};
@@ -76,12 +77,8 @@ impl Iterator for Cubics {
             (self.start + self.way, turned)
         };
         (self.point, self.tangent) = (p3, t3);
-        Some(CubicBez::new(
-            p0,
-            p0 + t0 * self.handle,
-            p3 - t3 * self.handle,
-            p3,
-        ))
+        let handles = [t0 * self.handle, t3 * self.handle];
+        Some(with_handles([p0, p3], handles))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

@@ -9,7 +9,7 @@ pub mod points;
 
 use kurbo::{Affine, CubicBez, ParamCurveArclen, PathSeg, Point, Vec2};
 
-use crate::curve::Curve;
+use crate::curve::{Curve, with_handles};
 use crate::error::{Error, Result, finite, positive};
 pub use crate::method::Quadrature;
 use crate::method::nodal;
@@ -184,11 +184,8 @@ impl Spline {
         let next = (k + 1) % self.points.len();
         let (p0, p3) = (self.points[k], self.points[next]);
         let third = self.lengths[k] / 3.0;
-        let (p1, p2) = (
-            p0 + self.derivatives[k] * third,
-            p3 - self.derivatives[next] * third,
-        );
-        CubicBez::new(p0, p1, p2, p3)
+        let derivatives = [self.derivatives[k], self.derivatives[next]];
+        with_handles([p0, p3], derivatives.map(|d| d * third))
     }
 
     /// The segments in their order.

@@ -56,6 +56,14 @@ pub(super) fn read<'v>(
             }),
         }
     };
+    shape(kind, get)
+}
+
+/// The shape with these lengths; `get` gives that of an attribute, if the element has one.
+pub(super) fn shape(
+    kind: Kind,
+    get: impl Fn(&'static str) -> Result<Option<Length>, Reason>,
+) -> Result<Shape, Reason> {
     // SVG 2: a negative radius is an error, and ignored, so that it is `auto`, which is the other one.
     let radius = |name| get(name).map(|found| found.filter(|radius| radius.value >= 0.0));
     let place = |name| get(name).map(|found| found.unwrap_or_else(Length::zero));
@@ -88,14 +96,13 @@ pub(super) fn read<'v>(
 }
 
 fn positive(name: &str, length: Option<Length>) -> Result<Length, Reason> {
-    match length {
-        Some(length) if length.value > 0.0 => Ok(length),
-        Some(length) if length.value < 0.0 => {
-            Err(Reason::NotDrawn(format!("`{name}` is negative")))
-        }
-        Some(_) => Err(Reason::NotDrawn(format!("`{name}` is zero"))),
-        None => Err(Reason::NotDrawn(format!("`{name}` is missing"))),
-    }
+    let why = match length {
+        Some(length) if length.value > 0.0 => return Ok(length),
+        Some(length) if length.value < 0.0 => "negative",
+        Some(_) => "zero",
+        None => "missing",
+    };
+    Err(Reason::NotDrawn(format!("`{name}` is {why}")))
 }
 
 /// A corner radius is at most half of the side.

@@ -5,7 +5,6 @@
 
 use super::Options;
 use super::curve_text::Curve;
-use crate::joints::Cut;
 use crate::method::{Piece, Rule, Span};
 use crate::number::decimal::After;
 
@@ -34,7 +33,7 @@ struct Written {
 /// The tables.
 #[derive(Debug, Default)]
 pub(super) struct Memo {
-    made_for: Option<(Rule, Cut, Option<u8>, bool)>,
+    made_for: Option<Options>,
     /// One more than the index of an arc, or 0.
     places: Vec<u32>,
     arcs: Vec<Written>,
@@ -44,24 +43,10 @@ pub(super) struct Memo {
 
 impl Memo {
     pub(super) fn serve(&mut self, options: &Options) {
-        let same = self
-            .made_for
-            .as_ref()
-            .is_some_and(|(rule, cut, precision, measure)| {
-                *rule == options.rule
-                    && *cut == options.cut
-                    && *precision == options.precision
-                    && *measure == options.measure
-            });
-        if !same {
+        if self.made_for.as_ref() != Some(options) {
             self.forget_arcs();
             self.spans.clear();
-            self.made_for = Some((
-                options.rule,
-                options.cut.clone(),
-                options.precision,
-                options.measure,
-            ));
+            self.made_for = Some(options.clone());
         }
     }
 

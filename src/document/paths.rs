@@ -4,7 +4,11 @@ use kurbo::Affine;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
+use super::Reason;
+use super::element::{Shape, shape};
+use super::length::Length;
 use super::placing::{Place, attribute, property};
+use super::style::property::Kind;
 use crate::contour::Contour;
 use crate::error::{Error, Result};
 use crate::path;
@@ -107,24 +111,8 @@ fn contours(element: &BytesStart, place: &Place) -> Result<(Vec<Contour>, Affine
 fn data(element: &BytesStart, place: &Place) -> Result<String> {
     let points = || attribute(element, "points").unwrap_or_default();
     let given = |name| place.length(element, name, Some(0.0));
-    let radius = |name| place.length(element, name, Some(-1.0));
-    Ok(match element.local_name().as_ref() {
-        "circle" => {
-            let r = radius("r")?;
-            ellipse([given("cx")?, given("cy")?], [r, r])
-        }
-        "ellipse" => {
-            let radii = radii([radius("rx")?, radius("ry")?]);
-            ellipse([given("cx")?, given("cy")?], radii)
-        }
-        "rect" => {
-            let radii = radii([radius("rx")?, radius("ry")?]);
-            rect(
-                [given("x")?, given("y")?],
-                [given("width")?, given("height")?],
-                radii,
-            )
-        }
+    let name = element.local_name();
+    Ok(match name.as_ref() {
         "line" => {
             let [x1, y1, x2, y2] = [given("x1")?, given("y1")?, given("x2")?, given("y2")?];
             format!("M{x1} {y1}L{x2} {y2}")
@@ -132,32 +120,47 @@ fn data(element: &BytesStart, place: &Place) -> Result<String> {
         "polyline" | "polygon" if points().trim().is_empty() => String::new(),
         "polyline" => format!("M{}", points()),
         "polygon" => format!("M{}Z", points()),
-        _ => property(element, "d").unwrap_or_default(),
+        name => match Kind::named(name).filter(|kind| *kind != Kind::Path) {
+            Some(kind) => round(kind, element, place)?,
+            None => property(element, "d").unwrap_or_default(),
+        },
     })
 }
 
-/// Radii of which a negative one is as the other.
-fn radii([x, y]: [f64; 2]) -> [f64; 2] {
-    [if x < 0.0 { y } else { x }, if y < 0.0 { x } else { y }]
+/// The path data of a circle, an ellipse or a rectangle.
+fn round(kind: Kind, element: &BytesStart, place: &Place) -> Result<String> {
+    let given = |name| place.length(element, name, Some(0.0));
+    let values = |lengths: [Length; 2]| lengths.map(|length| length.value);
+    let get = |name| Ok(place.optional_length(element, name)?.map(Length::computed));
+    Ok(match shape(kind, get) {
+        Ok(Shape::Ellipse(center, radii)) => ellipse(values(center), values(radii)),
+        Ok(Shape::Rect(corner, size, radii)) => {
+            round_rect(values(corner), values(size), values(radii))
+        }
+        Ok(Shape::Square) => square(
+            [given("x")?, given("y")?],
+            [given("width")?, given("height")?],
+        ),
+        Err(Reason::NotDrawn(_)) => String::new(),
+        Err(why) => return Err(Error::Read(why.to_string())),
+    })
 }
 
 fn ellipse([x, y]: [f64; 2], [rx, ry]: [f64; 2]) -> String {
-    if !(rx > 0.0 && ry > 0.0) {
-        return String::new();
-    }
     let [left, right] = [x - rx, x + rx];
     format!("M{right} {y}A{rx} {ry} 0 0 1 {left} {y}A{rx} {ry} 0 0 1 {right} {y}Z")
 }
 
-fn rect([x, y]: [f64; 2], [w, h]: [f64; 2], radii: [f64; 2]) -> String {
-    if !(w > 0.0 && h > 0.0) {
-        return String::new();
+fn square([x, y]: [f64; 2], [w, h]: [f64; 2]) -> String {
+    if w > 0.0 && h > 0.0 {
+        format!("M{x} {y}H{}V{}H{x}Z", x + w, y + h)
+    } else {
+        String::new()
     }
-    let [rx, ry] = [radii[0].clamp(0.0, w / 2.0), radii[1].clamp(0.0, h / 2.0)];
+}
+
+fn round_rect([x, y]: [f64; 2], [w, h]: [f64; 2], [rx, ry]: [f64; 2]) -> String {
     let (right, bottom) = (x + w, y + h);
-    if rx == 0.0 || ry == 0.0 {
-        return format!("M{x} {y}H{right}V{bottom}H{x}Z");
-    }
     let corner = |x: f64, y: f64| format!("A{rx} {ry} 0 0 1 {x} {y}");
     [
         format!("M{} {y}H{}", x + rx, right - rx),

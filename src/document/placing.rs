@@ -127,12 +127,23 @@ impl Place {
         name: &'static str,
         default: Option<f64>,
     ) -> Result<f64> {
+        let length = self.optional_length(element, name)?.or(default);
+        length.ok_or_else(|| Error::Read(format!("{name} is not known")))
+    }
+
+    /// The same, where the element has it and it is not `auto`.
+    pub(super) fn optional_length(
+        &self,
+        element: &BytesStart,
+        name: &'static str,
+    ) -> Result<Option<f64>> {
         let axis = usize::from(matches!(name, "y" | "height" | "cy" | "ry" | "y1" | "y2"));
-        match property(element, name).filter(|text| text != "auto") {
-            Some(text) if name == "r" && text.ends_with('%') => Err(unread(name, &text)),
-            Some(text) => self.measure(&text, axis).ok_or_else(|| unread(name, &text)),
-            None => default.ok_or_else(|| Error::Read(format!("{name} is not known"))),
-        }
+        let Some(text) = property(element, name).filter(|text| text != "auto") else {
+            return Ok(None);
+        };
+        let is_known = name != "r" || !text.ends_with('%');
+        let length = is_known.then(|| self.measure(&text, axis)).flatten();
+        length.map(Some).ok_or_else(|| unread(name, &text))
     }
 
     /// The map of a nested viewport, and its size for what is in it.

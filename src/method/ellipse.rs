@@ -24,6 +24,7 @@ use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Vec2};
 
 use super::{Degree, Method, Piece, Span, minimax};
 use crate::angle::Angle;
+use crate::curve::with_handles;
 use crate::error::{Remedy, Result};
 use crate::numeric::foot::{Foot, foot_by_excess};
 use crate::numeric::{linear, root};
@@ -124,9 +125,8 @@ impl Segment {
         // On an axis the unit normal is the direction itself.
         let [p0, p3] = self.ends.map(|u| self.on_ellipse(u) - u * inside);
         let [t0, t1] = self.tangents();
-        let points = [p0, p0 + t0 * fit.handles[0], p3 - t1 * fit.handles[1], p3];
-        let [p0, p1, p2, p3] = points.map(Vec2::to_point);
-        CubicBez::new(p0, p1, p2, p3)
+        let handles = [t0 * fit.handles[0], t1 * fit.handles[1]];
+        with_handles([p0, p3].map(Vec2::to_point), handles)
     }
 
     fn foot(&self, p: Vec2) -> Foot {

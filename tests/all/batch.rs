@@ -1,7 +1,7 @@
 //! `batch`: the same answers as the drawing commands give, in order, from streams of any kind.
 
 use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
@@ -13,6 +13,8 @@ use curveto::write::{Format, json};
 use curveto::{Cut, Method, Rule, Tolerance, approximate};
 use proptest::prelude::*;
 
+use crate::judges::program::{self, program};
+
 fn answers(input: &str, options: &Options) -> Vec<String> {
     let mut out = Vec::new();
     let input = std::io::Cursor::new(input.to_owned());
@@ -21,26 +23,9 @@ fn answers(input: &str, options: &Options) -> Vec<String> {
     text.lines().map(str::to_owned).collect()
 }
 
-fn curveto(args: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_curveto"));
-    command.args(args);
-    command
-}
-
 /// Standard output, standard error and exit code of a command with this input.
 fn piped(args: &[&str], input: &str) -> (String, String, i32) {
-    let mut child = curveto(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut stdin = child.stdin.take().unwrap();
-    let input = input.to_owned();
-    // A program that stops early does not read it all.
-    let feeder = std::thread::spawn(move || drop(stdin.write_all(input.as_bytes())));
-    let output = child.wait_with_output().unwrap();
-    feeder.join().unwrap();
+    let output = program::piped(args, input.as_bytes());
     (
         String::from_utf8(output.stdout).unwrap(),
         String::from_utf8(output.stderr).unwrap(),
@@ -153,7 +138,7 @@ fn the_commands_print_the_same() {
             &["-m", "standard"],
             &[],
         ] {
-            let drawn = curveto(&[&args[..], more].concat())
+            let drawn = program(&[&args[..], more].concat())
                 .output()
                 .unwrap()
                 .stdout;
@@ -164,14 +149,14 @@ fn the_commands_print_the_same() {
         }
     }
     let (json, _, _) = piped(&["batch", "-f", "json"], "circle 0 0 50\n");
-    let drawn = curveto(&["circle", "50", "-f", "json"])
+    let drawn = program(&["circle", "50", "-f", "json"])
         .output()
         .unwrap()
         .stdout;
     let value = |bytes: &[u8]| serde_json::from_slice::<serde_json::Value>(bytes).unwrap();
     assert_eq!(value(json.as_bytes()), value(&drawn));
     let (ps, _, _) = piped(&["batch", "-f", "ps"], "circle 0 0 50\n");
-    let drawn = curveto(&["circle", "50", "-f", "ps"])
+    let drawn = program(&["circle", "50", "-f", "ps"])
         .output()
         .unwrap()
         .stdout;
@@ -278,7 +263,7 @@ fn methods_that_need_whole_circles_say_so_line_by_line() {
 #[test]
 fn a_coprocess_gets_its_answer_before_it_asks_again() {
     for jobs in ["1", "2"] {
-        let mut child = curveto(&["batch", "-j", jobs])
+        let mut child = program(&["batch", "-j", jobs])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
@@ -305,7 +290,7 @@ fn a_coprocess_gets_its_answer_before_it_asks_again() {
 
 #[test]
 fn a_stop_does_not_wait_for_more_input() {
-    let mut child = curveto(&["batch", "-j", "2"])
+    let mut child = program(&["batch", "-j", "2"])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::null())

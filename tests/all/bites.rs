@@ -1,7 +1,5 @@
 //! Right answers at the edges that a small slip in the source would move: each test fails under a change that others did not notice.
 
-use std::process::{Command, Output};
-
 use curveto::document::{Options, convert};
 use curveto::joints::{Joints, MOST_SEGMENTS};
 use curveto::shape::UnitArc;
@@ -9,15 +7,10 @@ use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
 use curveto::{Angle, Circle, Shape};
 use kurbo::Point;
 
-fn curveto(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
+use crate::judges::program::run;
 
 fn code(arguments: &[&str]) -> Option<i32> {
-    curveto(arguments).status.code()
+    run(arguments).status.code()
 }
 
 #[test]

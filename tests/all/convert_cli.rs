@@ -8,31 +8,19 @@ use std::process::{Command, Output, Stdio};
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::judges::program::{self, run_in};
+
 const CIRCLE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle r=\"5\"/></svg>\n";
 const PATH: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M5 0C5 2.7596 2.7596 5 0 5-2.7596 5-5 2.7596-5 0-5-2.7596-2.7596-5 0-5 2.7596-5 5-2.7596 5 0Z\"/></svg>\n";
 const PLAIN: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0h5\"/></svg>";
 const BROKEN: &str = "<svg>\n<g></svg>";
 
 fn curveto(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .arg("convert")
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
+    run_in(folder, &[&["convert"], arguments].concat())
 }
 
 fn piped(arguments: &[&str], input: &[u8]) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .arg("convert")
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(input).unwrap();
-    child.wait_with_output().unwrap()
+    program::piped(&[&["convert"], arguments].concat(), input)
 }
 
 fn gzip(text: &str) -> Vec<u8> {

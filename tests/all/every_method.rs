@@ -1,16 +1,9 @@
 //! Every method of the catalogue by its id alone, as a script would take it from `curveto methods -f json`: the ids draw in every
 //! format, and what a method cannot do is refused with a hint that holds.
 
-use std::process::{Command, Output};
-
 use serde_json::Value;
 
-fn run(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
+use crate::judges::program::run;
 
 fn printed(arguments: &[&str]) -> Vec<u8> {
     let output = run(arguments);

@@ -1,27 +1,18 @@
 //! Arcs as machines and CAD say them, paths, the forms of a line of `batch`, and what is said on standard error.
 
-use std::io::Write;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use curveto::contour::{Target, draw};
 use curveto::{Cut, Options, Tolerance, path};
 use kurbo::{ParamCurve, PathSeg, Point};
 use proptest::prelude::*;
 
-use crate::judges::program::{json, printed, refused, run};
+use crate::judges::program::{self, json, printed, refused, run};
 use crate::judges::random::uniform;
 
 /// What the program prints for this input, and on standard error.
 fn piped(arguments: &[&str], input: &[u8]) -> [String; 2] {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(input).unwrap();
-    let output = child.wait_with_output().unwrap();
+    let output = program::piped(arguments, input);
     [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap())
 }
 

@@ -1,19 +1,13 @@
 //! The pages of `explore` and `compare -f html`. What they do in a browser is tested there: `make test-browser`.
 
 use std::collections::BTreeSet;
-use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn curveto(arguments: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments.split_whitespace())
-        .output()
-        .unwrap()
-}
+use crate::judges::program::run_words;
 
 fn printed(arguments: &str) -> String {
-    let output = curveto(arguments);
+    let output = run_words(arguments);
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{arguments}: {said}");
     String::from_utf8(output.stdout).unwrap()
@@ -235,7 +229,7 @@ fn what_cannot_be_a_page_is_refused() {
         ),
         ("explore", "error: explore: the shape is missing"),
     ] {
-        let output = curveto(command);
+        let output = run_words(command);
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{command}: {said}");
         assert!(said.contains(message), "{command}: {said}");

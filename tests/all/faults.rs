@@ -1,6 +1,6 @@
 //! What happens when things fail: a process is killed, a disk is full, a pipe is closed, a reader stops, someone else writes.
 
-use crate::judges::program::shell;
+use crate::judges::program::{program_in, run_in, shell};
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::os::unix::fs::PermissionsExt;
@@ -9,16 +9,6 @@ use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant, SystemTime};
 
 const HEAD: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\">";
-
-fn program(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_curveto"));
-    command.current_dir(folder).args(arguments);
-    command
-}
-
-fn curveto(folder: &Path, arguments: &[&str]) -> Output {
-    program(folder, arguments).output().unwrap()
-}
 
 fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
@@ -77,13 +67,13 @@ fn a_killed_run_leaves_every_file_whole_and_the_next_one_finishes() {
         for name in &names {
             fs::write(folder.path().join(name), &old).unwrap();
         }
-        let new = curveto(folder.path(), &["convert", "0.svg"]).stdout;
+        let new = run_in(folder.path(), &["convert", "0.svg"]).stdout;
         let ways: [&[&str]; 2] = [
             &["convert", "--in-place", "."],
             &["convert", ".", "--out-dir", "out"],
         ];
         let way = ways[round % 2];
-        let mut child = program(folder.path(), way)
+        let mut child = program_in(folder.path(), way)
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
@@ -114,7 +104,7 @@ fn a_killed_run_leaves_every_file_whole_and_the_next_one_finishes() {
             }
         }
         let start = Instant::now();
-        let again = curveto(folder.path(), way);
+        let again = run_in(folder.path(), way);
         whole = start.elapsed();
         assert!(again.status.success(), "{}", said(&again));
         assert!(
@@ -144,7 +134,7 @@ fn what_another_run_is_making_and_what_is_not_ours_stays() {
     drop(old(".curveto-000000"));
     File::create(at(".curveto-young1")).unwrap();
     assert!(
-        curveto(folder.path(), &["convert", "--in-place", "."])
+        run_in(folder.path(), &["convert", "--in-place", "."])
             .status
             .success()
     );
@@ -152,7 +142,7 @@ fn what_another_run_is_making_and_what_is_not_ours_stays() {
     assert!(at(".curveto-young1").exists() && !at(".curveto-000000").exists());
     drop(locked);
     assert!(
-        curveto(folder.path(), &["convert", "--in-place", "."])
+        run_in(folder.path(), &["convert", "--in-place", "."])
             .status
             .success()
     );
@@ -207,7 +197,7 @@ fn a_full_disk_leaves_the_old_file_and_the_message_names_the_target() {
         ),
     ];
     for (at, arguments) in runs {
-        let output = curveto(at, arguments);
+        let output = run_in(at, arguments);
         let said = said(&output);
         assert_eq!(output.status.code(), Some(1), "{arguments:?}: {said}");
         assert!(
@@ -218,7 +208,7 @@ fn a_full_disk_leaves_the_old_file_and_the_message_names_the_target() {
         assert_eq!(fs::read_to_string(path).unwrap(), old, "{arguments:?}");
         assert_eq!(temporary(folder), Vec::<PathBuf>::new(), "{arguments:?}");
     }
-    let output = program(folder, &["circle", "5", "-n", "5000"])
+    let output = program_in(folder, &["circle", "5", "-n", "5000"])
         .stdout(File::create(folder.join("out")).unwrap())
         .output()
         .unwrap();
@@ -228,7 +218,7 @@ fn a_full_disk_leaves_the_old_file_and_the_message_names_the_target() {
         "{}",
         said(&output)
     );
-    let mut batch = program(folder, &["batch"])
+    let mut batch = program_in(folder, &["batch"])
         .stdin(Stdio::piped())
         .stdout(File::create(folder.join("out")).unwrap())
         .stderr(Stdio::piped())
@@ -275,7 +265,7 @@ fn a_pipe_that_is_closed_at_any_stage_ends_every_command_quietly() {
     fs::write(folder.path().join("large.svg"), drawing(3000)).unwrap();
     for arguments in TALKERS {
         for taken in [0, 1, 4000] {
-            let mut child = program(folder.path(), arguments)
+            let mut child = program_in(folder.path(), arguments)
                 .stdout(Stdio::piped())
                 .stderr(Stdio::piped())
                 .spawn()
@@ -333,7 +323,7 @@ fn a_closed_standard_error_changes_nothing() {
 #[test]
 fn batch_waits_for_a_reader_that_stops_and_ends_when_it_goes() {
     for jobs in ["1", "3"] {
-        let mut child = program(Path::new("."), &["batch", "-j", jobs])
+        let mut child = program_in(Path::new("."), &["batch", "-j", jobs])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
@@ -371,7 +361,7 @@ fn every_signal_ends_a_run_between_files() {
         for i in 0..40 {
             fs::write(folder.path().join(format!("{i:02}.svg")), drawing(3000)).unwrap();
         }
-        let child = program(
+        let child = program_in(
             folder.path(),
             &["convert", "-j", "1", ".", "--out-dir", "out"],
         )
@@ -411,7 +401,7 @@ fn a_signal_removes_what_batch_was_writing_and_leaves_the_old_file() {
         let folder = tempfile::tempdir().unwrap();
         let old = folder.path().join("shapes.json");
         fs::write(&old, "old").unwrap();
-        let mut child = program(folder.path(), &["batch", "-o", "shapes.json"])
+        let mut child = program_in(folder.path(), &["batch", "-o", "shapes.json"])
             .stdin(Stdio::piped())
             .spawn()
             .unwrap();
@@ -451,7 +441,7 @@ fn a_file_that_changes_while_it_is_converted_is_left_as_it_is() {
     let path = folder.path().join("a.svg");
     let text = drawing(200_000);
     fs::write(&path, &text).unwrap();
-    let child = program(folder.path(), &["convert", "--in-place", "a.svg"])
+    let child = program_in(folder.path(), &["convert", "--in-place", "a.svg"])
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();

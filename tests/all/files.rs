@@ -1,21 +1,12 @@
 //! What happens to files, as docs/files.md states it.
 
-use crate::judges::program::shell;
+use crate::judges::program::{run_in, shell};
 use std::fs;
 use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, chown, symlink};
-use std::path::Path;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
 const SVG: &str = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/></svg>"#;
-
-fn curveto(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .current_dir(folder)
-        .args(arguments)
-        .output()
-        .unwrap()
-}
 
 fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
@@ -37,7 +28,7 @@ fn mode_and_owner_are_kept() {
     let owner = chown(&file, Some(1000), Some(1000))
         .map_or_else(|_| fs::metadata(&file).unwrap().uid(), |()| 1000);
     assert!(
-        curveto(folder.path(), &["convert", "--in-place", "a.svg"])
+        run_in(folder.path(), &["convert", "--in-place", "a.svg"])
             .status
             .success()
     );
@@ -59,7 +50,7 @@ fn extended_attributes_are_kept() {
         &["convert", "--in-place", "a.svg"][..],
         &["circle", "5", "-o", "a.svg"],
     ] {
-        assert!(curveto(folder.path(), arguments).status.success());
+        assert!(run_in(folder.path(), arguments).status.success());
         let kept = xattr::get(&file, "user.origin").unwrap();
         assert_eq!(
             kept.as_deref(),
@@ -72,12 +63,12 @@ fn extended_attributes_are_kept() {
 #[test]
 fn more_threads_than_files_are_not_started() {
     let folder = folder();
-    let threads = curveto(
+    let threads = run_in(
         folder.path(),
         &["convert", "a.svg", "-j", "5000", "-o", "-"],
     );
     assert!(threads.status.success(), "{}", said(&threads));
-    let one = curveto(folder.path(), &["convert", "a.svg", "-j", "1", "-o", "-"]);
+    let one = run_in(folder.path(), &["convert", "a.svg", "-j", "1", "-o", "-"]);
     assert_eq!(threads.stdout, one.stdout);
 }
 
@@ -99,7 +90,7 @@ fn only_plain_files_of_the_folder_are_taken() {
             .unwrap()
             .success()
     );
-    let output = curveto(outer.path(), &["convert", "--in-place", "in"]);
+    let output = run_in(outer.path(), &["convert", "--in-place", "in"]);
     assert!(output.status.success(), "{}", said(&output));
     for name in ["out.svg", "zero.svg", "fifo.svg"] {
         assert!(
@@ -117,7 +108,7 @@ fn only_plain_files_of_the_folder_are_taken() {
     );
     assert!(fs::metadata(&fifo).unwrap().file_type().is_fifo());
     assert!(
-        curveto(outer.path(), &["convert", "--in-place", "--hidden", "in"])
+        run_in(outer.path(), &["convert", "--in-place", "--hidden", "in"])
             .status
             .success()
     );
@@ -133,14 +124,14 @@ fn a_folder_of_results_is_not_walked_and_not_the_input() {
     let folder = folder();
     for _ in 0..2 {
         assert!(
-            curveto(folder.path(), &["convert", ".", "--out-dir", "out"])
+            run_in(folder.path(), &["convert", ".", "--out-dir", "out"])
                 .status
                 .success()
         );
     }
     assert!(folder.path().join("out/a.svg").is_file());
     assert!(!folder.path().join("out/out").exists());
-    let output = curveto(folder.path(), &["convert", "a.svg", "--out-dir", "."]);
+    let output = run_in(folder.path(), &["convert", "a.svg", "--out-dir", "."]);
     assert_eq!(output.status.code(), Some(2), "{}", said(&output));
     assert_eq!(
         fs::read_to_string(folder.path().join("a.svg")).unwrap(),
@@ -172,7 +163,7 @@ fn endless_input_is_refused() {
         ["measure", "--file", "/dev/zero"],
         ["convert", "/dev/zero", "--check"],
     ] {
-        let output = curveto(folder.path(), &arguments);
+        let output = run_in(folder.path(), &arguments);
         assert!(matches!(output.status.code(), Some(1 | 2)), "{arguments:?}");
         assert!(
             said(&output).starts_with("error: /dev/zero"),
@@ -247,7 +238,7 @@ fn two_files_that_lead_to_one_are_refused_and_one_file_by_two_names_is_converted
     // Both results would go to one file.
     symlink("a.svg", at("out/b.svg")).unwrap();
     fs::write(at("out/a.svg"), "old").unwrap();
-    let output = curveto(folder.path(), &["convert", "in", "--out-dir", "out"]);
+    let output = run_in(folder.path(), &["convert", "in", "--out-dir", "out"]);
     assert_eq!(output.status.code(), Some(2), "{}", said(&output));
     assert!(
         said(&output).contains("would both be written to"),
@@ -256,7 +247,7 @@ fn two_files_that_lead_to_one_are_refused_and_one_file_by_two_names_is_converted
     );
     assert_eq!(fs::read_to_string(at("out/a.svg")).unwrap(), "old");
     symlink("a.svg", at("in/c.svg")).unwrap();
-    let output = curveto(folder.path(), &["convert", "--in-place", "-v", "in"]);
+    let output = run_in(folder.path(), &["convert", "--in-place", "-v", "in"]);
     assert!(output.status.success(), "{}", said(&output));
     assert!(said(&output).contains("2 of 2 files"), "{}", said(&output));
     assert!(fs::symlink_metadata(at("in/c.svg")).unwrap().is_symlink());
@@ -268,7 +259,7 @@ fn links_to_folders_are_not_walked() {
     fs::create_dir_all(outer.path().join("in")).unwrap();
     symlink("..", outer.path().join("in/up")).unwrap();
     symlink("../..", outer.path().join("in/up.svg")).unwrap();
-    let output = curveto(outer.path(), &["convert", "--in-place", "in"]);
+    let output = run_in(outer.path(), &["convert", "--in-place", "in"]);
     assert!(output.status.success(), "{}", said(&output));
     // A link to a folder is no drawing, whatever its name.
     assert!(!said(&output).contains("up.svg"), "{}", said(&output));
@@ -298,7 +289,7 @@ fn a_packed_file_with_nothing_to_do_is_copied_byte_by_byte() {
     let packed = packed.finish().unwrap();
     fs::write(folder.path().join("b.svgz"), &packed).unwrap();
     assert!(
-        curveto(folder.path(), &["convert", "b.svgz", "-o", "c.svgz"])
+        run_in(folder.path(), &["convert", "b.svgz", "-o", "c.svgz"])
             .status
             .success()
     );
@@ -312,7 +303,7 @@ fn a_hard_link_keeps_the_old_content_and_a_symbolic_one_leads_to_the_new() {
     fs::hard_link(at("a.svg"), at("hard")).unwrap();
     symlink("a.svg", at("soft")).unwrap();
     assert!(
-        curveto(folder.path(), &["convert", "a.svg", "-o", "soft"])
+        run_in(folder.path(), &["convert", "a.svg", "-o", "soft"])
             .status
             .success()
     );
@@ -337,14 +328,14 @@ fn fifos_and_devices_are_written_to() {
         std::thread::spawn(move || fs::read_to_string(fifo).unwrap())
     };
     assert!(
-        curveto(folder.path(), &["circle", "3", "-p", "0", "-o", "fifo"])
+        run_in(folder.path(), &["circle", "3", "-p", "0", "-o", "fifo"])
             .status
             .success()
     );
     assert!(reader.join().unwrap().starts_with("M3 0"));
     assert!(fs::metadata(&fifo).unwrap().file_type().is_fifo());
     assert!(
-        curveto(folder.path(), &["circle", "3", "-o", "/dev/null"])
+        run_in(folder.path(), &["circle", "3", "-o", "/dev/null"])
             .status
             .success()
     );

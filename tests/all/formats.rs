@@ -3,17 +3,15 @@
 use crate::judges::ghostscript;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use crate::judges::raster::Picture;
 use resvg::tiny_skia::Pixmap;
 
+use crate::judges::program::run_in;
+
 fn curveto(folder: &Path, arguments: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments.split_whitespace())
-        .current_dir(folder)
-        .output()
-        .unwrap()
+    run_in(folder, &arguments.split_whitespace().collect::<Vec<_>>())
 }
 
 /// The file that a command writes.

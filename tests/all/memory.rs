@@ -1,18 +1,16 @@
 //! How much memory the program takes at most: `convert` by the size of its file, `batch` however long its input is.
 
 use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Stdio};
+
+use crate::judges::program::program;
 
 const MIB: usize = 1 << 20;
 
 fn curveto(args: &[&str]) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap()
+    let mut command = program(args);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped());
+    command.stderr(Stdio::null()).spawn().unwrap()
 }
 
 /// The largest memory that a living process has had in RAM, in bytes.

@@ -1,19 +1,11 @@
 //! The options of pictures: what they do, what they refuse.
 
-use std::process::{Command, Output, Stdio};
-
 use resvg::tiny_skia::Pixmap;
 
-fn curveto(arguments: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments.split_whitespace())
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
+use crate::judges::program::run_words;
 
 fn drawn(arguments: &str) -> Vec<u8> {
-    let output = curveto(arguments);
+    let output = run_words(arguments);
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "curveto {arguments}: {message}");
     output.stdout
@@ -307,7 +299,7 @@ fn what_a_picture_cannot_be_is_refused() {
         ),
     ] {
         let file = folder.path().join("picture");
-        let output = curveto(&format!("{arguments} -o {}", file.display()));
+        let output = run_words(&format!("{arguments} -o {}", file.display()));
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{arguments}: {message}");
         assert!(

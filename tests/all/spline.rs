@@ -1,8 +1,7 @@
 //! Composite parametric cubics: Chen's equations, his circles, and what `curveto spline` reads and refuses.
 
 use std::fs;
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 
 use curveto::measure::radial;
 use curveto::number::Precision;
@@ -10,6 +9,8 @@ use curveto::shape::Truth;
 use curveto::spline::{Ends, Options, Parametrization, Quadrature, Spline};
 use kurbo::{Affine, CubicBez, ParamCurveArclen, Point, Vec2};
 use serde_json::Value;
+
+use crate::judges::program::piped;
 
 const ARC_LENGTH: Parametrization = Parametrization::ArcLength(Quadrature::Adaptive);
 
@@ -311,17 +312,7 @@ fn a_hundred_thousand_points_are_passed_through_digit_for_digit() {
 }
 
 fn run(arguments: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .arg("spline")
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A request that is refused may not read its input.
-    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
-    child.wait_with_output().unwrap()
+    piped(&[&["spline"], arguments].concat(), input.as_bytes())
 }
 
 fn printed(arguments: &[&str], input: &str) -> String {

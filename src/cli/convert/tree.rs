@@ -4,6 +4,8 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use walkdir::{DirEntry, WalkDir};
+
 use crate::cli::args::{DestinationArgs, TalkArgs};
 use crate::cli::failure::Failure;
 
@@ -197,55 +199,32 @@ impl Walk {
             });
         }
         let root = fs::canonicalize(input).unwrap_or_else(|_| input.to_owned());
-        let mut folders = vec![input.to_owned()];
+        let entries = WalkDir::new(input).sort_by_file_name().into_iter();
         let mut files = Vec::new();
-        while let Some(folder) = folders.pop() {
-            match self.entries(&folder) {
-                Ok(entries) => {
-                    for (path, is_folder) in entries {
-                        if is_folder {
-                            folders.push(path);
-                        } else if is_svg(&path) && self.is_ours(&path, &root) {
-                            files.push(path);
-                        }
+        for entry in entries.filter_entry(|entry| entry.depth() == 0 || self.is_walked(entry)) {
+            match entry {
+                Ok(entry) => {
+                    let path = entry.path();
+                    if is_svg(path) && self.is_ours(path, &root) {
+                        files.push(Found {
+                            below: path.strip_prefix(input).unwrap_or(path).to_owned(),
+                            input: Input::File(path.to_owned()),
+                        });
                     }
                 }
-                Err(error) => {
-                    let why = format!("cannot read it: {error}");
-                    found.push(Found {
-                        input: Input::Unreadable(folder, why),
-                        below: PathBuf::new(),
-                    });
-                }
+                Err(error) => found.push(unreadable(input, &error)),
             }
         }
-        files.sort();
-        found.extend(files.into_iter().map(|path| {
-            let below = path.strip_prefix(input).unwrap_or(&path).to_owned();
-            Found {
-                input: Input::File(path),
-                below,
-            }
-        }));
+        found.append(&mut files);
     }
 
-    /// What a folder holds, and whether each is a folder itself.
-    fn entries(&self, folder: &Path) -> std::io::Result<Vec<(PathBuf, bool)>> {
-        let mut entries = Vec::new();
-        for entry in fs::read_dir(folder)? {
-            let entry = entry?;
-            if !self.hidden && entry.file_name().as_encoded_bytes().starts_with(b".") {
-                continue;
-            }
-            let (path, is_folder) = (entry.path(), entry.file_type()?.is_dir());
-            let is_left_out = is_folder
-                && self.left_out.is_some()
-                && fs::canonicalize(&path).ok() == self.left_out;
-            if !is_left_out {
-                entries.push((path, is_folder));
-            }
-        }
-        Ok(entries)
+    /// Whether an entry is taken: hidden ones are not, unless they are asked for, nor is the folder of results.
+    fn is_walked(&self, entry: &DirEntry) -> bool {
+        let is_hidden = entry.file_name().as_encoded_bytes().starts_with(b".");
+        let is_left_out = entry.file_type().is_dir()
+            && self.left_out.is_some()
+            && fs::canonicalize(entry.path()).ok() == self.left_out;
+        (self.hidden || !is_hidden) && !is_left_out
     }
 
     /// Whether a name leads to a plain file of the folder. A link that leads nowhere is kept, to be reported as what cannot be read.
@@ -266,6 +245,19 @@ impl Walk {
             return left("the link leads out of the folder; name the file itself to convert it");
         }
         true
+    }
+}
+
+/// A folder that cannot be looked into.
+fn unreadable(input: &Path, error: &walkdir::Error) -> Found {
+    let folder = error.path().unwrap_or(input).to_owned();
+    let why = error
+        .io_error()
+        .map_or_else(|| error.to_string(), ToString::to_string);
+    let why = format!("cannot read it: {why}");
+    Found {
+        input: Input::Unreadable(folder, why),
+        below: PathBuf::new(),
     }
 }
 

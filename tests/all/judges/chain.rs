@@ -1,20 +1,17 @@
 //! Curves as chains of control points: those that JSON states, and those that a reader of another format finds.
 
-use std::process::{Command, Output};
+use std::process::Output;
 
 use kurbo::{Point, QuadBez};
 use serde_json::Value;
 
+use crate::judges::program::run;
+
 /// Runs a command; an underscore is a space within an argument.
 pub(crate) fn curveto(arguments: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(
-            arguments
-                .split_whitespace()
-                .map(|word| word.replace('_', " ")),
-        )
-        .output()
-        .unwrap()
+    let words = arguments.split_whitespace();
+    let words: Vec<String> = words.map(|word| word.replace('_', " ")).collect();
+    run(&words.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
 pub(crate) fn printed(arguments: &str) -> String {

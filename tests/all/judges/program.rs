@@ -1,16 +1,53 @@
 //! The program as a child process.
 
+use std::io::Write as _;
 use std::path::Path;
-use std::process::{Command, ExitStatus, Output};
+use std::process::{Command, ExitStatus, Output, Stdio};
 
 use serde_json::Value;
 
+/// The program with these arguments.
+pub(crate) fn program(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_curveto"));
+    command.args(arguments);
+    command
+}
+
 /// What it prints, says and ends with.
 pub(crate) fn run(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments)
-        .output()
-        .unwrap()
+    program(arguments).output().unwrap()
+}
+
+/// The same for arguments with spaces between them.
+pub(crate) fn run_words(arguments: &str) -> Output {
+    run(&arguments.split_whitespace().collect::<Vec<_>>())
+}
+
+/// The program in a folder.
+pub(crate) fn program_in(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = program(arguments);
+    command.current_dir(folder);
+    command
+}
+
+/// What it prints, says and ends with there.
+pub(crate) fn run_in(folder: &Path, arguments: &[&str]) -> Output {
+    program_in(folder, arguments).output().unwrap()
+}
+
+/// The same with this on standard input.
+pub(crate) fn piped(arguments: &[&str], input: &[u8]) -> Output {
+    let streams = || Stdio::piped();
+    let mut command = program(arguments);
+    command.stdin(streams()).stdout(streams()).stderr(streams());
+    let mut child = command.spawn().unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    let input = input.to_owned();
+    // A program that stops early does not read it all.
+    let feeder = std::thread::spawn(move || drop(stdin.write_all(&input)));
+    let output = child.wait_with_output().unwrap();
+    feeder.join().unwrap();
+    output
 }
 
 /// What it prints, where it does so without a word on standard error.
