@@ -4,7 +4,7 @@ use kurbo::{ParamCurve, PathSeg};
 
 use super::{Drawing, Frame};
 use crate::error::{Error, Result};
-use crate::measure::samples::check_count;
+use crate::measure::samples::{Place, sampled};
 use crate::measure::{Quantity, curvature, profile};
 use crate::radial_error::RadialError;
 
@@ -16,14 +16,9 @@ const NOISE: f64 = 1e-14;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Sample {
-    /// The number of its segment, from 1.
-    pub segment: usize,
-    /// The parameter within the segment, from 0 to 1.
-    pub t: f64,
-    /// The point's x.
-    pub x: f64,
-    /// The point's y.
-    pub y: f64,
+    /// The point.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub at: Place,
     /// Its distance from the conic along the normal, positive towards the control point.
     pub error: f64,
     /// Where along the conic it lies, from 0 at its start to 1 at its end, in equal steps of the conic's own parameter: a hyperbola's
@@ -71,25 +66,14 @@ impl Drawing {
     ///
     /// Where `count` is below 2 or all points are more than a million.
     pub fn samples(&self, count: usize) -> Result<Vec<Sample>> {
-        check_count(count, self.curve.segments.len())?;
-        let bench = Bench::new(self);
-        let of_segment = |(i, segment): (usize, &PathSeg)| {
-            let sample = |step: usize| {
-                let t = step as f64 / (count - 1) as f64;
-                let p = segment.eval(t);
-                Sample {
-                    segment: i + 1,
-                    t,
-                    x: p.x,
-                    y: p.y,
-                    error: bench.error(segment, t),
-                    place: bench.place(segment, t),
-                }
-            };
-            (0..count).map(sample).collect::<Vec<_>>()
-        };
-        let segments = self.curve.segments.iter().enumerate();
-        Ok(segments.flat_map(of_segment).collect())
+        let bench = &Bench::new(self);
+        sampled(&self.curve, count, |_, &segment| {
+            move |at| Sample {
+                error: bench.error(&segment, at.t),
+                place: bench.place(&segment, at.t),
+                at,
+            }
+        })
     }
 
     /// The quantity along each segment, as (place along the conic, value) at `steps` + 1 equal steps of t; curvature is positive

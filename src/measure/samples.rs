@@ -1,6 +1,6 @@
 //! A curve point by point: what Lancaster tabulates of a spline to find its error.
 
-use kurbo::{Affine, ParamCurve};
+use kurbo::{Affine, ParamCurve, PathSeg, Point};
 
 use super::bench::Bench;
 use super::radial::Profile;
@@ -12,11 +12,11 @@ use crate::error::{Error, Result};
 /// The most points of a curve: memory is bounded.
 const MOST_SAMPLES: usize = 1_000_000;
 
-/// A point of a curve beside the true shape. Lengths are in user units.
+/// A point of a curve, and where on the curve it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Sample {
+pub struct Place {
     /// The number of its segment, from 1.
     pub segment: usize,
     /// The parameter within the segment, from 0 to 1.
@@ -25,6 +25,16 @@ pub struct Sample {
     pub x: f64,
     /// The point's y.
     pub y: f64,
+}
+
+/// A point of a curve beside the true shape. Lengths are in user units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Sample {
+    /// The point.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub at: Place,
     /// Its distance from the centre.
     pub radius: f64,
     /// Its distance from the true shape along the normal, positive outside.
@@ -33,15 +43,30 @@ pub struct Sample {
     pub degrees: f64,
 }
 
-/// Refuses a number of points of each segment.
-pub(crate) fn check_count(count: usize, segments: usize) -> Result<()> {
-    let most = MOST_SAMPLES / segments.max(1);
-    if (2..=most).contains(&count) {
-        return Ok(());
+/// `count` points of each segment at equal steps of t; `of_segment` makes what makes a sample of each.
+pub(crate) fn sampled<S, F: Fn(Place) -> S>(
+    curve: &Curve,
+    count: usize,
+    of_segment: impl Fn(usize, &PathSeg) -> F,
+) -> Result<Vec<S>> {
+    let most = MOST_SAMPLES / curve.segments.len().max(1);
+    if !(2..=most).contains(&count) {
+        return Err(Error::Unmeasurable(format!(
+            "the samples of a segment number from 2, its ends, to {most}, but {count} were asked for"
+        )));
     }
-    Err(Error::Unmeasurable(format!(
-        "the samples of a segment number from 2, its ends, to {most}, but {count} were asked for"
-    )))
+    let segments = curve.segments.iter().enumerate();
+    let samples = segments.flat_map(|(i, segment)| {
+        let sample = of_segment(i, segment);
+        let place = move |step: usize| {
+            let t = step as f64 / (count - 1) as f64;
+            let Point { x, y } = segment.eval(t);
+            let segment = i + 1;
+            sample(Place { segment, t, x, y })
+        };
+        (0..count).map(place)
+    });
+    Ok(samples.collect())
 }
 
 /// `count` points of each segment at equal steps of t, both ends among them.
@@ -56,35 +81,30 @@ pub(crate) fn check_count(count: usize, segments: usize) -> Result<()> {
 /// let drawing = approximate(&Shape::Circle(Circle::new((0.0, 0.0), 1.0)?), &Options::default())?;
 /// let reference = Reference::from(&drawing.outline.expect("a circle has an outline"));
 /// let middle = samples(&drawing.curve, &reference, 3)?[1];
-/// assert_eq!((middle.segment, middle.t), (1, 0.5));
+/// assert_eq!((middle.at.segment, middle.at.t), (1, 0.5));
 /// assert!((middle.degrees - 45.0).abs() < 1e-12 && middle.error < 0.0);
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn samples(curve: &Curve, reference: &Reference, count: usize) -> Result<Vec<Sample>> {
-    check_count(count, curve.segments.len())?;
     let unit = unit_for(largest_coordinate(curve, reference)?);
     let scaled = curve.transformed(Affine::scale(1.0 / unit));
     let bench = Bench::new(&scaled, &reference.scaled(1.0 / unit));
-    let truth = &bench.reference().truth;
-    let of_segment = |(i, segment): (usize, &kurbo::PathSeg)| {
-        let (profile, framed) = (
-            Profile::new(segment, truth),
-            bench.reference().framed(segment),
-        );
-        let sample = |step: usize| {
-            let t = step as f64 / (count - 1) as f64;
-            let p = segment.eval(t);
+    let (reference, bench) = (bench.reference(), &bench);
+    sampled(&scaled, count, |i, segment| {
+        let profile = Profile::new(segment, &reference.truth);
+        let framed = reference.framed(segment);
+        move |at| {
+            let p = Point::new(at.x, at.y);
             Sample {
-                segment: i + 1,
-                t,
-                x: p.x * unit,
-                y: p.y * unit,
-                radius: (p - truth.center).hypot() * unit,
-                error: profile.at(t) * unit,
-                degrees: bench.angle(i) + framed.turned(t).to_degrees(),
+                at: Place {
+                    x: p.x * unit,
+                    y: p.y * unit,
+                    ..at
+                },
+                radius: (p - reference.truth.center).hypot() * unit,
+                error: profile.at(at.t) * unit,
+                degrees: bench.angle(i) + framed.turned(at.t).to_degrees(),
             }
-        };
-        (0..count).map(sample).collect::<Vec<_>>()
-    };
-    Ok(bench.segments().flat_map(of_segment).collect())
+        }
+    })
 }

@@ -140,8 +140,8 @@ pub fn samples_csv(all: &[Samples<'_>]) -> String {
         let subject = csv_text(&samples.subject.title);
         let method = samples.subject.method.as_deref().unwrap_or_default();
         for s in &samples.samples {
-            let figures = [s.t, s.x, s.y, s.radius, s.error, s.degrees].map(text);
-            let whose = [subject.as_str(), method, &s.segment.to_string()].join(",");
+            let figures = [s.at.t, s.at.x, s.at.y, s.radius, s.error, s.degrees].map(text);
+            let whose = [subject.as_str(), method, &s.at.segment.to_string()].join(",");
             out.extend([whose.as_str(), ",", &figures.join(","), "\n"]);
         }
     }

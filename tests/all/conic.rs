@@ -5,7 +5,7 @@ use curveto::kurbo::{ParamCurve, Point};
 use curveto::{Cut, Method, Options, Rule, Tolerance};
 use serde_json::Value;
 
-use crate::judges::program::{json, printed, refused, run};
+use crate::judges::program::{json, printed, refused, run_words, words};
 
 const SHAPES: [[(f64, f64); 3]; 3] = [
     [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0)],
@@ -122,17 +122,8 @@ fn a_bound_holds_where_the_conic_is_sharper_than_the_error() {
 #[test]
 fn the_weight_says_what_it_is() {
     let form = |weight: &str| {
-        json(&[
-            "conic",
-            "--from",
-            "1,0",
-            "--control",
-            "1,1",
-            "--to",
-            "0,1",
-            "--weight",
-            weight,
-        ])
+        let shape = "conic --from 1,0 --control 1,1 --to 0,1 --weight";
+        json(&[&words(shape)[..], &[weight]].concat())
     };
     // cos 45 degrees: a quarter of the unit circle.
     let quarter = form("0.7071067811865476");
@@ -246,16 +237,7 @@ fn hyperbolas_are_of_order_six_and_joined_smoothly() {
 
 #[test]
 fn what_no_conic_can_do_is_refused() {
-    let shape = [
-        "conic",
-        "--from",
-        "0,0",
-        "--control",
-        "1,2",
-        "--to",
-        "3,0",
-        "--weight",
-    ];
+    let shape = words("conic --from 0,0 --control 1,2 --to 3,0 --weight");
     let with = |words: &[&'static str]| refused(&[&shape[..], words].concat());
     for weight in ["0", "-1", "nan", "1e12"] {
         assert!(refused(&[&shape[..], &[weight]].concat()).contains("weight"));
@@ -264,17 +246,7 @@ fn what_no_conic_can_do_is_refused() {
     assert!(with(&["2", "--joints", "10,20"]).contains("-n and -t"));
     assert!(with(&["2", "--extremes"]).contains("hint:"));
     assert!(with(&["2", "--handle", "0.5"]).contains("handle"));
-    let line = [
-        "conic",
-        "--from",
-        "0,0",
-        "--control",
-        "1,1",
-        "--to",
-        "2,2",
-        "--weight",
-        "2",
-    ];
+    let line = words("conic --from 0,0 --control 1,1 --to 2,2 --weight 2");
     assert!(refused(&line).contains("on a line"));
     for method in Method::ALL {
         let drawn = conic(SHAPES[0], 2.0).draw(&Options {
@@ -292,55 +264,25 @@ fn every_format_holds_a_conic() {
         "path", "svg", "ps", "eps", "json", "pdf", "tikz", "canvas", "glif", "dxf",
     ] {
         for weight in ["0.5", "1", "2"] {
-            let output = run(&[
-                "conic",
-                "--from",
-                "0,0",
-                "--control",
-                "100,200",
-                "--to",
-                "300,0",
-                "--weight",
-                weight,
-                "-f",
-                format,
-            ]);
+            let output = run_words(&format!(
+                "conic --from 0,0 --control 100,200 --to 300,0 --weight {weight} -f {format}"
+            ));
             assert!(
                 output.status.success() && !output.stdout.is_empty(),
                 "{format} {weight}"
             );
         }
     }
-    let moved = printed(&[
-        "conic",
-        "--from",
-        "0,0",
-        "--control",
-        "1,2",
-        "--to",
-        "3,0",
-        "--weight",
-        "1",
-        "--transform",
-        "scale(2)",
-    ]);
+    let moved = printed(&words(
+        "conic --from 0,0 --control 1,2 --to 3,0 --weight 1 --transform scale(2)",
+    ));
     assert_eq!(moved, "M0 0Q2 4 6 0\n");
 }
 
 /// What measures the conic of this weight over (0,0), (1,2), (3,0).
-const fn measure(weight: &str) -> [&str; 10] {
-    [
-        "measure",
-        "conic",
-        "--from",
-        "0,0",
-        "--control",
-        "1,2",
-        "--to",
-        "3,0",
-        "--weight",
-        weight,
-    ]
+fn measure(weight: &str) -> Vec<&str> {
+    let shape = words("measure conic --from 0,0 --control 1,2 --to 3,0 --weight");
+    [&shape[..], &[weight]].concat()
 }
 
 fn measured(words: &[&str]) -> String {
@@ -362,9 +304,9 @@ fn samples_of_a_conic_are_points_of_the_curve_and_their_distance() {
             assert!(samples.is_sorted_by(|a, b| a.place <= b.place + 1e-12));
             let mut largest = 0.0_f64;
             for sample in &samples {
-                let segment = drawing.curve.segments[sample.segment - 1];
-                let p = Point::new(sample.x, sample.y);
-                assert!((p - segment.eval(sample.t)).hypot() < 1e-13);
+                let segment = drawing.curve.segments[sample.at.segment - 1];
+                let p = Point::new(sample.at.x, sample.at.y);
+                assert!((p - segment.eval(sample.at.t)).hypot() < 1e-13);
                 let distance = farthest(&[p], &line);
                 let size = (conic.to - conic.from).hypot();
                 assert!(

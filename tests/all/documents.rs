@@ -7,7 +7,7 @@ use curveto::{Method, method::Span};
 use serde_json::Value;
 
 use crate::judges::ghostscript;
-use crate::judges::program::{json, printed, refused};
+use crate::judges::program::{json, printed, refused, words};
 
 fn number(value: &Value) -> f64 {
     value
@@ -18,19 +18,9 @@ fn number(value: &Value) -> f64 {
 #[test]
 fn samples_are_the_points_of_the_curve_beside_the_circle() {
     let k = 0.551_784;
-    let found = json(&[
-        "measure",
-        "arc",
-        "1",
-        "--start",
-        "0",
-        "--end",
-        "90",
-        "-m",
-        "lancaster-best",
-        "--samples",
-        "91",
-    ]);
+    let found = json(&words(
+        "measure arc 1 --start 0 --end 90 -m lancaster-best --samples 91",
+    ));
     let samples = found["samples"].as_array().unwrap();
     assert_eq!(samples.len(), 91);
     for (i, sample) in samples.iter().enumerate() {
@@ -439,15 +429,7 @@ fn several_quantities_and_counts_stand_one_below_the_other() {
     assert!(
         small.contains("height=\"800\"") && small.matches("angle about the centre").count() == 4
     );
-    let measured = json(&[
-        "measure",
-        "circle",
-        "1",
-        "-n",
-        "3,5",
-        "-m",
-        "midpoint,minimax",
-    ]);
+    let measured = json(&words("measure circle 1 -n 3,5 -m midpoint,minimax"));
     let counts: Vec<f64> = measured
         .as_array()
         .unwrap()
@@ -457,15 +439,9 @@ fn several_quantities_and_counts_stand_one_below_the_other() {
     assert_eq!(counts, [3.0, 5.0, 3.0, 5.0]);
     assert!(refused(&["circle", "1", "-n", "3,5"]).contains("hint: 'curveto measure'"));
     assert!(
-        refused(&[
-            "measure",
-            "circle",
-            "1",
-            "--plot",
-            "x.svg",
-            "--quantity",
-            "error,beauty"
-        ])
+        refused(&words(
+            "measure circle 1 --plot x.svg --quantity error,beauty"
+        ))
         .contains("angle-lag")
     );
 }

@@ -7,7 +7,7 @@ use kurbo::{CubicBez, PathSeg, Vec2};
 use proptest::prelude::*;
 use serde_json::Value;
 
-use crate::judges::program::{printed, refused};
+use crate::judges::program::{printed, refused, words};
 
 fn options(method: Method, cut: Cut) -> Options {
     Options {
@@ -156,15 +156,9 @@ fn they_need_fewer_segments_where_that_is_possible() {
 
 #[test]
 fn the_gain_stands_in_a_comparison() {
-    let table = printed(&[
-        "compare",
-        "-m",
-        "minimax,minimax-ellipse,minimax-ellipse-free",
-        "--ellipse",
-        "0.5",
-        "-n",
-        "4",
-    ]);
+    let table = printed(&words(
+        "compare -m minimax,minimax-ellipse,minimax-ellipse-free --ellipse 0.5 -n 4",
+    ));
     for figure in ["1.76171e-4", "1.31415e-4", "9.18689e-5"] {
         assert!(table.contains(figure), "{table}");
     }

@@ -355,18 +355,9 @@ fn extremes_are_joints() {
             }
         }
     }
-    let within = json(&[
-        "ellipse",
-        "30",
-        "20",
-        "--rotation",
-        "30",
-        "--extremes",
-        "-t",
-        "1e-4",
-        "-f",
-        "json",
-    ]);
+    let within = json(&program::words(
+        "ellipse 30 20 --rotation 30 --extremes -t 1e-4 -f json",
+    ));
     assert!(within["error"]["peak"].as_f64().unwrap() <= 1e-4);
     refused(&["path", "M0 0A5 5 0 0 1 9 0", "--extremes"]);
     refused(&["circle", "5", "--extremes", "--joints", "0,90,180"]);
@@ -470,15 +461,7 @@ fn a_huge_radius_costs_no_tolerance() {
 
 #[test]
 fn a_method_that_needs_thousands_of_segments_answers() {
-    let output = run(&[
-        "circle",
-        "116",
-        "-m",
-        "apprich-plus",
-        "-t",
-        "4.76e-06",
-        "-v",
-    ]);
+    let output = run(&program::words("circle 116 -m apprich-plus -t 4.76e-06 -v"));
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(
         message.contains("segments by apprich-plus, within 0.00000"),

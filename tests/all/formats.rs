@@ -8,10 +8,10 @@ use std::process::Output;
 use crate::judges::raster::Picture;
 use resvg::tiny_skia::Pixmap;
 
-use crate::judges::program::run_in;
+use crate::judges::program::{run_in, words};
 
 fn curveto(folder: &Path, arguments: &str) -> Output {
-    run_in(folder, &arguments.split_whitespace().collect::<Vec<_>>())
+    run_in(folder, &words(arguments))
 }
 
 /// The file that a command writes.

@@ -3,7 +3,6 @@
 
 use std::fs;
 use std::path::PathBuf;
-use std::process::Command;
 
 use curveto::compare::Comparison;
 use curveto::page::PageDocument;
@@ -17,6 +16,8 @@ use curveto::write::sphere::SphereDocument;
 use curveto::write::spline::SplineDocument;
 use schemars::{Schema, schema_for};
 use serde_json::Value;
+
+use crate::judges::chain::printed;
 
 fn published() -> [(&'static str, Schema); 14] {
     [
@@ -57,13 +58,8 @@ fn the_published_schemas_are_those_of_the_types() {
     }
 }
 
-fn printed(arguments: &[&str]) -> Value {
-    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments)
-        .output()
-        .unwrap();
-    assert!(output.status.success(), "{arguments:?}");
-    serde_json::from_slice(&output.stdout).unwrap()
+fn json(arguments: &str) -> Value {
+    serde_json::from_str(&printed(&format!("{arguments} -f json"))).unwrap()
 }
 
 /// Checks a value against the parts of JSON Schema that ours use, and that no key is unknown.
@@ -185,171 +181,54 @@ fn flattened(schema: &Value, root: &Value) -> Value {
     }
 }
 
-const PATH: &str = "M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z";
-
-/// Each schema, and commands that print what it describes.
-const CASES: [(&str, &[&str]); 25] = [
+/// Each schema, and commands that print what it describes with `-f json`; an underscore is a space within an argument.
+const CASES: [(&str, &str); 25] = [
     (
         "conic-samples",
-        &[
-            "measure",
-            "conic",
-            "--from",
-            "0,0",
-            "--control",
-            "1,2",
-            "--to",
-            "3,0",
-            "--weight",
-            "2",
-            "--samples",
-            "3",
-            "-f",
-            "json",
-        ],
+        "measure conic --from 0,0 --control 1,2 --to 3,0 --weight 2 --samples 3",
     ),
-    ("drawing", &["circle", "50", "-m", "chen-2", "-f", "json"]),
+    ("drawing", "circle 50 -m chen-2"),
     (
         "conic",
-        &[
-            "conic",
-            "--from",
-            "0,0",
-            "--control",
-            "1,2",
-            "--to",
-            "3,0",
-            "--weight",
-            "2",
-            "-f",
-            "json",
-        ],
+        "conic --from 0,0 --control 1,2 --to 3,0 --weight 2",
     ),
     (
         "conic-measurement",
-        &[
-            "measure",
-            "conic",
-            "--from",
-            "0,0",
-            "--control",
-            "1,2",
-            "--to",
-            "3,0",
-            "--weight",
-            "2",
-            "-f",
-            "json",
-        ],
+        "measure conic --from 0,0 --control 1,2 --to 3,0 --weight 2",
     ),
-    ("drawing", &["circle", "50", "-f", "json"]),
-    (
-        "drawing",
-        &["ellipse", "5", "3", "-m", "minimax-g0", "-f", "json"],
-    ),
-    (
-        "drawing",
-        &[
-            "arc", "5", "--start", "0", "--end", "90", "--handle", "0.5", "-f", "json",
-        ],
-    ),
-    (
-        "drawing",
-        &["arc", "--svg", "M0 0A0 0 0 0 1 5 5", "-f", "json"],
-    ),
-    ("measurement", &["measure", "circle", "50", "-f", "json"]),
-    (
-        "samples",
-        &["measure", "circle", "50", "--samples", "3", "-f", "json"],
-    ),
+    ("drawing", "circle 50"),
+    ("drawing", "ellipse 5 3 -m minimax-g0"),
+    ("drawing", "arc 5 --start 0 --end 90 --handle 0.5"),
+    ("drawing", "arc --svg M0_0A0_0_0_0_1_5_5"),
+    ("measurement", "measure circle 50"),
+    ("samples", "measure circle 50 --samples 3"),
+    ("measurement", "measure arc 5 3 --start 0 --end 90"),
     (
         "measurement",
-        &[
-            "measure", "arc", "5", "3", "--start", "0", "--end", "90", "-f", "json",
-        ],
+        "measure --path M1_0C1_.55_.55_1_0_1C-.55_1-1_.55-1_0C-1-.55-.55-1_0-1C.55-1_1-.55_1_0Z",
     ),
-    ("measurement", &["measure", "--path", PATH, "-f", "json"]),
+    ("measurement", "measure --path M0_0C0_0_1_1_1_1Q3_1_3_0L0_0"),
+    ("comparison", "compare"),
     (
-        "measurement",
-        &[
-            "measure",
-            "--path",
-            "M0 0C0 0 1 1 1 1Q3 1 3 0L0 0",
-            "-f",
-            "json",
-        ],
+        "difference",
+        "diff M1_0C1_.55_.55_1_0_1C-.55_1-1_.55-1_0C-1-.55-.55-1_0-1C.55-1_1-.55_1_0Z M1_0C1_.55_.55_1_0_1C-.55_1-1_.55-1_0C-1-.55-.55-1_0-1C.55-1_1-.55_1_0Z",
     ),
-    ("comparison", &["compare", "-f", "json"]),
-    ("difference", &["diff", PATH, PATH, "-f", "json"]),
-    (
-        "page",
-        &[
-            "explore",
-            "circle",
-            "50",
-            "-m",
-            "minimax,minimax-g0",
-            "-n",
-            "3,4",
-            "-f",
-            "json",
-        ],
-    ),
-    ("path", &["path", "M0 0L5 0A5 5 0 0 1 0 5Z", "-f", "json"]),
+    ("page", "explore circle 50 -m minimax,minimax-g0 -n 3,4"),
+    ("path", "path M0_0L5_0A5_5_0_0_1_0_5Z"),
+    ("spline", "spline --points 0,0_1,2_3,1"),
     (
         "spline",
-        &["spline", "--points", "0,0 1,2 3,1", "-f", "json"],
+        "spline --points 0,0_1,2_3,1 --ends fixed:1,0,0,1 --parametrization arc-length --quadrature gauss2 --transform scale(2)",
     ),
-    (
-        "spline",
-        &[
-            "spline",
-            "--points",
-            "0,0 1,2 3,1",
-            "--ends",
-            "fixed:1,0,0,1",
-            "--parametrization",
-            "arc-length",
-            "--quadrature",
-            "gauss2",
-            "--transform",
-            "scale(2)",
-            "-f",
-            "json",
-        ],
-    ),
-    ("sphere", &["sphere", "50", "-f", "json"]),
+    ("sphere", "sphere 50"),
     (
         "sphere",
-        &[
-            "sphere",
-            "50",
-            "--hidden",
-            "dash",
-            "--view",
-            "20,30",
-            "--transform",
-            "scale(2)",
-            "-f",
-            "json",
-        ],
+        "sphere 50 --hidden dash --view 20,30 --transform scale(2)",
     ),
-    (
-        "sphere",
-        &[
-            "sphere",
-            "5",
-            "--meridians",
-            "3",
-            "--hidden",
-            "none",
-            "-f",
-            "json",
-        ],
-    ),
-    ("methods", &["methods", "-f", "json"]),
-    ("method", &["methods", "minimax", "-f", "json"]),
-    ("method", &["methods", "lancaster-best", "-f", "json"]),
+    ("sphere", "sphere 5 --meridians 3 --hidden none"),
+    ("methods", "methods"),
+    ("method", "methods minimax"),
+    ("method", "methods lancaster-best"),
 ];
 
 #[test]
@@ -359,7 +238,7 @@ fn what_is_printed_obeys_the_schemas() {
         let (_, schema) = schemas.iter().find(|(known, _)| *known == name).unwrap();
         let root = serde_json::to_value(schema).unwrap();
         let root = flattened(&root, &root);
-        if let Err(why) = check(&printed(arguments), &root, &root, "") {
+        if let Err(why) = check(&json(arguments), &root, &root, "") {
             panic!("{arguments:?}: {why}");
         }
     }
@@ -368,7 +247,7 @@ fn what_is_printed_obeys_the_schemas() {
         .find(|(known, _)| *known == "measurement")
         .unwrap();
     let root = serde_json::to_value(schema).unwrap();
-    let mut wrong = printed(&["measure", "circle", "50", "-f", "json"]);
+    let mut wrong = json("measure circle 50");
     wrong["error"]["peak"] = Value::Null;
     assert!(
         check(&wrong, &root, &root, "").is_err(),

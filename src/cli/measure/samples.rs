@@ -2,7 +2,7 @@
 
 use comfy_table::Table;
 use curveto::conic::Drawing;
-use curveto::measure::samples::{Sample, samples};
+use curveto::measure::samples::{Place, Sample, samples};
 use curveto::number::{compact, significant};
 use curveto::write::conic::{ConicSamples, conic_samples_csv};
 use curveto::write::measurement::{Samples, samples_csv};
@@ -60,14 +60,9 @@ fn render_conic(samples: &ConicSamples) -> String {
     let mut table = plain();
     table.set_header(["segment", "t", "x", "y", "error", "place"]);
     table.add_rows(samples.samples.iter().map(|s| {
-        [
-            s.segment.to_string(),
-            significant(s.t, 6),
-            compact(s.x, 9),
-            compact(s.y, 9),
-            compact(s.error, 6),
-            significant(s.place, 8),
-        ]
+        let [segment, t, x, y] = place(&s.at);
+        let place = significant(s.place, 8);
+        [segment, t, x, y, compact(s.error, 6), place]
     }));
     let errors = samples.samples.iter().map(|s| s.error);
     captioned(&samples.title, &mut table, errors)
@@ -88,13 +83,16 @@ fn captioned(title: &str, table: &mut Table, errors: impl Iterator<Item = f64>) 
 }
 
 fn row(s: &Sample) -> [String; 7] {
+    let [segment, t, x, y] = place(&s.at);
+    let (radius, degrees) = (compact(s.radius, 9), significant(s.degrees, 8));
+    [segment, t, x, y, radius, compact(s.error, 6), degrees]
+}
+
+fn place(at: &Place) -> [String; 4] {
     [
-        s.segment.to_string(),
-        significant(s.t, 6),
-        compact(s.x, 9),
-        compact(s.y, 9),
-        compact(s.radius, 9),
-        compact(s.error, 6),
-        significant(s.degrees, 8),
+        at.segment.to_string(),
+        significant(at.t, 6),
+        compact(at.x, 9),
+        compact(at.y, 9),
     ]
 }

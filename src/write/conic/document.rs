@@ -156,8 +156,10 @@ pub fn conic_samples_csv(all: &[ConicSamples]) -> String {
     for samples in all {
         let [weight, method] = [&text(samples.shape.weight), &samples.method];
         for s in &samples.samples {
-            let segment = s.segment.to_string();
-            let figures = [s.t, s.x, s.y, s.error, s.place].map(text).join(",");
+            let segment = s.at.segment.to_string();
+            let figures = [s.at.t, s.at.x, s.at.y, s.error, s.place]
+                .map(text)
+                .join(",");
             let fields = [samples.shape.form, weight, method, &segment, &figures];
             out += &(fields.join(",") + "\n");
         }

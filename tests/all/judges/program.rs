@@ -13,6 +13,11 @@ pub(crate) fn program(arguments: &[&str]) -> Command {
     command
 }
 
+/// Arguments with spaces between them.
+pub(crate) fn words(arguments: &str) -> Vec<&str> {
+    arguments.split_whitespace().collect()
+}
+
 /// What it prints, says and ends with.
 pub(crate) fn run(arguments: &[&str]) -> Output {
     program(arguments).output().unwrap()
@@ -20,7 +25,7 @@ pub(crate) fn run(arguments: &[&str]) -> Output {
 
 /// The same for arguments with spaces between them.
 pub(crate) fn run_words(arguments: &str) -> Output {
-    run(&arguments.split_whitespace().collect::<Vec<_>>())
+    run(&words(arguments))
 }
 
 /// The program in a folder.
