@@ -256,7 +256,7 @@ impl<'a> Request<'a> {
                 rule: self.options.rule,
                 truth: &self.outline.truth,
                 axes: self.outline.axes(),
-                chain: &joints,
+                cutting: &joints,
                 peak,
                 told,
             };

@@ -8,7 +8,7 @@ use crate::approximate::{Options, approximate};
 use crate::curve::Curve;
 use crate::error::{Error, Result, ShapeError};
 use crate::joints::Cut;
-use crate::joints::chain::Equal;
+use crate::joints::cutting::EqualPieces;
 use crate::measure::extent;
 use crate::measure::radial::{self, Profile};
 use crate::method::{Rule, Span};
@@ -265,7 +265,7 @@ impl Comparison {
             let Some(outline) = Shape::Arc(arc).outline() else {
                 return Ok(0.0);
             };
-            let whole = Equal::new(outline.unit, 1)?;
+            let whole = EqualPieces::new(outline.unit, 1)?;
             let curve = Placed::new(&outline, &whole).curve([[piece; 2]], false);
             Ok(by.of(&curve, &outline))
         };

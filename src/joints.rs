@@ -1,7 +1,7 @@
 //! Where the sweep is cut.
 
 pub(crate) mod adaptive;
-pub(crate) mod chain;
+pub(crate) mod cutting;
 
 use core::str::FromStr;
 
@@ -12,7 +12,7 @@ use crate::error::{Error, JointsError, Remedy, Result};
 use crate::method::{Degrees, Rule, Span};
 use crate::shape::UnitArc;
 
-use chain::{Chain, Equal};
+use cutting::{Cutting, EqualPieces};
 
 /// The largest number of segments that anything is cut into.
 pub const MOST_SEGMENTS: usize = 1_000_000;
@@ -120,7 +120,7 @@ impl Joints {
     ///
     /// [`Error::Count`] where the count is 0 or beyond [`MOST_SEGMENTS`].
     pub fn equal(arc: &UnitArc, count: usize) -> Result<Self> {
-        let equal = Equal::new(*arc, count)?;
+        let equal = EqualPieces::new(*arc, count)?;
         let joints = 0..=count;
         let span = Span::from_degrees(equal.size(0));
         Ok(Self {
@@ -265,7 +265,7 @@ impl Joints {
     }
 }
 
-impl Chain for Joints {
+impl Cutting for Joints {
     fn count(&self) -> usize {
         self.spans.len()
     }

@@ -4,25 +4,25 @@ use kurbo::{Affine, PathSeg, Point, Vec2};
 
 use crate::angle::Angle;
 use crate::curve::Curve;
-use crate::joints::chain::Chain;
+use crate::joints::cutting::Cutting;
 use crate::method::{Piece, in_frame};
 use crate::shape::Outline;
 
-/// A chain of pieces, and where it lies.
+/// A cut piece of the unit circle, and where it lies.
 #[derive(Debug)]
 pub(crate) struct Placed<'a, C> {
-    pub(crate) chain: &'a C,
+    pub(crate) cutting: &'a C,
     /// The map from the unit circle.
     pub(crate) placement: Affine,
     /// The ends, where they were given.
     pub(crate) ends: Option<[Point; 2]>,
 }
 
-impl<'a, C: Chain> Placed<'a, C> {
-    /// A chain of pieces of an outline.
-    pub(crate) const fn new(outline: &Outline, chain: &'a C) -> Self {
+impl<'a, C: Cutting> Placed<'a, C> {
+    /// An outline, cut.
+    pub(crate) const fn new(outline: &Outline, cutting: &'a C) -> Self {
         Self {
-            chain,
+            cutting,
             placement: outline.placement,
             ends: outline.ends,
         }
@@ -33,10 +33,10 @@ impl<'a, C: Chain> Placed<'a, C> {
         &self,
         pieces: impl IntoIterator<Item = [Piece; 2]>,
     ) -> impl Iterator<Item = PathSeg> {
-        let sign = self.chain.sign();
+        let sign = self.cutting.sign();
         let mut before = self.joint(0);
         let mut from = None;
-        let pieces = pieces.into_iter().zip(1..=self.chain.count());
+        let pieces = pieces.into_iter().zip(1..=self.cutting.count());
         pieces.map(move |([first, last], i)| {
             let after = self.joint(i);
             let p0 = from.unwrap_or_else(|| self.point(&before, first.end_radius, 0.0));
@@ -68,8 +68,8 @@ impl<'a, C: Chain> Placed<'a, C> {
     }
 
     /// A joint, reached from the nearer given end, so that it is met exactly and a huge radius does not swallow the digits.
-    fn joint(&self, i: usize) -> Joint {
-        let last = self.chain.count();
+    fn joint(&self, i: usize) -> PlacedJoint {
+        let last = self.cutting.count();
         let from = self.ends.map(|ends| {
             let (nearer, end) = if 2 * i <= last {
                 (0, ends[0])
@@ -79,19 +79,19 @@ impl<'a, C: Chain> Placed<'a, C> {
             let chord = if i == nearer {
                 Vec2::ZERO
             } else {
-                chord(self.chain.angle(nearer), self.chain.angle(i))
+                chord(self.cutting.angle(nearer), self.cutting.angle(i))
             };
             (end, chord)
         });
-        Joint {
-            direction: self.chain.direction(i),
+        PlacedJoint {
+            direction: self.cutting.direction(i),
             from,
         }
     }
 
     /// The point at `radial` along the radius of a joint and `along` its tangent.
     #[inline]
-    fn point(&self, joint: &Joint, radial: f64, along: f64) -> Point {
+    fn point(&self, joint: &PlacedJoint, radial: f64, along: f64) -> Point {
         let Some((end, chord)) = joint.from else {
             return self.placement * in_frame(joint.direction, radial, along).to_point();
         };
@@ -102,7 +102,7 @@ impl<'a, C: Chain> Placed<'a, C> {
 }
 
 /// Where a joint lies on the unit circle.
-struct Joint {
+struct PlacedJoint {
     direction: Vec2,
     /// The given end that it is reached from, and the way from there on the unit circle; else it is reached from the centre.
     from: Option<(Point, Vec2)>,

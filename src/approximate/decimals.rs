@@ -4,7 +4,7 @@ use kurbo::PathSeg;
 
 use crate::curve::largest_coordinate;
 use crate::joints::adaptive;
-use crate::joints::chain::Chain;
+use crate::joints::cutting::Cutting;
 use crate::measure::radial::{self, nearly::decided};
 use crate::method::Rule;
 use crate::number::Precision;
@@ -26,14 +26,14 @@ pub(crate) struct Known<'a, C> {
     pub(crate) rule: Rule,
     pub(crate) truth: &'a Truth,
     pub(crate) axes: Axes,
-    pub(crate) chain: &'a C,
+    pub(crate) cutting: &'a C,
     /// Its peak error, where a formula tells it.
     pub(crate) peak: Option<f64>,
     /// The same over the larger radius, where the lobes of its pieces told it before.
     pub(crate) told: Option<f64>,
 }
 
-impl<C: Chain> Known<'_, C> {
+impl<C: Cutting> Known<'_, C> {
     /// The fewest decimals for a peak error of at most `most`. Mostly what the lobes of the pieces or samples tell of the peak asks for
     /// as many decimals as the exact one.
     pub(crate) fn precision<S: Iterator<Item = PathSeg>>(
@@ -64,7 +64,7 @@ impl<C: Chain> Known<'_, C> {
         let sizes = [larger, larger + largest];
         match self.told {
             Some(peak) => adaptive::around(self.rule, sizes, peak),
-            None => adaptive::nearly(self.rule, self.axes, sizes, self.chain),
+            None => adaptive::nearly(self.rule, self.axes, sizes, self.cutting),
         }
     }
 }

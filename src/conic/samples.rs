@@ -4,7 +4,7 @@ use kurbo::{ParamCurve, PathSeg};
 
 use super::{Drawing, Frame};
 use crate::error::{Error, Result};
-use crate::measure::samples::{Place, sampled};
+use crate::measure::samples::{SamplePoint, sampled};
 use crate::measure::{Quantity, curvature, profile};
 use crate::radial_error::RadialError;
 
@@ -18,7 +18,7 @@ const NOISE: f64 = 1e-14;
 pub struct Sample {
     /// The point.
     #[cfg_attr(feature = "serde", serde(flatten))]
-    pub at: Place,
+    pub at: SamplePoint,
     /// Its distance from the conic along the normal, positive towards the control point.
     pub error: f64,
     /// Where along the conic it lies, from 0 at its start to 1 at its end, in equal steps of the conic's own parameter: a hyperbola's

@@ -13,7 +13,7 @@ use super::{Options, Reason};
 use crate::Angle;
 use crate::approximate::{self, Drawing, Known, approximate, approximate_between};
 use crate::curve::map_points;
-use crate::joints::chain::{Chain, Equal};
+use crate::joints::cutting::{Cutting, EqualPieces};
 use crate::joints::{Cut, quarters};
 use crate::method::{Ends, Method, Rule};
 use crate::number::Precision;
@@ -61,7 +61,7 @@ fn arc_by(
     if count == Some(1) {
         let truth = chord.truth_of(arc);
         let placed = Placed {
-            chain: &chord,
+            cutting: &chord,
             placement: truth.placement(),
             ends,
         };
@@ -77,7 +77,7 @@ fn arc_by(
         return by_engine(engine, &shape, arc.from, options, out);
     };
     let placed = Placed {
-        chain: &Equal::new(outline.unit, count)?,
+        cutting: &EqualPieces::new(outline.unit, count)?,
         placement: outline.placement,
         ends,
     };
@@ -101,7 +101,7 @@ pub(super) fn ellipse(
         let center = options.precision.map_or(Point::ZERO, |_| center);
         return by_engine(approximate, &about(center)?, center, options, out);
     };
-    let pieces = Equal::new(outline.unit, count)?;
+    let pieces = EqualPieces::new(outline.unit, count)?;
     let placed = Placed::new(&outline, &pieces);
     let truth = (&outline.truth, outline.axes());
     fill(out, &placed, truth, Point::ZERO, options, memo)
@@ -150,8 +150,8 @@ fn by_engine(
     Ok(())
 }
 
-/// Equal pieces of a true shape. They are counted from `base`.
-fn fill<C: Chain>(
+/// Equal pieces of a true shape, their points counted from `base`.
+fn fill<C: Cutting>(
     out: &mut Beziers,
     placed: &Placed<'_, C>,
     (truth, axes): (&Truth, Axes),
@@ -159,15 +159,15 @@ fn fill<C: Chain>(
     options: &Options,
     memo: &mut Memo,
 ) -> Result<(), Reason> {
-    let chain = placed.chain;
-    let (piece, peak) = memo.piece(options.rule, chain.size(0))?;
+    let cutting = placed.cutting;
+    let (piece, peak) = memo.piece(options.rule, cutting.size(0))?;
     out.segments.clear();
     out.segments.extend(placed.segments(repeat([piece; 2])));
     let known = Known {
         rule: options.rule,
         truth,
         axes,
-        chain,
+        cutting,
         peak: truth.is_circle().then_some(peak * truth.radii.x),
         told: None,
     };

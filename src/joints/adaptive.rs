@@ -17,7 +17,7 @@ mod lobes;
 mod march;
 
 use super::Joints;
-use super::chain::Chain;
+use super::cutting::Cutting;
 use crate::error::Result;
 use crate::method::{Ends, Method, Rule};
 use crate::shape::{Axes, Outline, UnitArc};
@@ -58,13 +58,13 @@ pub(crate) fn nearly(
     rule: Rule,
     axes: Axes,
     sizes: [f64; 2],
-    chain: &impl Chain,
+    cutting: &impl Cutting,
 ) -> Option<[f64; 2]> {
     let lobes = Lobes::new(rule, f64::from(rule.method()?.card().order), axes.short);
     let mut peak = 0.0_f64;
-    for i in 0..chain.count() {
-        let from = chain.sign() * (chain.angle(i) - axes.angle);
-        peak = peak.max(lobes.of(from, chain.size(i))?.size);
+    for i in 0..cutting.count() {
+        let from = cutting.sign() * (cutting.angle(i) - axes.angle);
+        peak = peak.max(lobes.of(from, cutting.size(i))?.size);
     }
     around(rule, sizes, peak)
 }

@@ -16,7 +16,7 @@ const MOST_SAMPLES: usize = 1_000_000;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Place {
+pub struct SamplePoint {
     /// The number of its segment, from 1.
     pub segment: usize,
     /// The parameter within the segment, from 0 to 1.
@@ -34,7 +34,7 @@ pub struct Place {
 pub struct Sample {
     /// The point.
     #[cfg_attr(feature = "serde", serde(flatten))]
-    pub at: Place,
+    pub at: SamplePoint,
     /// Its distance from the centre.
     pub radius: f64,
     /// Its distance from the true shape along the normal, positive outside.
@@ -44,7 +44,7 @@ pub struct Sample {
 }
 
 /// `count` points of each segment at equal steps of t; `of_segment` makes what makes a sample of each.
-pub(crate) fn sampled<S, F: Fn(Place) -> S>(
+pub(crate) fn sampled<S, F: Fn(SamplePoint) -> S>(
     curve: &Curve,
     count: usize,
     of_segment: impl Fn(usize, &PathSeg) -> F,
@@ -62,7 +62,7 @@ pub(crate) fn sampled<S, F: Fn(Place) -> S>(
             let t = step as f64 / (count - 1) as f64;
             let Point { x, y } = segment.eval(t);
             let segment = i + 1;
-            sample(Place { segment, t, x, y })
+            sample(SamplePoint { segment, t, x, y })
         };
         (0..count).map(place)
     });
@@ -96,7 +96,7 @@ pub fn samples(curve: &Curve, reference: &Reference, count: usize) -> Result<Vec
         move |at| {
             let p = Point::new(at.x, at.y);
             Sample {
-                at: Place {
+                at: SamplePoint {
                     x: p.x * unit,
                     y: p.y * unit,
                     ..at

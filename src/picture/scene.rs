@@ -12,7 +12,7 @@ use super::text::Text;
 use crate::course::Course;
 use crate::curve::Curve;
 use crate::error::Result;
-use crate::joints::chain::{Chain as _, Equal};
+use crate::joints::cutting::{Cutting as _, EqualPieces};
 use crate::method::{Rule, Span};
 use crate::number::Precision;
 use crate::place::Placed;
@@ -165,7 +165,7 @@ pub(super) fn along(course: &Course) -> Result<Curve> {
 /// The outline in so many cubics that nobody can tell it from the true shape.
 fn finely(outline: &Outline) -> Result<Curve> {
     let count = (outline.unit.sweep.degrees().abs() / TRUE_SPAN).ceil() as usize;
-    let pieces = Equal::new(outline.unit, count.max(1))?;
+    let pieces = EqualPieces::new(outline.unit, count.max(1))?;
     let piece = Rule::default().piece(&Span::from_degrees(pieces.size(0)))?;
     let placed = Placed::new(outline, &pieces);
     Ok(placed.curve(repeat([piece; 2]), outline.unit.closed))

@@ -2,7 +2,7 @@
 
 use comfy_table::Table;
 use curveto::conic::Drawing;
-use curveto::measure::samples::{Place, Sample, samples};
+use curveto::measure::samples::{Sample, SamplePoint, samples};
 use curveto::number::{compact, significant};
 use curveto::write::conic::{ConicSamples, conic_samples_csv};
 use curveto::write::measurement::{Samples, samples_csv};
@@ -88,7 +88,7 @@ fn row(s: &Sample) -> [String; 7] {
     [segment, t, x, y, radius, compact(s.error, 6), degrees]
 }
 
-fn place(at: &Place) -> [String; 4] {
+fn place(at: &SamplePoint) -> [String; 4] {
     [
         at.segment.to_string(),
         significant(at.t, 6),

@@ -11,7 +11,7 @@ use crate::shape::endpoint::Chord;
 use super::MOST_SEGMENTS;
 
 /// Pieces of the unit circle, each of which starts where the one before it ends. Joint 0 is the start of the first.
-pub(crate) trait Chain {
+pub(crate) trait Cutting {
     /// The number of pieces; the last joint is that of this number.
     fn count(&self) -> usize;
     /// The angle of a joint in degrees.
@@ -26,12 +26,12 @@ pub(crate) trait Chain {
 
 /// Pieces of equal size.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Equal {
+pub(crate) struct EqualPieces {
     arc: UnitArc,
     count: usize,
 }
 
-impl Equal {
+impl EqualPieces {
     /// Refuses a count of 0 or beyond [`MOST_SEGMENTS`].
     pub(crate) fn new(arc: UnitArc, count: usize) -> Result<Self> {
         if count == 0 || count > MOST_SEGMENTS {
@@ -44,7 +44,7 @@ impl Equal {
     }
 }
 
-impl Chain for Equal {
+impl Cutting for EqualPieces {
     fn count(&self) -> usize {
         self.count
     }
@@ -83,7 +83,7 @@ impl Chain for Equal {
 }
 
 /// One piece, whose ends are known without an angle.
-impl Chain for Chord {
+impl Cutting for Chord {
     fn count(&self) -> usize {
         1
     }
