@@ -37,7 +37,7 @@ pub enum Remedy {
     MoreDecimals,
     /// More decimals, or a larger tolerance.
     MoreDecimalsOrTolerance,
-    /// [`approximate()`](crate::approximate()) draws by every method.
+    /// The function `approximate` draws by every method.
     Approximate,
     /// Fewer methods or counts on one page.
     SmallerPage,
