@@ -31,7 +31,7 @@ use crate::numeric::{linear, root};
 use crate::shape::Axes;
 
 /// The flattest ellipses, by their ratio, and the longest segments on those, in degrees: what was tried, and found in 3 microseconds.
-const SERVED: [(f64, f64); 2] = [(0.05, 170.0), (0.02, 120.0)];
+const SERVED: [(f64, f64); 2] = [(0.05, 170.0), (0.02, 100.0)];
 
 /// Two or three steps reach the last digits, more where the extremes have far to go.
 const MOST_STEPS: usize = 24;
@@ -354,7 +354,7 @@ pub(crate) fn pieces(
         let from = 1.0_f64.copysign(sweep) * (pair[0] - axis);
         let Some(fit) = best(short, from, sweep.abs(), is_free) else {
             return Err(method.refuse(
-                "it serves ellipses up to 1:20 in segments up to 170 degrees, up to 1:50 in segments up to 120".to_owned(),
+                "it serves ellipses up to 1:20 in segments up to 170 degrees, up to 1:50 in segments up to 100".to_owned(),
                 Remedy::MoreSegmentsOfEllipse("minimax"),
             ));
         };
