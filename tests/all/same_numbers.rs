@@ -172,7 +172,9 @@ proptest! {
         if smallest_radius(&asked) * f64::powi(10.0, decimals.into()) > 0.5 {
             let (one, other) = (one.unzip(), by_convert(&asked, &options).unzip());
             prop_assert_eq!(one.0, other.0, "convert");
-            prop_assert_eq!(one.1, other.1, "convert");
+            // Both are bounds, at most a billionth above the truth; a file measures its segments one by one.
+            let apart = one.1.zip(other.1).map_or(0.0, |(x, y)| (x - y).abs() / x.max(1e-9));
+            prop_assert!(apart < 2e-9, "convert: {:?} and {:?}", one.1, other.1);
         }
     }
 
