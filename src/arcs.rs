@@ -26,6 +26,9 @@ const ROUNDING_PART: f64 = 0.02;
 /// The tolerance where none is asked for, as a part of half the larger side of the subpath's box: of the radius, on a circle.
 const DEFAULT_PART: f64 = 1e-3;
 
+/// The finest tolerance, as a part of the largest coordinate: below it the noise of double precision decides where a piece ends.
+const FINEST: f64 = 64.0 * f64::EPSILON;
+
 /// How lines and arcs are made.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
@@ -110,6 +113,10 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
         } else {
             0.0
         };
+    let curved = pieces.iter().any(|piece| !piece.is_line());
+    if curved && room <= 0.0 && plan.size > 0.0 {
+        return Err(plan.too_coarse());
+    }
     let mut segments = Vec::new();
     let mut error = 0.0_f64;
     for piece in &pieces {
@@ -179,25 +186,28 @@ impl Plan {
         let bounds = pieces.iter().map(Piece::bounding_box);
         let bounds = bounds.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
         let size = bounds.width().max(bounds.height()) / 2.0;
-        let tolerance = if let Some(tolerance) = options.tolerance {
-            positive("tolerance", tolerance.for_radius(size))?
-        } else {
-            let asked = options.precision.map_or(0.0, Precision::farthest_moved);
-            DEFAULT_PART * size + explained.max(asked)
-        };
         let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
         let largest = corners
             .into_iter()
             .fold(0.0, |most: f64, x| most.max(x.abs()));
+        let tolerance = if let Some(tolerance) = options.tolerance {
+            // A dot has no size that a part could be of; nothing of it strays.
+            let whole = if size > 0.0 { size } else { largest.max(1.0) };
+            positive("tolerance", tolerance.for_radius(whole))?
+        } else {
+            let asked = options.precision.map_or(0.0, Precision::farthest_moved);
+            DEFAULT_PART * size + explained.max(asked)
+        };
         let automatic = Precision::moving_at_most(ROUNDING_PART * tolerance, largest);
         let precision = options.precision.unwrap_or(automatic);
         let rounding = precision.farthest_moved();
         let room = tolerance - rounding;
         // A path of lines alone has nothing to fit.
         let curved = pieces.iter().any(|piece| !piece.is_line());
-        if curved && room <= 0.0 && size > 0.0 {
+        let finest = rounding.max(FINEST * largest);
+        if curved && tolerance <= finest && size > 0.0 {
             return Err(Error::RoundingAlone {
-                rounding,
+                rounding: finest,
                 tolerance,
             });
         }

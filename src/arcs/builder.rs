@@ -163,6 +163,9 @@ impl Builder<'_> {
             0.0
         };
         let room = self.plan.room - strayed - again;
+        if room <= 0.0 {
+            return Err(self.plan.too_coarse());
+        }
         let last = parts.len().saturating_sub(1);
         for (i, part) in parts.iter().enumerate() {
             let (piece, mut from) = (Piece::Cubic(*part), 0.0);

@@ -9,10 +9,7 @@ const WORDS: [(&str, &str); 17] = [
     ("expected `:`", "a colon is expected"),
     ("expected value", "a value is expected"),
     ("expected ident", "true, false or null is expected"),
-    (
-        "trailing characters",
-        "nothing more is expected after the object",
-    ),
+    ("trailing characters", "nothing more is expected here"),
     (
         "trailing comma",
         "a key or a value is expected after the comma",
@@ -39,6 +36,16 @@ const WORDS: [(&str, &str); 17] = [
     ),
 ];
 
+/// What serde calls a value, and what we call it.
+const KINDS: [(&str, &str); 6] = [
+    ("map", "an object"),
+    ("sequence", "an array"),
+    ("boolean ", ""),
+    ("integer ", "the number "),
+    ("floating point ", "the number "),
+    ("string ", "the text "),
+];
+
 /// What the reader of JSON says, in words of ours and without the names of Rust's types; where is not said.
 pub(crate) fn in_plain_words(error: &serde_json::Error) -> String {
     let text = error.to_string();
@@ -46,6 +53,7 @@ pub(crate) fn in_plain_words(error: &serde_json::Error) -> String {
     let expected = |what: &str| match what {
         "f64" => "a number".to_owned(),
         "usize" => "a whole number, at least 0,".to_owned(),
+        "a sequence" => "an array".to_owned(),
         other => other.to_owned(),
     };
     let quoted = |text: &str| text.replace('`', "'");
@@ -73,7 +81,10 @@ pub(crate) fn in_plain_words(error: &serde_json::Error) -> String {
         let found = if why.starts_with("invalid length ") {
             format!("an array of length {found}")
         } else {
-            quoted(found)
+            KINDS
+                .iter()
+                .find_map(|(theirs, ours)| Some(format!("{ours}{}", found.strip_prefix(theirs)?)))
+                .map_or_else(|| quoted(found), |found| found.replace('`', ""))
         };
         return format!("{found} where {} is expected", expected(wanted));
     }

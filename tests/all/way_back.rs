@@ -549,3 +549,11 @@ fn icons_of_others_become_smaller() {
         assert!(saved >= part, "{set}: {saved}");
     }
 }
+
+#[test]
+fn a_dot_takes_no_part_in_a_tolerance() {
+    for to in ["arcs", "lines"] {
+        let path = printed(&["path", "M0 0C1 1 2 1 3 0M5 5h0", "--to", to, "-t", "1%"]);
+        assert!(path.trim_end().ends_with("M5 5L5 5"), "{path}");
+    }
+}
