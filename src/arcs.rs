@@ -106,13 +106,7 @@ pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let pieces = pieces(contour, options.transform)?;
     let plan = Plan::new(&pieces, options, 0.0)?;
-    let rounding = plan.tolerance - plan.room;
-    let room = plan.room
-        - if options.rounds_again {
-            2.0 * rounding
-        } else {
-            0.0
-        };
+    let room = plan.room_of_chords(options, 0.0);
     let curved = pieces.iter().any(|piece| !piece.is_line());
     if curved && room <= 0.0 && plan.size > 0.0 {
         return Err(plan.too_coarse());
@@ -218,6 +212,16 @@ impl Plan {
             rounds_given: options.precision.is_some(),
             size,
         })
+    }
+
+    /// How far a chord may lie from what strays so far itself; what rounds its ends again takes its part.
+    fn room_of_chords(&self, options: &Options, strayed: f64) -> f64 {
+        let again = if options.rounds_again {
+            2.0 * self.precision.farthest_moved()
+        } else {
+            0.0
+        };
+        self.room - strayed - again
     }
 
     fn too_coarse(&self) -> Error {

@@ -157,12 +157,7 @@ impl Builder<'_> {
             self.course.steps.truncate(steps);
             (self.at, self.error) = (at, error);
         }
-        let again = if self.options.rounds_again {
-            2.0 * self.plan.precision.farthest_moved()
-        } else {
-            0.0
-        };
-        let room = self.plan.room - strayed - again;
+        let room = self.plan.room_of_chords(self.options, strayed);
         if room <= 0.0 {
             return Err(self.plan.too_coarse());
         }

@@ -2,6 +2,7 @@
 
 use std::ffi::OsStr;
 use std::num::NonZeroUsize;
+use std::str::FromStr;
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
@@ -28,8 +29,13 @@ fn told(error: &curveto::Error) -> String {
     }
 }
 
-pub(super) fn method(text: &str) -> Read<Method> {
+/// Reads what the library reads, with its message.
+fn parsed<T: FromStr<Err = curveto::Error>>(text: &str) -> Read<T> {
     text.parse().map_err(|error| told(&error))
+}
+
+pub(super) fn method(text: &str) -> Read<Method> {
+    parsed(text)
 }
 
 /// A reader with words that the completions of shells list.
@@ -86,7 +92,7 @@ pub(super) const SHOWN: Listed<Shown> = Listed {
 
 /// Reads by what `compare` compares.
 pub(super) const CRITERION: Listed<Criterion> = Listed {
-    read: |text| text.parse().map_err(|error| told(&error)),
+    read: parsed,
     words: || {
         Criterion::ALL
             .map(|criterion| PossibleValue::new(criterion.name()))
@@ -96,7 +102,7 @@ pub(super) const CRITERION: Listed<Criterion> = Listed {
 
 /// Reads what a plot of `measure` shows.
 pub(super) const QUANTITY: Listed<Quantity> = Listed {
-    read: |text| text.parse().map_err(|error| told(&error)),
+    read: parsed,
     words: || {
         Quantity::ALL
             .map(|quantity| PossibleValue::new(quantity.name()))
@@ -136,7 +142,7 @@ fn methods(text: &str) -> Read<MethodList> {
 }
 
 pub(super) fn angle(text: &str) -> Read<Angle> {
-    text.parse().map_err(|error| told(&error))
+    parsed(text)
 }
 
 pub(super) fn number(text: &str) -> Read<f64> {
