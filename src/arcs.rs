@@ -29,6 +29,9 @@ const DEFAULT_PART: f64 = 1e-3;
 /// The finest tolerance, as a part of the largest coordinate: below it the noise of double precision decides where a piece ends.
 const FINEST: f64 = 64.0 * f64::EPSILON;
 
+/// How far the points of a part that is cut from a curve may lie from it, as a part of the largest coordinate.
+const CUT: f64 = 8.0 * f64::EPSILON;
+
 /// How lines and arcs are made.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
@@ -131,7 +134,8 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
                 (piece.end(), plan.end(piece.end()))
             };
             let shift = to.distance(truth);
-            error = error.max(piece.chord_distance(at, cut) + shift.max(moved));
+            let off = if cut - at < 1.0 { plan.cut } else { 0.0 };
+            error = error.max(piece.chord_distance(at, cut) + off + shift.max(moved));
             segments.push(PathSeg::Line(Line::new(from, to)));
             (from, at, moved) = (to, cut, shift);
         }
@@ -172,6 +176,8 @@ struct Plan {
     rounds_given: bool,
     /// Half the larger side of the subpath's box.
     size: f64,
+    /// How far off a part of a curve may be that is cut from it.
+    cut: f64,
 }
 
 impl Plan {
@@ -211,6 +217,7 @@ impl Plan {
             precision,
             rounds_given: options.precision.is_some(),
             size,
+            cut: CUT * largest,
         })
     }
 

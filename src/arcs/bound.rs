@@ -5,14 +5,57 @@
 //! the arc's sweep is farther from it than that. Where the angle grows with the parameter no point lies beyond; where it may not, the
 //! angles of the control points bound how far one does. Beyond the ends there is no more than what the ends are apart.
 
-use kurbo::{CubicBez, PathSeg, Point, Vec2};
+use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
-use super::piece::{cubic_from_chord, height_and_overshoot};
+use super::near::to_unit;
+use super::piece::{away, cubic_from_chord, height_and_overshoot, longer};
+use crate::Angle;
 use crate::measure::radial;
-use crate::shape::{Arc, Truth};
+use crate::shape::{Arc, Given, Truth};
 
-/// The bound; infinite where the cubics do not run about the arc's centre.
-pub(super) fn distance(parts: &[CubicBez], from: Point, to: Point, arc: &Arc) -> f64 {
+/// How far the map to where an ellipse is the unit circle may move a point, as a part of its distance from the arc's start: the map's
+/// and the point's roundings, and what they do to the centre of a long arc.
+const MAPPED: f64 = 64.0 * f64::EPSILON;
+
+/// The bound; infinite where the cubics do not run about the arc's centre. On an ellipse it is that in the plane where this is the unit
+/// circle, times the larger radius, which is the most that the map from there stretches anything.
+pub(crate) fn from_arc(parts: &[CubicBez], arc: &Arc) -> f64 {
+    let Some([from, to]) = arc.ends else {
+        return f64::INFINITY;
+    };
+    let (larger, smaller) = (arc.radii.x.max(arc.radii.y), arc.radii.x.min(arc.radii.y));
+    if larger == smaller {
+        return from_circle(parts, [from, to], arc);
+    }
+    // About the arc's start: nothing of that grows with the radii.
+    let [a, b, c, d, ..] = to_unit(arc).as_coeffs();
+    let linear = Affine::new([a, b, c, d, 0.0, 0.0]);
+    let map = |p: Point| linear * (p - from).to_point();
+    let unit = Arc {
+        center: map(arc.center),
+        radii: Vec2::new(1.0, 1.0),
+        rotation: Angle::ZERO,
+        given: match arc.given {
+            Given::Enlarged(_) => Given::Enlarged(Vec2::new(1.0, 1.0)),
+            given => given,
+        },
+        ..*arc
+    };
+    let points = |part: &CubicBez| [part.p0, part.p1, part.p2, part.p3];
+    let far = parts
+        .iter()
+        .flat_map(points)
+        .map(|p| p.distance_squared(from));
+    let far = far.fold(0.0, f64::max).sqrt();
+    let mapped = parts.iter().map(|part| {
+        let [p0, p1, p2, p3] = points(part).map(map);
+        CubicBez { p0, p1, p2, p3 }
+    });
+    let mapped: Vec<CubicBez> = mapped.collect();
+    larger * (from_circle(&mapped, [from, to].map(map), &unit) + MAPPED / smaller * far)
+}
+
+fn from_circle(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> f64 {
     let (Some(first), Some(last)) = (parts.first(), parts.last()) else {
         return f64::INFINITY;
     };
@@ -20,15 +63,24 @@ pub(super) fn distance(parts: &[CubicBez], from: Point, to: Point, arc: &Arc) ->
     let Some(over) = overshoot(parts, center, arc.sweep.radians()) else {
         return f64::INFINITY;
     };
+    // From the nearest point of the circle to an end that lies on it.
     let off = |p: Point, end: Point| {
-        let out = p - center;
-        (center + out * (radius / out.hypot2().sqrt())).distance(end)
+        let (v, out) = (p - end, p - center);
+        let distance = out.hypot2().sqrt();
+        let height = v.dot((end - center) + out) / (distance + radius);
+        (v - out * (height / distance)).hypot2().sqrt()
     };
-    let ends = off(first.p0, from).max(off(last.p3, to));
+    let [from, to] = ends;
+    let apart = off(first.p0, from).max(off(last.p3, to));
+    // What was given of the arc says more than its centre where this is far away.
+    let truth = Truth::circle(center, radius);
+    let truth = match arc.given {
+        Given::Sweep => truth,
+        given => truth.through(ends, arc.sweep, given),
+    };
     let segments = parts.iter().map(|&part| PathSeg::Cubic(part));
     let segments: Vec<PathSeg> = segments.collect();
-    let peak = radial::error(&segments, &Truth::circle(center, radius)).peak();
-    let bound = peak + ends + radius * over;
+    let bound = radial::error(&segments, &truth).peak() + apart + radius * over;
     if bound.is_finite() {
         bound
     } else {
@@ -42,10 +94,7 @@ fn overshoot(parts: &[CubicBez], center: Point, sweep: f64) -> Option<f64> {
     let (mut swept, mut least, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
     for part in parts {
         let from = part.p0 - center;
-        let angle_of = |p: Point| {
-            let v = p - center;
-            sign * libm::atan2(from.cross(v), from.dot(v))
-        };
+        let angle_of = |p: Point| sign * libm::atan2(from.cross(p - part.p0), from.dot(p - center));
         let angle = angle_of(part.p3);
         if runs_about(part, center, sign) {
             swept += if angle < -1e-9 {
@@ -76,7 +125,7 @@ fn overshoot(parts: &[CubicBez], center: Point, sweep: f64) -> Option<f64> {
 }
 
 /// Whether the angle about the centre never falls (`sign` 1) or never grows (-1): no Bernstein coefficient of (q - c) x q' has the
-/// other sign.
+/// other sign by more than rounding.
 fn runs_about(cubic: &CubicBez, center: Point, sign: f64) -> bool {
     const WEIGHTS: [[f64; 3]; 4] = [
         [1.0, 2.0, 1.0],
@@ -93,7 +142,7 @@ fn runs_about(cubic: &CubicBez, center: Point, sign: f64) -> bool {
         }
     }
     let largest = coefficients.into_iter().fold(0.0, f64::max);
-    coefficients.into_iter().all(|c| c >= -1e-9 * largest)
+    coefficients.into_iter().all(|c| c >= -1e-13 * largest)
 }
 
 /// The same for the chord from the first point of consecutive cubics to their last, by the argument of
@@ -111,12 +160,13 @@ pub(super) fn from_chord(parts: &[CubicBez]) -> f64 {
         return f64::INFINITY;
     }
     let along: Vec2 = chord / length;
-    let (mut highest, mut farthest) = (0.0_f64, 0.0_f64);
+    let (mut highest, mut farthest, mut longest) = (0.0_f64, 0.0_f64, chord);
     for part in parts {
         let points = [part.p0, part.p1, part.p2, part.p3].map(|p| p - first.p0);
+        longest = points.into_iter().fold(longest, longer);
         let (height, over) = height_and_overshoot(points, along, length);
         highest = highest.max(height);
         farthest = farthest.max(over);
     }
-    (highest * highest + farthest * farthest).sqrt()
+    away(highest, farthest, longest)
 }

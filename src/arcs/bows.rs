@@ -208,7 +208,7 @@ fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
     let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
     while at < chain.len() {
         let rest = &chain[at..];
-        let straight = is_straight(&rest[0]);
+        let straight = is_straight(&rest[0], room);
         let found = if straight {
             [None; 2]
         } else {
@@ -244,6 +244,7 @@ fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
     spans
 }
 
-fn is_straight(cubic: &CubicBez) -> bool {
-    cubic_from_chord(cubic) <= STRAIGHT * cubic.p0.distance_squared(cubic.p3).sqrt()
+fn is_straight(cubic: &CubicBez, room: f64) -> bool {
+    let length = cubic.p0.distance_squared(cubic.p3).sqrt();
+    cubic_from_chord(cubic) <= room.min(STRAIGHT * length)
 }

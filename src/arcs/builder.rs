@@ -5,10 +5,9 @@
 
 use kurbo::{CubicBez, Point, Vec2};
 
-use super::bound::from_chord;
+use super::bound::{from_arc, from_chord};
 use super::chords;
 use super::fit::{Fit, Search, arc_of};
-use super::near::bound;
 use super::piece::Piece;
 use super::recognize::{Found, Rules};
 use super::{Options, Plan};
@@ -69,6 +68,7 @@ impl Builder<'_> {
 
     /// Appends what a stretch of cubics becomes, which stray this far from what was given.
     pub(super) fn span(&mut self, span: &Span<'_>, strayed: f64) -> Result<()> {
+        let cut = strayed + self.plan.cut;
         let (parts, ends_given) = match span {
             Span::Straight(cubic) => {
                 let off = strayed + from_chord(core::slice::from_ref(cubic));
@@ -88,13 +88,13 @@ impl Builder<'_> {
                 (*cubics, true)
             }
             Span::Fitted(fit) => {
-                if self.fitted(fit, fit.ends_given, strayed) {
+                if self.fitted(fit, fit.ends_given, cut) {
                     return self.counted();
                 }
                 (&fit.parts[..], fit.ends_given)
             }
         };
-        self.finer(parts, ends_given, strayed)?;
+        self.finer(parts, ends_given, cut)?;
         self.counted()
     }
 
@@ -196,7 +196,7 @@ impl Builder<'_> {
             let Ok(Shape::Arc(arc)) = given.shape() else {
                 continue;
             };
-            let off = bound(parts, &arc) + strayed;
+            let off = from_arc(parts, &arc) + strayed;
             if best.as_ref().is_none_or(|(_, _, least)| off < *least) {
                 best = Some((given, arc, off));
             }

@@ -10,7 +10,7 @@
 
 use kurbo::{CubicBez, Point, Vec2};
 
-use super::bound::{distance, from_chord};
+use super::bound::{from_arc, from_chord};
 use super::chain::Chain;
 use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Shape};
@@ -315,17 +315,10 @@ impl Fit {
     }
 
     fn bound(&self) -> f64 {
-        match (
-            &self.half,
-            self.arc(),
-            self.parts.first(),
-            self.parts.last(),
-        ) {
-            (None, ..) => from_chord(&self.parts),
-            (Some(_), Some(arc), Some(first), Some(last)) => {
-                distance(&self.parts, first.p0, last.p3, &arc)
-            }
-            _ => f64::INFINITY,
+        if self.half.is_none() {
+            return from_chord(&self.parts);
         }
+        self.arc()
+            .map_or(f64::INFINITY, |arc| from_arc(&self.parts, &arc))
     }
 }

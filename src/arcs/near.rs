@@ -2,7 +2,6 @@
 
 use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
-use super::bound::distance;
 use crate::Angle;
 use crate::curve::{first_direction, turn};
 use crate::number::Precision;
@@ -165,29 +164,6 @@ pub(super) fn strays(cubics: &[CubicBez], arc: &Arc) -> f64 {
         .iter()
         .flat_map(|c| [c.p0, c.eval(0.25), c.eval(0.5), c.eval(0.75), c.p3]);
     points.map(off).fold(0.0, f64::max) * radius
-}
-
-/// A bound, both ways, of the distance of cubics from an arc: that in the plane where the arc's ellipse is the unit circle, times the
-/// larger radius, which is the most that the map from there stretches anything.
-pub(crate) fn bound(cubics: &[CubicBez], arc: &Arc) -> f64 {
-    let Some([from, to]) = arc.ends else {
-        return f64::INFINITY;
-    };
-    if arc.radii.x == arc.radii.y {
-        return distance(cubics, from, to, arc);
-    }
-    let to_unit = to_unit(arc);
-    let mapped: Vec<CubicBez> = cubics.iter().map(|&cubic| to_unit * cubic).collect();
-    let unit = Arc {
-        center: Point::ORIGIN,
-        radii: Vec2::new(1.0, 1.0),
-        rotation: Angle::ZERO,
-        start: arc.start,
-        sweep: arc.sweep,
-        ends: None,
-        given: Given::Sweep,
-    };
-    larger(arc) * distance(&mapped, to_unit * from, to_unit * to, &unit)
 }
 
 /// A bound of how far an arc lies from itself after its ends were rounded.

@@ -7,6 +7,9 @@ use crate::error::Result;
 use crate::numeric::functions::unit_vector;
 use crate::shape::{Outline, Shape};
 
+/// How far a height above a chord may be off, as a part of the vectors that it was made from.
+const HEIGHT: f64 = 4.0 * f64::EPSILON;
+
 /// A step of a contour.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Piece {
@@ -127,7 +130,22 @@ pub(super) fn cubic_from_chord(cubic: &CubicBez) -> f64 {
         .map(|x| (-x).max(x - length).max(0.0));
     // Within the hull the curve goes no farther beyond an end than 4/9 of one control point and 4/9 of the other.
     let over = 4.0 / 9.0 * (over[0] + over[1]);
-    (highest * highest + over * over).sqrt()
+    away(highest, over, inner.into_iter().fold(chord, longer))
+}
+
+/// How far a point is from a chord that is so high above its line and so far beyond its end; a height is off by some roundings of
+/// the longest vector that it was made from.
+pub(super) fn away(height: f64, over: f64, longest: Vec2) -> f64 {
+    let height = if height > 0.0 {
+        height + HEIGHT * longest.hypot2().sqrt()
+    } else {
+        0.0
+    };
+    (height * height + over * over).sqrt()
+}
+
+pub(super) fn longer(a: Vec2, b: Vec2) -> Vec2 {
+    if b.hypot2() > a.hypot2() { b } else { a }
 }
 
 /// The largest |y| of a cubic, by its control points from a chord's start, and how far its hull goes beyond the chord's ends.

@@ -10,10 +10,10 @@
 
 use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
+use super::bound::from_arc;
 pub(crate) use super::near::Rules;
 use super::near::{
-    MARGIN, bound, ends_and_middle, is_drawn_like, is_tangent, joins_smoothly, larger, size,
-    strays, swept,
+    MARGIN, ends_and_middle, is_drawn_like, is_tangent, joins_smoothly, larger, size, strays, swept,
 };
 use crate::Angle;
 use crate::curve::first_direction;
@@ -148,7 +148,7 @@ pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<
     let fits = cubics.windows(2).all(joins_smoothly)
         && is_drawn_like(cubics, &arc, rules)
         && strays(cubics, &arc) <= rules.room(size(cubics, larger(&arc)));
-    fits.then(|| (arc.sweep.degrees(), bound(cubics, &arc)))
+    fits.then(|| (arc.sweep.degrees(), from_arc(cubics, &arc)))
 }
 
 /// The arc that is meant: of all radii with which the cubics are drawn like an arc those with the fewest decimals; else those with as
@@ -166,7 +166,7 @@ pub(crate) fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<F
             && is_tangent(cubics, &arc)
             && (!drawn_only || off <= explained && is_drawn_like(cubics, &arc, rules));
         let strayed = if likely {
-            bound(cubics, &arc)
+            from_arc(cubics, &arc)
         } else {
             f64::INFINITY
         };

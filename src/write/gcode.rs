@@ -69,32 +69,29 @@ pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<Str
 /// The precision, and how far it moves the courses.
 fn precision(courses: &[Course], options: &Options) -> Result<(Precision, f64)> {
     let room = options.closeness.map(|closeness| closeness.room);
-    let fits = |moved: f64| room.is_none_or(|room| moved <= room);
-    if let Some(precision) = options.precision {
+    let mut precision = options.precision.unwrap_or_else(|| automatic(courses));
+    loop {
         let moved = moved(courses, precision);
-        return if fits(moved) {
-            Ok((precision, moved))
-        } else {
-            Err(Error::Format {
-                format: "gcode",
-                why: "with so few decimals it strays farther than the tolerance".to_owned(),
-                remedy: Remedy::MoreDecimalsOrTolerance,
-            })
-        };
-    }
-    let mut precision = automatic(courses);
-    while let Precision::Fixed(decimals) = precision {
-        let moved = moved(courses, precision);
-        if fits(moved) {
+        if room.is_none_or(|room| moved <= room) {
             return Ok((precision, moved));
         }
-        precision = if decimals < MOST_DECIMALS {
-            Precision::Fixed(decimals + 1)
-        } else {
-            Precision::Full
+        precision = match precision {
+            Precision::Fixed(decimals) if options.precision.is_none() => {
+                if decimals < MOST_DECIMALS {
+                    Precision::Fixed(decimals + 1)
+                } else {
+                    Precision::Full
+                }
+            }
+            _ => {
+                return Err(Error::Format {
+                    format: "gcode",
+                    why: "with so few decimals it strays farther than the tolerance".to_owned(),
+                    remedy: Remedy::MoreDecimalsOrTolerance,
+                });
+            }
         };
     }
-    Ok((precision, 0.0))
 }
 
 /// A bound of how far rounding moves courses. The radius of an arc is that from the rounded centre to its start, and a machine makes up

@@ -1,11 +1,15 @@
 //! The error that a drawing states, of its points as they are written, against the oracle's extremes of the same points.
 
+use crate::judges::exact::{Exact, exact_point};
 use crate::judges::oracle;
+use crate::judges::random::uniform;
 
 use curveto::approximate::{Drawing, Options, approximate};
+use curveto::contour::Step;
 use curveto::curve::control_points;
 use curveto::number::Precision;
-use curveto::{Angle, Arc, Circle, Cut, Error, Method, Shape};
+use curveto::shape::endpoint::parse_svg_arc;
+use curveto::{Angle, Arc, Circle, Cut, Error, Method, Shape, Tolerance, arcs, path};
 use kurbo::{Point, Vec2};
 use oracle::{radial_extremes, real, to_f64};
 use rayon::prelude::*;
@@ -206,4 +210,58 @@ fn a_tiny_ellipse_far_from_the_origin_states_no_less_than_the_truth() {
         "{} stated, {outward:e} {inward:e} true",
         document["error"]
     );
+}
+
+/// A cubic over a chord that rises by a millionth to a billionth of it, so that radii are up to a billion times its length.
+fn nearly_straight(seed: &mut u64) -> (String, [Point; 4], f64) {
+    let mut between = |low: f64, high: f64| low + (high - low) * uniform(seed);
+    let length = 10.0_f64.powf(between(-1.0, 3.0));
+    let height = length * 10.0_f64.powf(between(-9.0, -6.0));
+    let origin = Point::new(between(-100.0, 100.0), between(-100.0, 100.0));
+    let along = Vec2::from_angle(between(0.0, 6.0));
+    let [u, v] = [between(0.2, 0.45), between(0.2, 0.45)];
+    let first = between(0.5, 1.0);
+    let heights = [0.0, first, first * between(0.5, 1.5), 0.0];
+    let places = [0.0, u, 1.0 - v, 1.0].map(|x| x * length);
+    let points: [Point; 4] = core::array::from_fn(|i| {
+        origin + Vec2::new(places[i], heights[i] * height).rotate_scale(along)
+    });
+    let [a, b, c, d] = points;
+    let data = format!(
+        "M{} {}C{} {} {} {} {} {}",
+        a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y
+    );
+    (data, points, height * between(0.2, 0.5))
+}
+
+#[test]
+fn nearly_straight_arcs_are_no_farther_than_stated() {
+    let mut seed = 17;
+    let mut judged = 0;
+    for _ in 0..300 {
+        let (data, points, tolerance) = nearly_straight(&mut seed);
+        let options = arcs::Options {
+            tolerance: Some(Tolerance::Absolute(tolerance)),
+            ..arcs::Options::default()
+        };
+        let drawing = arcs::arcs(&path::contours(&data).unwrap(), &options).unwrap();
+        let stated = drawing.error().peak();
+        assert!(stated <= tolerance, "{data}: {stated} beyond {tolerance}");
+        let printed = path::data_of_courses(drawing.courses(), false);
+        let contours = path::contours(&printed).unwrap();
+        let [Step::Arc(_)] = contours[0].steps[..] else {
+            continue;
+        };
+        // The arc that a reader of the text has.
+        let exact = Exact::of_svg_arc(&parse_svg_arc(&printed).unwrap());
+        let points = points.map(exact_point);
+        let found = radial_extremes(&points, exact.center, &exact.radii[0]);
+        let truth = to_f64(&found.0).max(to_f64(&found.1));
+        assert!(
+            stated >= truth && stated <= truth * (1.0 + 1e-9) + 1e-11,
+            "{data} as {printed}: {stated} stated, {truth} true"
+        );
+        judged += 1;
+    }
+    assert!(judged > 200, "{judged}");
 }
