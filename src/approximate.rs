@@ -283,14 +283,21 @@ impl<'a> Request<'a> {
     /// The pieces between these joints: the only methods that see an ellipse are those that are best on it.
     fn pieces(&self, joints: &Joints) -> Result<Vec<[Piece; 2]>> {
         let rule = self.options.rule;
-        if let Cut::At(_) = self.options.cut {
-            joints.check_distances(rule)?;
-        }
-        match rule.method() {
-            Some(method) if method.sees_ellipse() && !self.outline.truth.is_circle() => {
-                ellipse::pieces(method, self.outline.axes(), &joints.angles, joints.closed)
+        let axes = self.outline.axes();
+        let best_on_ellipse = rule
+            .method()
+            .filter(|method| method.sees_ellipse() && !self.outline.truth.is_circle());
+        if let Cut::At(_) = self.options.cut
+            && let Some(mut largest) = rule.largest_uneven_angle()
+        {
+            if best_on_ellipse.is_some() {
+                largest = ellipse::largest_angle(axes.short).unwrap_or(largest);
             }
-            _ => rule.pieces(&joints.spans, joints.closed),
+            joints.check_distances(rule, largest)?;
+        }
+        match best_on_ellipse {
+            Some(method) => ellipse::pieces(method, axes, &joints.angles, joints.closed),
+            None => rule.pieces(&joints.spans, joints.closed),
         }
     }
 

@@ -204,11 +204,8 @@ impl Joints {
             .collect()
     }
 
-    /// Refuses given joints that lie farther apart than the rule serves, and says which would do.
-    pub(crate) fn check_distances(&self, rule: Rule) -> Result<()> {
-        let Some(largest) = rule.largest_uneven_angle() else {
-            return Ok(());
-        };
+    /// Refuses given joints that lie farther apart than the rule serves, in degrees, and says which would do.
+    pub(crate) fn check_distances(&self, rule: Rule, largest: f64) -> Result<()> {
         let Some(span) = self.spans.iter().find(|span| span.exceeds(largest)) else {
             return Ok(());
         };

@@ -109,16 +109,16 @@ impl Request<'_> {
                 .fewest_of_many(counts, tolerance)?
                 .ok_or_else(|| self.refusal(tolerance, None));
         }
-        let mut last_refusal = None;
+        let (mut serves, mut last_refusal) = (false, None);
         for count in counts {
             match self.within(Joints::equal(&self.outline.unit, count)?, None, tolerance) {
                 Ok(Some(sketch)) => return Ok(sketch),
-                Ok(None) => {}
+                Ok(None) => serves = true,
                 Err(refusal @ Error::Impossible { .. }) => last_refusal = Some(refusal),
                 Err(other) => return Err(other),
             }
         }
-        Err(self.refusal(tolerance, last_refusal))
+        Err(self.refusal(tolerance, last_refusal.filter(|_| !serves)))
     }
 
     /// The fewest of many: halving, since trying one after the other would take as long as the square of their number.
@@ -220,10 +220,11 @@ impl Request<'_> {
         Ok(())
     }
 
-    /// Why no count was found.
-    pub(super) fn refusal(&self, tolerance: f64, last_refusal: Option<Error>) -> Error {
-        match (last_refusal, self.options.precision) {
-            (_, Some(Precision::Fixed(decimals)))
+    /// Why no count was found; `refused` is what the method said where it serves none.
+    pub(super) fn refusal(&self, tolerance: f64, refused: Option<Error>) -> Error {
+        match (refused, self.options.precision) {
+            (Some(refused), _) => refused,
+            (None, Some(Precision::Fixed(decimals)))
                 if power(10.0, -i32::from(decimals)) > tolerance =>
             {
                 self.out_of_reach(
@@ -232,7 +233,6 @@ impl Request<'_> {
                     Remedy::MoreDecimals,
                 )
             }
-            (Some(refusal), _) if self.counts(tolerance).count() < 2 => refusal,
             _ => self.out_of_reach(
                 tolerance,
                 "its error does not fall that far",
@@ -243,7 +243,7 @@ impl Request<'_> {
 
     fn out_of_reach(&self, tolerance: f64, why: impl Into<String>, remedy: Remedy) -> Error {
         Error::ToleranceOutOfReach {
-            method: self.options.rule.id(),
+            method: self.options.rule.name(),
             tolerance,
             why: why.into(),
             remedy,
@@ -289,12 +289,13 @@ impl Request<'_> {
     fn counts(&self, tolerance: f64) -> RangeInclusive<usize> {
         let sweep = self.outline.unit.sweep.degrees().abs();
         let rule = self.options.rule;
+        let quarters = quarters(self.outline.unit.sweep);
         let (first, last) = match rule {
             Rule::Method(Method::LancasterBest) => (1, 8),
-            Rule::Method(Method::LancasterDrawellipse) => (
-                quarters(self.outline.unit.sweep),
-                quarters(self.outline.unit.sweep),
-            ),
+            Rule::Method(Method::LancasterDrawellipse) => (quarters, quarters),
+            Rule::Method(Method::MinimaxEllipseFree) if !self.outline.truth.is_circle() => {
+                (quarters, quarters)
+            }
             // On an open arc its ends have the circle's derivatives, and it errs less than on a closed shape, which the estimate knows.
             Rule::Method(Method::Chen1) if !self.outline.unit.closed => {
                 ((self.least_count(tolerance) / 2).max(1), MOST_SEGMENTS)

@@ -4,14 +4,16 @@ use curveto::Error;
 use curveto::error::{JointsError, Remedy, ShapeError};
 use curveto::number::text;
 
+use super::formats::in_a_sentence;
+
 /// The message of an error.
 pub(crate) fn message(error: &Error) -> String {
     match error {
-        Error::Impossible {
-            method: "a literal handle",
-            why,
-            ..
-        } => format!("--handle cannot do this: {why}"),
+        Error::Impossible { method, .. } | Error::ToleranceOutOfReach { method, .. }
+            if *method == "a literal handle" =>
+        {
+            error.to_string().replacen(method, "--handle", 1)
+        }
         Error::Shape(ShapeError::RuleOfEllipses) => {
             "a literal handle and --quadrature are for circles and ellipses, not for a hyperbola or a parabola".to_owned()
         }
@@ -61,33 +63,29 @@ fn advice(remedy: &Remedy) -> String {
     match remedy {
         Remedy::MoreSegments { degrees, methods } => more_segments(*degrees, methods),
         Remedy::ThreeSegments(methods) => {
-            format!("take at least three segments, or -m {}", methods.join(", "))
+            format!("take at least three segments, or -m {}", one_of(methods))
         }
         Remedy::Segments(counts, methods) => {
-            let methods = methods.join(", ");
             let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
-            let counts = match &counts[..] {
-                [count] => format!("{count} for a full turn"),
-                _ => format!("with one of {}", counts.join(" ")),
-            };
-            format!("take -n {counts}, or -m {methods}, which serve every angle")
+            format!(
+                "take -n {} for a full turn, or -m {}, which serve every angle",
+                one_of(&counts),
+                one_of(methods)
+            )
         }
-        Remedy::MoreSegmentsOfEllipse(method) => {
-            format!("take more segments, or -m {method}, which serves every ellipse")
-        }
+        Remedy::EveryEllipse(method) => format!("take -m {method}, which serves every ellipse"),
         Remedy::Quarters(methods) => format!(
             "take -n 4 and --start on an axis, or -m {}",
-            methods.join(", ")
+            one_of(methods)
         ),
         Remedy::Joints(angles) => {
             let angles: Vec<String> = angles.iter().map(|&angle| text(angle)).collect();
             format!("take nearer joints, as --joints {}", angles.join(","))
         }
-        Remedy::Methods([all @ .., last]) => format!("take -m {} or {last}", all.join(", ")),
-        Remedy::OnCircle(methods) => format!(
-            "take -m {}, whose ends lie on the circle",
-            methods.join(", ")
-        ),
+        Remedy::Methods(methods) => format!("take -m {}", one_of(methods)),
+        Remedy::OnCircle(methods) => {
+            format!("take -m {}, whose ends lie on the circle", one_of(methods))
+        }
         Remedy::FinestTolerance(finest) => {
             format!("the finest tolerance at this size is about {finest:.1e}")
         }
@@ -97,6 +95,11 @@ fn advice(remedy: &Remedy) -> String {
         ),
         _ => plain_advice(remedy).to_owned(),
     }
+}
+
+/// `a, b or c`.
+fn one_of<T: AsRef<str>>(names: &[T]) -> String {
+    in_a_sentence(names, "or")
 }
 
 /// A remedy in which nothing varies.
@@ -127,7 +130,7 @@ fn more_segments(degrees: Option<f64>, methods: &[&str]) -> String {
     } else {
         "serve"
     };
-    let others = match methods.join(", ") {
+    let others = match one_of(methods) {
         ids if ids.is_empty() => ids,
         ids => format!(", or -m {ids}, which {serve} 180 degrees"),
     };

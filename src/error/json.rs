@@ -46,6 +46,19 @@ const KINDS: [(&str, &str); 6] = [
     ("string ", "the text "),
 ];
 
+/// Where in its line the reader of JSON stopped, in characters from 1.
+///
+/// It counts bytes, and of a value of the wrong kind it may name the place before: then the value's own is the one.
+pub(crate) fn column(text: &str, error: &serde_json::Error) -> usize {
+    let line = text.lines().nth(error.line().saturating_sub(1));
+    let line = line.unwrap_or_default().char_indices();
+    let is_read = |at: usize, c: char| at + c.len_utf8() < error.column();
+    let is_before = |c: char| error.is_data() && (c.is_whitespace() || ":,".contains(c));
+    line.take_while(|&(at, c)| is_read(at, c) || is_before(c))
+        .count()
+        + 1
+}
+
 /// What the reader of JSON says, in words of ours and without the names of Rust's types; where is not said.
 pub(crate) fn in_plain_words(error: &serde_json::Error) -> String {
     let text = error.to_string();

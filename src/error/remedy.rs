@@ -15,8 +15,8 @@ pub enum Remedy {
     ThreeSegments(&'static [&'static str]),
     /// One of these numbers of segments, or methods that serve every angle.
     Segments(Vec<usize>, &'static [&'static str]),
-    /// More segments, or a method that serves every ellipse.
-    MoreSegmentsOfEllipse(&'static str),
+    /// A method that serves every ellipse.
+    EveryEllipse(&'static str),
     /// Quarters from axis to axis of an ellipse, or other methods.
     Quarters(&'static [&'static str]),
     /// More segments, or joints that are nearer to one another.

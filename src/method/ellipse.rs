@@ -22,10 +22,10 @@ mod start;
 
 use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Vec2};
 
-use super::{Degree, Method, Piece, Span, minimax};
+use super::{Degree, Degrees, Method, Piece, Span, minimax};
 use crate::angle::Angle;
 use crate::curve::with_handles;
-use crate::error::{Remedy, Result};
+use crate::error::{Error, Remedy, Result};
 use crate::numeric::foot::{Foot, foot_by_excess};
 use crate::numeric::{linear, root};
 use crate::shape::Axes;
@@ -309,10 +309,40 @@ impl Segment {
     }
 }
 
+/// The longest segment that is served on an ellipse of this ratio, in degrees; `None` on one flatter than [`SERVED`].
+pub(crate) fn largest_angle(short: f64) -> Option<f64> {
+    let served = SERVED.into_iter().find(|&(ratio, _)| short >= ratio);
+    served.map(|(_, angle)| angle)
+}
+
+/// Why there are no handles for a segment of this many degrees.
+fn refusal(method: Method, short: f64, size: f64) -> Error {
+    let (why, remedy) = match largest_angle(short) {
+        Some(largest) if size > largest => (
+            format!(
+                "a segment of {} is beyond its largest on this ellipse, {largest} degrees",
+                Degrees(size)
+            ),
+            Remedy::MoreSegments {
+                degrees: Some(largest),
+                methods: &["minimax"],
+            },
+        ),
+        Some(_) => (
+            format!("its search ends without handles for {}", Degrees(size)),
+            Remedy::EveryEllipse("minimax"),
+        ),
+        None => (
+            "it serves ellipses up to 1:50".to_owned(),
+            Remedy::EveryEllipse("minimax"),
+        ),
+    };
+    method.refuse(why, remedy)
+}
+
 /// The best handles of a segment that begins `from` degrees after an end of the short axis; `None` where the method does not serve.
 fn best(short: f64, from: f64, size: f64, is_free: bool) -> Option<Fit> {
-    let serves = |(ratio, angle)| short >= ratio && size <= angle;
-    SERVED.into_iter().any(serves).then_some(())?;
+    (size <= largest_angle(short)?).then_some(())?;
     Segment::new(short, from, size, is_free).fit(&Span::from_degrees(size))
 }
 
@@ -353,10 +383,7 @@ pub(crate) fn pieces(
         // Upwards, which leaves the distances as they are.
         let from = 1.0_f64.copysign(sweep) * (pair[0] - axis);
         let Some(fit) = best(short, from, sweep.abs(), is_free) else {
-            return Err(method.refuse(
-                "it serves ellipses up to 1:20 in segments up to 170 degrees, up to 1:50 in segments up to 100".to_owned(),
-                Remedy::MoreSegmentsOfEllipse("minimax"),
-            ));
+            return Err(refusal(method, short, sweep.abs()));
         };
         let end = |degrees: f64, k: f64| {
             // The larger radius is 1; on an axis the radius is the axis'.

@@ -16,6 +16,9 @@ pub enum Rule {
     Handle(f64),
 }
 
+/// What messages call a literal handle.
+const LITERAL: &str = "a literal handle";
+
 impl Default for Rule {
     fn default() -> Self {
         Self::Method(Method::default())
@@ -69,6 +72,11 @@ impl Rule {
     #[must_use]
     pub fn id(self) -> &'static str {
         self.method().map_or("handle", Method::id)
+    }
+
+    /// What messages call it.
+    pub(crate) fn name(self) -> &'static str {
+        self.method().map_or(LITERAL, Method::id)
     }
 
     /// The method of the catalogue that it is, if any.
@@ -213,13 +221,13 @@ fn check_half_turn(span: &Span) -> Result<()> {
         return Ok(());
     }
     Err(Error::Impossible {
-        method: "a literal handle",
+        method: LITERAL,
         why: format!(
             "a segment of {} is more than half a turn",
             Degrees(span.degrees())
         ),
         remedy: Remedy::MoreSegments {
-            degrees: None,
+            degrees: Some(180.0),
             methods: &[],
         },
     })

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use super::read::shortened;
 use crate::contour::{Contour, Step};
 use crate::curve::segment_of;
-use crate::error::json::in_plain_words;
+use crate::error::json::{column, in_plain_words};
 use crate::error::{Error, Result, finite};
 use crate::number::{decimals_of, round};
 use crate::power::control_points;
@@ -72,7 +72,7 @@ pub fn contours_of_power(json: &str) -> Result<Vec<Contour>> {
     };
     // Broken JSON first, whose place is known; then JSON of another form.
     let value: serde_json::Value =
-        serde_json::from_str(json).map_err(|e| wrong(in_plain_words(&e), e.column()))?;
+        serde_json::from_str(json).map_err(|e| wrong(in_plain_words(&e), column(json, &e)))?;
     let document = Document::deserialize(value).map_err(|_| {
         let form = r#"they are JSON of this program with "power" in every segment, or {"x": [A,B,C,D], "y": [E,F,G,H]}"#;
         wrong(form.to_owned(), 1)

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 123] = [
+const MISTAKES: [(&str, &str); 129] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -82,6 +82,30 @@ const MISTAKES: [(&str, &str); 123] = [
     ("circle 50 -o x.doc", "its formats are"),
     ("circle 50 --fill red", "a picture with -f"),
     ("circle 50 --handle 1e153", "at most 1e9"),
+    (
+        "arc 10 --sweep 90 -m minimax-free -t 0.01",
+        "hint: take -m minimax or midpoint, whose ends",
+    ),
+    (
+        "ellipse 100 1 -m minimax-ellipse -t 0.01",
+        "hint: take -m minimax, which serves every ellipse",
+    ),
+    (
+        "ellipse 100 3 -n 3 -m minimax-ellipse",
+        "at least one for every 100 degrees",
+    ),
+    (
+        "ellipse 10 5 -m minimax-ellipse --joints 0,90,180",
+        "as --joints 0,90,180,270",
+    ),
+    (
+        "circle 10 -m lancaster-best --joints 0,90,200",
+        "take -n 2, 3, 4, 5, 6 or 8 for a full turn, or -m midpoint or minimax",
+    ),
+    (
+        "circle 10 --handle 0.55 -t 1e-6",
+        "no number of segments brings --handle within",
+    ),
     ("ellipse 30", "the two radii stand apart"),
     ("ellipse 30x20", "the two radii stand apart"),
     ("ellipse --diameters 30x20", "such as 30,20"),

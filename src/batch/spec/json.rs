@@ -6,7 +6,7 @@ use serde_json::value::RawValue;
 
 use super::{Spec, Subject, arc, ellipse, point, polyline};
 use crate::angle::Angle;
-use crate::error::json::in_plain_words;
+use crate::error::json::{column, in_plain_words};
 use crate::error::{Error, Result};
 use crate::joints::{Cut, Tolerance};
 use crate::path::contours;
@@ -185,14 +185,15 @@ impl Line<'_> {
 }
 
 pub(super) fn from_json(line: &str) -> Result<Spec<'_>> {
+    let line = line.trim();
     let syntax = |column: usize, why: String| Error::Syntax {
         what: "the shape",
-        text: line.trim().to_owned(),
+        text: line.to_owned(),
         column,
         why,
     };
     let keys: Line<'_> = serde_json::from_str(line)
-        .map_err(|error| syntax(error.column().max(1), in_plain_words(&error)))?;
+        .map_err(|error| syntax(column(line, &error), in_plain_words(&error)))?;
     let (1, Some(subject)) = (keys.subjects(), keys.subject(syntax)?) else {
         let why =
             "one of circle, ellipse, arc, svg_arc, bulge, through, polyline and path is expected";
