@@ -102,6 +102,8 @@ pub struct Options {
     pub precision: Option<Precision>,
     /// How fast G-code moves, in units a minute.
     pub feed: Option<f64>,
+    /// What a glyph is called; `None` calls it by its kind of shape.
+    pub glyph: Option<String>,
     /// How far rounding may move G-code of what is an arc itself.
     pub room: Option<f64>,
 }
@@ -144,7 +146,7 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
         Format::Ps => postscript::operators(figure.curves()),
         Format::Tikz => named(&figure, " % ", |curves| tikz::commands(curves))?,
         Format::Canvas => named(&figure, " // ", |curves| Ok(canvas::calls(curves)))?,
-        Format::Glif => glif::glyph(&figure),
+        Format::Glif => glif::glyph(&figure, options.glyph.as_deref()),
         Format::Dxf => dxf::drawing(&figure.title, &traces(&figure, options)),
         Format::Gcode => {
             let courses = courses(&figure)?;

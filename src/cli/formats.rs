@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use curveto::write::{Format, Image};
 
 use super::failure::Failure;
+use super::remedies::in_a_sentence;
 
 /// A format of one of the commands.
 pub(crate) trait FileFormat: ValueEnum {
@@ -78,15 +79,4 @@ pub(crate) fn list<F: FileFormat>() -> String {
         .filter_map(|format| Some(format.to_possible_value()?.get_name().to_owned()))
         .collect();
     in_a_sentence(&names, "and")
-}
-
-/// `a, b and c`, or with another word for the `and`.
-pub(crate) fn in_a_sentence<T: AsRef<str>>(names: &[T], word: &str) -> String {
-    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
-    match names.split_last() {
-        Some((last, others)) if !others.is_empty() => {
-            format!("{} {word} {last}", others.join(", "))
-        }
-        _ => names.concat(),
-    }
 }

@@ -70,6 +70,20 @@ impl Target {
         }
     }
 
+    /// What a glyph in this file is called: as the file, in whose name font editors set an underscore after each capital.
+    pub(crate) fn glyph(&self) -> Option<String> {
+        let Self::File(path) = self else {
+            return None;
+        };
+        let mut name = String::new();
+        for c in path.file_stem()?.to_str()?.chars() {
+            if c != '_' || !name.ends_with(char::is_uppercase) {
+                name.push(c);
+            }
+        }
+        Some(name)
+    }
+
     /// Refuses pixels on a terminal.
     pub(crate) fn refuse_terminal(&self) -> Result<(), Failure> {
         if *self == Self::Stdout && io::stdout().is_terminal() {

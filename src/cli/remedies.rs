@@ -4,8 +4,6 @@ use curveto::Error;
 use curveto::error::{JointsError, Remedy, ShapeError};
 use curveto::number::text;
 
-use super::formats::in_a_sentence;
-
 /// The message of an error.
 pub(crate) fn message(error: &Error) -> String {
     match error {
@@ -100,6 +98,17 @@ fn advice(remedy: &Remedy) -> String {
 /// `a, b or c`.
 fn one_of<T: AsRef<str>>(names: &[T]) -> String {
     in_a_sentence(names, "or")
+}
+
+/// `a, b and c`, or with another word for the `and`.
+pub(crate) fn in_a_sentence<T: AsRef<str>>(names: &[T], word: &str) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match names.split_last() {
+        Some((last, others)) if !others.is_empty() => {
+            format!("{} {word} {last}", others.join(", "))
+        }
+        _ => names.concat(),
+    }
 }
 
 /// A remedy in which nothing varies.

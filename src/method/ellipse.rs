@@ -18,20 +18,20 @@
 //! the peak and moves the extremes much. It begins where the problem to first order ([`start`]) ends; where that does not settle, the
 //! extremes of the circle's segment are looked for, and where the search does not, those of each step.
 
+mod served;
 mod start;
+
+pub(crate) use served::largest_angle;
 
 use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Vec2};
 
-use super::{Degree, Degrees, Method, Piece, Span, minimax};
+use super::{Degree, Method, Piece, Span, minimax};
 use crate::angle::Angle;
 use crate::curve::with_handles;
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Remedy, Result};
 use crate::numeric::foot::{Foot, foot_by_excess};
 use crate::numeric::{linear, root};
 use crate::shape::Axes;
-
-/// The flattest ellipses, by their ratio, and the longest segments on those, in degrees: what was tried, and found in 3 microseconds.
-const SERVED: [(f64, f64); 2] = [(0.05, 170.0), (0.02, 100.0)];
 
 /// Two or three steps reach the last digits, more where the extremes have far to go.
 const MOST_STEPS: usize = 24;
@@ -309,37 +309,6 @@ impl Segment {
     }
 }
 
-/// The longest segment that is served on an ellipse of this ratio, in degrees; `None` on one flatter than [`SERVED`].
-pub(crate) fn largest_angle(short: f64) -> Option<f64> {
-    let served = SERVED.into_iter().find(|&(ratio, _)| short >= ratio);
-    served.map(|(_, angle)| angle)
-}
-
-/// Why there are no handles for a segment of this many degrees.
-fn refusal(method: Method, short: f64, size: f64) -> Error {
-    let (why, remedy) = match largest_angle(short) {
-        Some(largest) if size > largest => (
-            format!(
-                "a segment of {} is beyond its largest on this ellipse, {largest} degrees",
-                Degrees(size)
-            ),
-            Remedy::MoreSegments {
-                degrees: Some(largest),
-                methods: &["minimax"],
-            },
-        ),
-        Some(_) => (
-            format!("its search ends without handles for {}", Degrees(size)),
-            Remedy::EveryEllipse("minimax"),
-        ),
-        None => (
-            "it serves ellipses up to 1:50".to_owned(),
-            Remedy::EveryEllipse("minimax"),
-        ),
-    };
-    method.refuse(why, remedy)
-}
-
 /// The best handles of a segment that begins `from` degrees after an end of the short axis; `None` where the method does not serve.
 fn best(short: f64, from: f64, size: f64, is_free: bool) -> Option<Fit> {
     (size <= largest_angle(short)?).then_some(())?;
@@ -361,7 +330,7 @@ pub(crate) fn peak(short: f64, from: f64, size: f64) -> Option<f64> {
 ///
 /// # Errors
 ///
-/// [`crate::Error::Impossible`] beyond [`SERVED`], and for the free variant unless
+/// [`crate::Error::Impossible`] beyond what is served, and for the free variant unless
 /// the ellipse is closed and cut into quarters on its axes.
 pub(crate) fn pieces(
     method: Method,
@@ -383,7 +352,7 @@ pub(crate) fn pieces(
         // Upwards, which leaves the distances as they are.
         let from = 1.0_f64.copysign(sweep) * (pair[0] - axis);
         let Some(fit) = best(short, from, sweep.abs(), is_free) else {
-            return Err(refusal(method, short, sweep.abs()));
+            return Err(served::refusal(method, short, sweep.abs()));
         };
         let end = |degrees: f64, k: f64| {
             // The larger radius is 1; on an axis the radius is the axis'.

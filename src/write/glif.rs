@@ -15,12 +15,12 @@ use crate::write::escaped;
 /// A joint that turns by less, in degrees, is smooth: the grid turns it more than most methods do.
 const SMOOTH: f64 = 1.0;
 
-/// The figure as a glyph, its description as the note.
+/// The figure as a glyph of this name, or else called by its kind of shape, its description as the note.
 #[must_use]
-pub fn glyph(figure: &Figure) -> String {
+pub fn glyph(figure: &Figure, name: Option<&str>) -> String {
     let mut out = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<glyph name=\"{}\" format=\"2\">\n  <note>{}</note>\n  <outline>\n",
-        figure.name,
+        escaped(name.unwrap_or(figure.name)),
         escaped(&figure.description)
     );
     for curve in figure.curves() {

@@ -46,23 +46,23 @@ fn an_svg_document_has_every_shape_in_order_with_its_look() {
 fn every_format_of_pictures_takes_a_batch() {
     let (folder, lines) = file("lines", LINES);
     for format in ["svg", "eps", "png", "pdf", "dxf", "glif", "tikz", "canvas"] {
-        let out = folder.path().join(format!("out.{format}"));
+        let out = folder.path().join(format!("batch.{format}"));
         printed(&["batch", &lines, "-o", out.to_str().unwrap()]);
         let bytes = fs::read(&out).unwrap();
         assert!(bytes.len() > 500, "{format}");
         let direct = run(&["batch", &lines, "-f", format]).stdout;
         assert_eq!(bytes, direct, "{format}");
     }
-    let tikz = fs::read_to_string(folder.path().join("out.tikz")).unwrap();
+    let tikz = fs::read_to_string(folder.path().join("batch.tikz")).unwrap();
     assert!(tikz.contains(" % a<1\"\n") && tikz.matches("\\draw").count() == 5);
-    let canvas = fs::read_to_string(folder.path().join("out.canvas")).unwrap();
+    let canvas = fs::read_to_string(folder.path().join("batch.canvas")).unwrap();
     assert!(canvas.contains("moveTo(20, 0) // a<1\"\n"));
     assert!(
         canvas
             .lines()
             .all(|line| line.starts_with(|c: char| c.is_ascii_lowercase()))
     );
-    let dxf = fs::read_to_string(folder.path().join("out.dxf")).unwrap();
+    let dxf = fs::read_to_string(folder.path().join("batch.dxf")).unwrap();
     let count = |dxf: &str, name: &str| dxf.matches(&format!("\n{name}\n")).count();
     assert!(dxf.contains("\na_1_\n"));
     assert_eq!((count(&dxf, "SPLINE"), count(&dxf, "LWPOLYLINE")), (2, 3));

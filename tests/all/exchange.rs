@@ -5,6 +5,7 @@ use std::fs;
 use std::process::Command;
 
 use crate::judges::chain::{Chain, SHAPES, curves_of_a_sphere, curveto, printed, stated};
+use crate::judges::program::run;
 use resvg::usvg::roxmltree;
 
 // TikZ
@@ -164,6 +165,21 @@ fn a_glyph_holds_the_control_points() {
         let read = glif(&printed(&format!("{shape} -f glif")));
         assert_eq!(read, [stated(shape)], "{shape}");
     }
+}
+
+#[test]
+fn a_glyph_is_called_as_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    for (file, name) in [("o.glif", "o"), ("A_E_.glif", "AE"), ("n_o.glif", "n_o")] {
+        let file = folder.path().join(file);
+        run(&["circle", "300", "-o", file.to_str().unwrap()]);
+        let glyph = std::fs::read_to_string(file).unwrap();
+        assert!(
+            glyph.contains(&format!("<glyph name=\"{name}\"")),
+            "{glyph}"
+        );
+    }
+    assert!(printed("circle 300 -f glif").contains("<glyph name=\"circle\""));
 }
 
 #[test]

@@ -80,6 +80,7 @@ impl OutputArgs {
             precision: self.precision.and_then(PrecisionWord::precision),
             feed: self.feed,
             exact: false,
+            glyph: self.target().glyph(),
             room: None,
         })
     }
