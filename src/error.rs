@@ -4,6 +4,8 @@ mod picture;
 mod plain;
 mod remedy;
 mod shape;
+mod text;
+mod unmeasurable;
 
 #[cfg(feature = "serde")]
 pub(crate) mod json;
@@ -15,6 +17,8 @@ use plain::plain;
 pub use picture::PictureError;
 pub use remedy::Remedy;
 pub use shape::{JointsError, ShapeError};
+pub use text::TextError;
+pub use unmeasurable::UnmeasurableError;
 
 /// A specialised result.
 pub type Result<T, E = Error> = core::result::Result<T, E>;
@@ -173,10 +177,10 @@ pub enum Error {
     Shape(ShapeError),
     /// Path data, a transform, a document or a PostScript drawing that cannot be read.
     #[error("{0}")]
-    Read(String),
+    Text(TextError),
     /// There is nothing of that kind to measure in what was given.
     #[error("{0}")]
-    Unmeasurable(String),
+    Unmeasurable(UnmeasurableError),
     /// The picture that was asked for cannot be made.
     #[error("{0}")]
     Picture(PictureError),

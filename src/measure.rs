@@ -19,7 +19,7 @@ pub use report::Report;
 use kurbo::Affine;
 
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, UnmeasurableError, finite};
 use crate::numeric::functions::power;
 use bench::Bench;
 
@@ -48,16 +48,15 @@ pub fn report(
     coordinate_tolerance: Option<f64>,
 ) -> Result<Report> {
     if curve.segments.is_empty() {
-        return Err(Error::Unmeasurable(
-            "there is nothing to measure: the path is empty".to_owned(),
-        ));
+        return Err(Error::Unmeasurable(UnmeasurableError::Empty));
     }
     let largest = largest_coordinate(curve, reference)?;
     let smaller_radius = reference.truth.radii.x.min(reference.truth.radii.y);
     if smaller_radius <= 8.0 * f64::EPSILON * largest {
-        return Err(Error::Unmeasurable(format!(
-            "a true shape of radius {smaller_radius:e} is lost in the rounding of coordinates of {largest:e}"
-        )));
+        return Err(Error::Unmeasurable(UnmeasurableError::Lost {
+            radius: smaller_radius,
+            coordinate: largest,
+        }));
     }
     let unit = unit_for(largest);
     let scaled = curve.transformed(Affine::scale(1.0 / unit));

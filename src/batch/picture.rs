@@ -137,7 +137,7 @@ pub fn figure(
         }
         if picture.figure.layers.len() > MOST_SHAPES || segments > MOST_SEGMENTS {
             return Err(too_much(
-                "a picture has at most 100000 shapes and 1000000 segments; -f path answers without end",
+                "a picture has at most 100000 shapes and 1000000 segments; path data has no such limit",
             ));
         }
     }

@@ -3,7 +3,7 @@
 use kurbo::{ParamCurve, PathSeg};
 
 use super::{Drawing, Frame};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, UnmeasurableError};
 use crate::measure::samples::{SamplePoint, sampled};
 use crate::measure::{Quantity, curvature, profile};
 use crate::radial_error::RadialError;
@@ -84,10 +84,7 @@ impl Drawing {
     /// For the angle lag, since there is no centre about which an angle could be.
     pub fn along(&self, quantity: Quantity, steps: u32) -> Result<Vec<Vec<(f64, f64)>>> {
         if quantity == Quantity::AngleLag {
-            return Err(Error::Unmeasurable(
-                "a parabola and a hyperbola have no angle about a centre, and so no angle-lag"
-                    .to_owned(),
-            ));
+            return Err(Error::Unmeasurable(UnmeasurableError::NoAngleLag));
         }
         if quantity == Quantity::Drawing {
             return Ok(profile::points(&self.curve, steps));

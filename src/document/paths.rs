@@ -10,7 +10,7 @@ use super::length::Length;
 use super::placing::{Place, attribute, property};
 use super::style::property::Kind;
 use crate::contour::Contour;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, TextError};
 use crate::path;
 
 /// A `path` element of an SVG file, or another that draws.
@@ -72,9 +72,10 @@ fn elements(text: &str, names: &[&str]) -> Result<Vec<SvgPath>> {
         let position = (reader.buffer_position() as usize).min(text.len());
         line += text[counted..position].matches('\n').count();
         counted = position;
-        let event = reader
-            .read_event()
-            .map_err(|error| Error::Read(format!("line {line}: not well-formed XML: {error}")))?;
+        let event = reader.read_event().map_err(|error| {
+            let why = error.to_string();
+            Error::Text(TextError::Xml { line, why })
+        })?;
         let (element, is_open) = match &event {
             Event::Start(element) => (element, true),
             Event::Empty(element) => (element, false),
@@ -142,7 +143,7 @@ fn round(kind: Kind, element: &BytesStart, place: &Place) -> Result<String> {
             [given("width")?, given("height")?],
         ),
         Err(Reason::NotDrawn(_)) => String::new(),
-        Err(why) => return Err(Error::Read(why.to_string())),
+        Err(why) => return Err(Error::Text(TextError::Element(why.to_string()))),
     })
 }
 

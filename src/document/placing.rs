@@ -4,7 +4,7 @@ use kurbo::{Affine, Vec2};
 use quick_xml::events::BytesStart;
 
 use super::length::{self, Reading};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, TextError, finite};
 use crate::path::{self, shortened};
 
 /// Where the coordinates of an element lie.
@@ -64,10 +64,10 @@ impl Place {
         };
         let plain = text.replace("px", "").replace("deg", "");
         let own = path::transform(&plain).map_err(|error| {
-            Error::Read(format!(
-                "cannot read the transform '{}': {error}",
-                shortened(&text)
-            ))
+            Error::Text(TextError::ElementTransform {
+                text: shortened(&text),
+                why: Box::new(error),
+            })
         })?;
         let Some(origin) = property(element, "transform-origin") else {
             return Ok(own);
@@ -128,7 +128,7 @@ impl Place {
         default: Option<f64>,
     ) -> Result<f64> {
         let length = self.optional_length(element, name)?.or(default);
-        length.ok_or_else(|| Error::Read(format!("{name} is not known")))
+        length.ok_or(Error::Text(TextError::NoProperty(name)))
     }
 
     /// The same, where the element has it and it is not `auto`.
@@ -191,10 +191,10 @@ impl Place {
 }
 
 fn unread(name: &str, value: &str) -> Error {
-    Error::Read(format!(
-        "its {name} '{}' is not read here",
-        shortened(value)
-    ))
+    Error::Text(TextError::Property {
+        name: name.to_owned(),
+        value: shortened(value),
+    })
 }
 
 fn view_box(element: &BytesStart) -> Option<[f64; 4]> {

@@ -9,7 +9,7 @@ mod ellipse;
 use kurbo::{ParamCurve, Point, Vec2};
 
 use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, UnmeasurableError};
 use crate::numeric::functions::{angle_of, power, unit_vector};
 use crate::shape::Truth;
 
@@ -138,17 +138,15 @@ fn fitted(
 }
 
 fn fitted_circle(points: &[Point]) -> Result<(Truth, f64)> {
-    let (center, radius) = nearest_circle(points).ok_or_else(|| {
-        Error::Unmeasurable("no circle fits: the points lie on a line, or are one point".to_owned())
-    })?;
+    let (center, radius) =
+        nearest_circle(points).ok_or(Error::Unmeasurable(UnmeasurableError::NoCircle))?;
     let squares = points.iter().map(|p| power(p.distance(center) - radius, 2));
     Ok((Truth::circle(center, radius), squares.sum()))
 }
 
 fn fitted_ellipse(points: &[Point]) -> Result<(Truth, f64)> {
-    let truth = ellipse::nearest_ellipse(points).ok_or_else(|| {
-        Error::Unmeasurable("no ellipse fits: fewer than five points determine none, nor do points of another curve".to_owned())
-    })?;
+    let truth = ellipse::nearest_ellipse(points)
+        .ok_or(Error::Unmeasurable(UnmeasurableError::NoEllipse))?;
     let squares = ellipse::squares(points, &truth);
     Ok((truth, squares))
 }

@@ -7,7 +7,7 @@ use super::radial::Profile;
 use super::reference::Reference;
 use super::{largest_coordinate, unit_for};
 use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, UnmeasurableError};
 
 /// The most points of a curve: memory is bounded.
 const MOST_SAMPLES: usize = 1_000_000;
@@ -51,9 +51,10 @@ pub(crate) fn sampled<S, F: Fn(SamplePoint) -> S>(
 ) -> Result<Vec<S>> {
     let most = MOST_SAMPLES / curve.segments.len().max(1);
     if !(2..=most).contains(&count) {
-        return Err(Error::Unmeasurable(format!(
-            "the samples of a segment number from 2, its ends, to {most}, but {count} were asked for"
-        )));
+        return Err(Error::Unmeasurable(UnmeasurableError::Samples {
+            count,
+            most,
+        }));
     }
     let segments = curve.segments.iter().enumerate();
     let samples = segments.flat_map(|(i, segment)| {

@@ -3,7 +3,7 @@
 use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
 use crate::contour::{Contour, Step};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, TextError, finite};
 
 /// Operators of drawings that have no say in where a path lies.
 const HARMLESS: [&str; 18] = [
@@ -46,9 +46,10 @@ pub fn postscript(text: &str) -> Result<Vec<Contour>> {
         let code = line.split('%').next().unwrap_or_default();
         let spaced = code.replace('[', " [ ").replace(']', " ] ");
         for word in spaced.split_ascii_whitespace() {
-            machine
-                .take(word)
-                .map_err(|error| Error::Read(format!("line {}: {error}", i + 1)))?;
+            machine.take(word).map_err(|error| {
+                let why = Box::new(error);
+                Error::Text(TextError::PostScript { line: i + 1, why })
+            })?;
         }
     }
     machine.end(false);
@@ -106,9 +107,7 @@ impl Machine {
             "concat" => self.map *= Affine::new(self.last(word)?),
             _ if HARMLESS.contains(&word) => {}
             _ => {
-                return Err(Error::Read(format!(
-                    "'{word}' is none of the operators of a plain drawing, which are all that is read of PostScript"
-                )));
+                return Err(Error::Text(TextError::Operator(word.to_owned())));
             }
         }
         self.numbers.clear();
@@ -117,22 +116,22 @@ impl Machine {
 
     /// The last numbers on the stack.
     fn last<const N: usize>(&self, word: &str) -> Result<[f64; N]> {
-        self.numbers.last_chunk().copied().ok_or_else(|| {
-            Error::Read(format!(
-                "{word} takes {N} numbers, and there are {}",
-                self.numbers.len()
-            ))
+        let numbers = self.numbers.last_chunk().copied();
+        numbers.ok_or_else(|| self.too_few(word, N))
+    }
+
+    fn too_few(&self, operator: &str, takes: usize) -> Error {
+        Error::Text(TextError::Operands {
+            operator: operator.to_owned(),
+            takes,
+            count: self.numbers.len(),
         })
     }
 
     fn points<const N: usize>(&self, word: &str, relative: bool) -> Result<[Point; N]> {
         let numbers = self.numbers.as_slice();
         let Some(at) = numbers.len().checked_sub(2 * N) else {
-            return Err(Error::Read(format!(
-                "{word} takes {} numbers, and there are {}",
-                2 * N,
-                numbers.len()
-            )));
+            return Err(self.too_few(word, 2 * N));
         };
         let [a, b, c, d, _, _] = self.map.as_coeffs();
         let mut points = [Point::ZERO; N];

@@ -6,7 +6,7 @@ use svgtypes::{PathParser, PathSegment};
 use super::refusal::refusal;
 use crate::contour::{Contour, Step};
 use crate::curve::{CLOSING_GAP, Curve, size};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, TextError, UnmeasurableError, finite};
 use crate::number::decimal_sum;
 use crate::shape::endpoint::SvgArc;
 
@@ -19,7 +19,7 @@ pub fn contours(data: &str) -> Result<Vec<Contour>> {
     let mut pen = Pen::default();
     for segment in PathParser::from(data) {
         let segment =
-            segment.map_err(|error| syntax(data, &refusal(&error, "a command or a number")))?;
+            segment.map_err(|error| syntax(data, refusal(&error, "a command or a number")))?;
         pen.take(segment)?;
     }
     pen.end();
@@ -48,10 +48,9 @@ pub fn curve(contour: &Contour) -> Option<Result<Curve>> {
         match step {
             Step::Given(segment) => segments.push(*segment),
             Step::Arc(_) => {
-                return Some(Err(Error::Unmeasurable(format!(
-                    "segment {} of the path is an elliptical arc (A): that one is exact and no Bézier, so that there is no error to measure",
-                    i + 1
-                ))));
+                return Some(Err(Error::Unmeasurable(UnmeasurableError::Arc {
+                    segment: i + 1,
+                })));
             }
         }
     }
@@ -68,11 +67,11 @@ pub fn curve(contour: &Contour) -> Option<Result<Curve>> {
     (!curve.segments.is_empty()).then_some(Ok(curve))
 }
 
-fn syntax(data: &str, why: &str) -> Error {
-    Error::Read(format!(
-        "cannot read the path data '{}': {why}",
-        shortened(data)
-    ))
+fn syntax(data: &str, why: String) -> Error {
+    Error::Text(TextError::PathData {
+        data: shortened(data),
+        why,
+    })
 }
 
 /// The first words of a text that may be long.

@@ -3,7 +3,7 @@ use svgtypes::{TransformListParser, TransformListToken as Token};
 
 use super::refusal::refusal;
 use crate::angle::Angle;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, TextError};
 
 /// Reads the list of an SVG `transform` as one map.
 ///
@@ -18,14 +18,14 @@ pub fn transform(text: &str) -> Result<Affine> {
     for token in TransformListParser::from(text) {
         let token = token.map_err(|error| {
             let why = refusal(&error, "a function such as rotate(30) or translate(5,0)");
-            Error::Read(format!("not an SVG transform list: {why}"))
+            Error::Text(TextError::Transform(why))
         })?;
         map *= one(token);
     }
     if map.is_finite() {
         Ok(map)
     } else {
-        Err(Error::Read("the transform is not finite".to_owned()))
+        Err(Error::Text(TextError::TransformNotFinite))
     }
 }
 
