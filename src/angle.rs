@@ -57,6 +57,20 @@ impl Angle {
         self.degrees.to_radians()
     }
 
+    /// The sweep from this angle to another, which is raised by whole turns until it is not below this one, as PostScript's `arc`
+    /// reads it, or reversed, as `arcn` does, lowered until it is not above.
+    #[must_use]
+    pub fn sweep_to(self, end: Self, reverse: bool) -> Self {
+        let sign = if reverse { -1.0 } else { 1.0 };
+        let sweep = sign * (end.degrees - self.degrees);
+        let sweep = if sweep < 0.0 {
+            sweep.rem_euclid(360.0)
+        } else {
+            sweep
+        };
+        Self::from_degrees(sign * sweep)
+    }
+
     /// (cosine, sine), exact at every multiple of 30 and 45 degrees that has a rational or square-root-of-two value,
     /// and equal to the last digit at angles that mirror one another in an axis or a diagonal.
     #[must_use]

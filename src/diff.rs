@@ -26,6 +26,8 @@ pub struct Track {
     pub segments: Vec<PathSeg>,
     /// Whether it is closed.
     pub closed: bool,
+    /// The step of its contour that each of them is a part of; none where each is its own.
+    pub steps: Vec<usize>,
     /// How far those cubics lie from their arcs at most, in user units.
     pub strayed: f64,
 }
@@ -41,7 +43,7 @@ impl Track {
             closed: contour.closed,
             ..Self::default()
         };
-        for step in &contour.steps {
+        for (i, step) in contour.steps.iter().enumerate() {
             match step {
                 Step::Given(segment) => track.segments.push(map * *segment),
                 Step::Arc(arc) => {
@@ -57,6 +59,7 @@ impl Track {
                     track.segments.extend(drawing.curve.segments);
                 }
             }
+            track.steps.resize(track.segments.len(), i);
         }
         for p in track.points() {
             finite("coordinate", p.x)?;
@@ -96,7 +99,7 @@ pub struct Place {
     pub point: Point,
     /// The drawing that it belongs to.
     pub side: Side,
-    /// The segment that it lies on, from 0.
+    /// The segment that it lies on, from 0, an arc counted as one.
     pub segment: usize,
 }
 

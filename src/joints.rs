@@ -172,10 +172,9 @@ impl Joints {
         Ok(Self::after(&from, &ways))
     }
 
-    /// The angles of the joints at these extremes and at the ends of an arc, each piece between two of them cut into `parts`; a
-    /// closed shape starts at the first extreme from its start on. They are what [`Joints::at`] takes.
-    #[must_use]
-    pub fn between_extremes(arc: &UnitArc, extremes: &[Angle], parts: usize) -> Vec<Angle> {
+    /// How far from the start these extremes and the ends of an arc lie, ascending, in degrees along the sweep: where the pieces
+    /// between them meet. A closed shape begins and ends at the first extreme from its start on.
+    pub(crate) fn pieces(arc: &UnitArc, extremes: &[Angle]) -> Vec<f64> {
         let sign = 1.0_f64.copysign(arc.sweep.degrees());
         let size = arc.sweep.degrees().abs();
         let mut ways: Vec<f64> = extremes
@@ -193,13 +192,18 @@ impl Joints {
         if let (true, Some(&first)) = (arc.closed, ways.first()) {
             ways.push(first + 360.0);
         }
-        let inside = |pair: &[f64]| {
+        ways
+    }
+
+    /// The angles of the joints where pieces meet and where each is cut into so many parts. They are what [`Joints::at`] takes.
+    pub(crate) fn of_pieces(arc: &UnitArc, pieces: &[f64], parts: &[usize]) -> Vec<Angle> {
+        let sign = 1.0_f64.copysign(arc.sweep.degrees());
+        let inside = |(pair, &parts): (&[f64], &usize)| {
             let (from, to) = (pair[0], pair[1]);
             (0..parts).map(move |i| from + (to - from) * (i as f64 / parts as f64))
         };
-        ways.windows(2)
-            .flat_map(inside)
-            .skip(usize::from(!arc.closed))
+        let ways = pieces.windows(2).zip(parts).flat_map(inside);
+        ways.skip(usize::from(!arc.closed))
             .map(|way| Angle::from_degrees(arc.start.degrees() + sign * way))
             .collect()
     }

@@ -89,7 +89,7 @@ fn text(difference: &Difference, args: &DiffArgs) -> String {
         } else {
             writeln!(out, "{subpaths} up to {bound} apart")
         };
-    } else {
+    } else if difference.is_within() {
         let _ = writeln!(out, "{subpaths} with equal segments");
     }
     out

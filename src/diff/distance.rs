@@ -41,20 +41,20 @@ pub(super) fn hausdorff(old: &Track, new: &Track, tolerance: f64) -> Distance {
         a.farthest_from(&b, tolerance),
         b.farthest_from(&a, tolerance),
     ];
-    let (side, farthest) = if there.at_most >= back.at_most {
-        (Side::Old, there)
+    let (side, track, farthest) = if there.at_most >= back.at_most {
+        (Side::Old, old, there)
     } else {
-        (Side::New, back)
+        (Side::New, new, back)
     };
-    let Some(part) = farthest.place else {
+    let Some((point, segment)) = farthest.place else {
         return Distance::default();
     };
     Distance {
         at_most: farthest.at_most * unit + old.strayed + new.strayed,
         place: Some(Place {
-            point: (part.0.to_vec2() * unit).to_point(),
+            point: (point.to_vec2() * unit).to_point(),
             side,
-            segment: part.1,
+            segment: track.steps.get(segment).copied().unwrap_or(segment),
         }),
     }
 }

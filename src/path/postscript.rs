@@ -2,8 +2,11 @@
 
 use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
+use crate::angle::Angle;
 use crate::contour::{Contour, Step};
 use crate::error::{Error, Result, TextError, finite};
+use crate::shape::endpoint::SvgArc;
+use crate::shape::{Arc, Truth};
 
 /// Operators of drawings that have no say in where a path lies.
 const HARMLESS: [&str; 18] = [
@@ -32,8 +35,8 @@ const HARMLESS: [&str; 18] = [
 ///
 /// # Errors
 ///
-/// Where an operator lacks its numbers, a number is not finite or beyond 1e150, or a word is none of a plain drawing: procedures and
-/// arcs are not executed.
+/// Where an operator lacks its numbers, a number is not finite or beyond 1e150, a sweep is more than a turn, or a word is none of a plain
+/// drawing: procedures are not executed.
 ///
 /// ```
 /// let contours = curveto::path::postscript("50 0 moveto 50 27.6 27.6 50 0 50 curveto closepath")?;
@@ -88,6 +91,7 @@ impl Machine {
                 let [a, b, to] = self.points(word, word == "rcurveto")?;
                 self.push(PathSeg::Cubic(CubicBez::new(self.here, a, b, to)), to);
             }
+            "arc" | "arcn" => self.arc(word)?,
             "closepath" => self.close(),
             "gsave" => self.saved.push(self.map),
             "grestore" => self.map = self.saved.pop().unwrap_or(self.map),
@@ -157,6 +161,38 @@ impl Machine {
     fn push(&mut self, segment: PathSeg, to: Point) {
         self.steps.push(Step::Given(segment));
         self.here = to;
+    }
+
+    /// An arc, after a line to its start where there is a current point: in thirds, which their ends and radii determine.
+    fn arc(&mut self, word: &str) -> Result<()> {
+        let [x, y, radius, start, end] = self.last(word)?;
+        let [start, end] = [start, end].map(Angle::from_degrees);
+        let sweep = start.sweep_to(end, word == "arcn");
+        let arc = Arc::new((x, y), (radius, radius), Angle::ZERO, start, sweep)?;
+        let map = self.map * Affine::translate(arc.center.to_vec2()) * Affine::scale(radius);
+        let truth = Truth::of(map)?;
+        let at = |third: u8| {
+            let angle = start.degrees() + arc.sweep.degrees() * f64::from(third) / 3.0;
+            map * Angle::from_degrees(angle).direction().to_point()
+        };
+        if self.start.is_none() {
+            (self.here, self.start) = (at(0), Some(at(0)));
+        } else if self.here != at(0) {
+            self.push(PathSeg::Line(kurbo::Line::new(self.here, at(0))), at(0));
+        }
+        for third in 1..=3 {
+            let arc = SvgArc {
+                from: self.here,
+                radii: truth.radii,
+                rotation: Angle::from_radians(libm::atan2(truth.axis.y, truth.axis.x)),
+                large_arc: false,
+                sweep: (sweep.degrees() > 0.0) == (self.map.determinant() > 0.0),
+                to: at(third),
+            };
+            self.steps.extend(Step::of_shape(arc.shape()?));
+            self.here = arc.to;
+        }
+        Ok(())
     }
 
     fn close(&mut self) {

@@ -192,6 +192,53 @@ fn every_form_of_a_drawing_is_the_same_drawing() {
 }
 
 #[test]
+fn arcs_of_postscript_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("arc.ps");
+    for (drawing, path) in [
+        ("50 50 10 0 270 arc closepath", "M60 50A10 10 0 1 1 50 40Z"),
+        (
+            "0 0 10 0 360 arc closepath",
+            "M10 0A10 10 0 0 1-10 0A10 10 0 0 1 10 0Z",
+        ),
+        (
+            "gsave 5 0 translate 30 rotate 1 -.5 scale 0 0 10 0 360 arc closepath stroke grestore",
+            "M13.660254037844386 5A10 5 30 0 0-3.660254037844386-5A10 5 30 0 0 13.660254037844386 5Z",
+        ),
+        ("0 0 moveto 0 0 10 90 0 arcn", "M0 0L0 10A10 10 0 0 0 10 0"),
+        (
+            "0 0 10 350 10 arc",
+            "M9.848077530122081-1.7364817766693033A10 10 0 0 1 9.848077530122081 1.7364817766693033",
+        ),
+    ] {
+        std::fs::write(&file, drawing).unwrap();
+        // Half a turn by its ends is known to half the digits.
+        let words = ["diff", path, file.to_str().unwrap(), "-t", "1e-7"];
+        let output = run(&words);
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(output.status.code(), Some(0), "{drawing}: {said}");
+    }
+    for drawing in ["0 0 10 0 400 arc", "0 0 0 0 90 arc", "0 10 0 90 arc"] {
+        std::fs::write(&file, drawing).unwrap();
+        refused(&["diff", "M0 0L1 0", file.to_str().unwrap()]);
+    }
+}
+
+#[test]
+fn a_place_is_told_by_a_segment_of_the_drawing() {
+    let said = |old, new| String::from_utf8(run(&["diff", old, new]).stdout).unwrap();
+    let arcs = said("M0 0A5 5 0 0 1 10 0", "M0 0A5 5 0 0 0 10 0");
+    assert!(arcs.contains("on segment 1 of "), "{arcs}");
+    let lines = said(
+        "M0 0L1 0A5 5 0 0 1 11 0L20 0",
+        "M0 0L1 0A5 5 0 0 1 11 0L20 1",
+    );
+    assert!(lines.contains("on segment 3 of "), "{lines}");
+    let closed = said("M0 0H10V10Z", "M0 0H10V10L0 0");
+    assert_eq!(closed, "subpath 1: one is closed and the other is not\n");
+}
+
+#[test]
 fn large_and_tiny_coordinates_are_compared() {
     let found = compare(
         &tracks("M1e140 0L2e140 0"),

@@ -359,6 +359,20 @@ fn extremes_are_joints() {
         "ellipse 30 20 --rotation 30 --extremes -t 1e-4 -f json",
     ));
     assert!(within["error"]["peak"].as_f64().unwrap() <= 1e-4);
+    // Each piece is cut into as few as it takes.
+    for (words, count) in [
+        ("arc 50 --start 10 --end 200 --extremes -t 0.001", 5),
+        ("ellipse 50 20 --rotation 30 --extremes -t 0.0001", 12),
+        ("circle 50 --extremes -t 0.001", 8),
+        ("circle 50 --extremes -t 0.0001 -m minimax-free", 12),
+    ] {
+        let document = json(&program::words(&format!("{words} -f json")));
+        assert_eq!(
+            document["segments"].as_array().unwrap().len(),
+            count,
+            "{words}"
+        );
+    }
     refused(&["path", "M0 0A5 5 0 0 1 9 0", "--extremes"]);
     refused(&["circle", "5", "--extremes", "--joints", "0,90,180"]);
 }

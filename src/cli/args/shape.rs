@@ -232,19 +232,6 @@ impl ArcShape {
         })
     }
 
-    /// The sweep from the start to --end: that of PostScript's `arc`, or with --reverse of its `arcn`.
-    fn sweep_to(&self, start: Angle, end: Angle) -> Angle {
-        let sign = if self.reverse { -1.0 } else { 1.0 };
-        let sweep = sign * (end.degrees() - start.degrees());
-        Angle::from_degrees(
-            sign * if sweep < 0.0 {
-                sweep.rem_euclid(360.0)
-            } else {
-                sweep
-            },
-        )
-    }
-
     fn centre_form(&self) -> Result<Shape, Failure> {
         let radii = match *self.radii.as_slice() {
             [radius] => Vec2::new(radius, radius),
@@ -259,7 +246,7 @@ impl ArcShape {
         let start = self.start.unwrap_or_default();
         let sweep = match (self.sweep, self.end) {
             (Some(sweep), _) => sweep,
-            (None, Some(end)) => self.sweep_to(start, end),
+            (None, Some(end)) => start.sweep_to(end, self.reverse),
             (None, None) => {
                 return Err(Failure::request_with_hint(
                     "an arc needs --end or --sweep",

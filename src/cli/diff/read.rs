@@ -13,7 +13,8 @@ use super::super::input;
 pub(super) fn drawing(words: &str) -> Result<Vec<Track>, Failure> {
     let (text, name) = input::path_data(words)?;
     let begins = |what: &str| text.trim_start().starts_with(what);
-    let is_postscript = || text.split_ascii_whitespace().any(|word| word == "moveto");
+    let is_operator = |word: &str| ["moveto", "arc", "arcn"].contains(&word);
+    let is_postscript = || text.split_ascii_whitespace().any(is_operator);
     let tracks = if begins("<") {
         of_svg(&text, &name)?
     } else if begins("{") || begins("[") {
