@@ -1,207 +1,13 @@
 //! What to do about words that the command line does not know: flags of other tools, values in the wrong place.
 
+mod foreign;
+
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
+use curveto::path::shortened;
+use foreign::{COMMANDS, FLAGS};
+
 use super::args::hint_of_number;
-
-/// Flags that people try, the commands that they try them on (all where there is none), and what serves instead.
-const FLAGS: [(&[&str], &[&str], &str); 29] = [
-    (
-        &[
-            "--clockwise",
-            "--cw",
-            "--ccw",
-            "--counterclockwise",
-            "--counter-clockwise",
-            "--anticlockwise",
-            "--anti-clockwise",
-        ],
-        &[],
-        "--reverse runs the other way round; positive angles turn from +x towards +y, clockwise on an SVG canvas",
-    ),
-    (
-        &["--radius", "-r", "--r"],
-        &["circle", "sphere"],
-        "the radius stands alone: curveto circle 50",
-    ),
-    (
-        &["--radius", "--radii", "--rx", "--ry", "-r"],
-        &["ellipse"],
-        "the radii stand alone: curveto ellipse 30 20",
-    ),
-    (
-        &["-j", "--jobs"],
-        &[],
-        "one shape takes one thread; batch and convert take -j",
-    ),
-    (
-        &["-i", "--inplace"],
-        &["convert"],
-        "--in-place replaces each file",
-    ),
-    (
-        &["--dry-run", "-d", "--dryrun"],
-        &["convert"],
-        "--check writes nothing and lists the files with something to do",
-    ),
-    (
-        &["-f", "--format"],
-        &["procset"],
-        "it prints PostScript and nothing else",
-    ),
-    (
-        &["--cx", "--cy", "-c"],
-        &[],
-        "--center X,Y says where the centre lies",
-    ),
-    (
-        &["--width", "--height", "-w", "-h"],
-        &[],
-        "--size WxH sets the size of a picture, --stroke-width that of its lines",
-    ),
-    (
-        &["--color", "--colour"],
-        &[],
-        "--stroke colours the line, --fill the inside",
-    ),
-    (
-        &["--decimals", "--digits", "--round"],
-        &[],
-        "-p sets the decimals",
-    ),
-    (
-        &[
-            "--circle",
-            "--ellipse",
-            "--arc",
-            "--path",
-            "--batch",
-            "--convert",
-        ],
-        &[],
-        "commands have no dashes: curveto circle 50",
-    ),
-    (
-        &["--kappa", "--magic", "--k", "-k"],
-        &[],
-        "--handle K is the length of the handles on the unit circle; -m names a method",
-    ),
-    (
-        &["--flatness", "--error", "--epsilon", "--accuracy", "--tol"],
-        &[],
-        "-t sets the tolerance, how far a curve may stray",
-    ),
-    (
-        &["--steps", "--count", "--points", "--pieces", "--parts"],
-        &[],
-        "-n sets the number of segments",
-    ),
-    (
-        &[
-            "--svg", "--json", "--png", "--ps", "--eps", "--pdf", "--dxf", "--tikz", "--type",
-        ],
-        &[],
-        "-f names the format, or the extension of -o does: -f svg, -o circle.svg",
-    ),
-    (
-        &[
-            "--end",
-            "--sweep",
-            "--from",
-            "--to",
-            "--angle",
-            "--start-angle",
-            "--end-angle",
-        ],
-        &["circle", "ellipse"],
-        "a part of one is an arc: curveto arc 50 --start 0 --end 90",
-    ),
-    (
-        &["--start-angle", "--end-angle", "--angle"],
-        &["arc"],
-        "angles have flags: curveto arc 50 --start 0 --end 90",
-    ),
-    (
-        &["--rotation", "--rotate", "--angle"],
-        &["circle", "sphere"],
-        "--start says where the first joint of a circle lies, --view how a sphere is seen",
-    ),
-    (
-        &["--phi", "--tilt"],
-        &["ellipse", "arc"],
-        "--rotation turns an ellipse",
-    ),
-    (
-        &["--closed", "--close"],
-        &[],
-        "whole turns are closed by themselves; --open leaves the closing operator out",
-    ),
-    (&["--silent"], &[], "-q silences notes"),
-    (
-        &["--quadratic", "--quadratics", "--cubic"],
-        &[],
-        "-m names a method: quadratic-minimax draws quadratics; 'curveto methods' lists them",
-    ),
-    (
-        &["--radians", "--degrees", "--rad", "--deg"],
-        &[],
-        "angles take units: 90, 90deg, 1.57rad, 100grad, 0.25turn",
-    ),
-    (
-        &["--scale", "--translate"],
-        &[],
-        "--transform 'scale(2) translate(5,0)' takes an SVG transform list",
-    ),
-    (
-        &["-r", "-R", "--recursive"],
-        &["convert"],
-        "folders are walked by themselves",
-    ),
-    (
-        &["--threads"],
-        &["batch", "convert"],
-        "-j sets the number of threads",
-    ),
-    (
-        &["--input", "-i"],
-        &["batch"],
-        "the file stands alone: curveto batch shapes.txt",
-    ),
-    (
-        &["--algorithm", "--list-methods", "--methods"],
-        &[],
-        "-m names a method; 'curveto methods' lists them",
-    ),
-];
-
-/// Words that people try as commands.
-const COMMANDS: [(&[&str], &str); 6] = [
-    (
-        &["list", "ls", "method"],
-        "'curveto methods' lists the methods",
-    ),
-    (
-        &[
-            "line",
-            "polygon",
-            "polyline",
-            "rect",
-            "rectangle",
-            "curve",
-            "bezier",
-            "pie",
-            "sector",
-        ],
-        "'curveto path' draws any path data: curveto path 'M0 0L10 10'",
-    ),
-    (
-        &["plot", "error"],
-        "'curveto measure' and 'curveto compare' state and plot errors",
-    ),
-    (&["oval"], "an ellipse it is: curveto ellipse 30 20"),
-    (&["draw", "shape"], "name the shape: curveto circle 50"),
-    (&["version"], "'curveto --version' tells it"),
-];
 
 /// What would help, where there is something to say. `words` are those of the command line, the program left out.
 pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
@@ -220,6 +26,14 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
         ErrorKind::TooManyValues | ErrorKind::WrongNumberOfValues => {
             of_values(words, command).map(str::to_owned)
         }
+        ErrorKind::InvalidValue => of_choice(
+            text(ContextKind::InvalidValue)?,
+            text(ContextKind::InvalidArg)?,
+            command,
+        ),
+        ErrorKind::ArgumentConflict if has(words, "-n") && has(words, "-t") => Some(
+            "-n gives the number of segments, -t finds the fewest: take one of them".to_owned(),
+        ),
         ErrorKind::ArgumentConflict if command == "measure" => {
             // Flags of one curve that do not go together stand apart from words in the wrong place.
             let flag = text(ContextKind::InvalidArg).unwrap_or_default();
@@ -228,32 +42,33 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
                 .any(|name| flag.starts_with(name));
             if apart { None } else { of_measure(words) }
         }
-        ErrorKind::MissingRequiredArgument if words.iter().any(|word| word == "--adaptive") => {
-            Some("it goes with a number of segments: -n 5 --adaptive".to_owned())
-        }
-        ErrorKind::MissingRequiredArgument if words.iter().any(|word| word == "--quantity") => {
-            Some("it says what a plot shows: --plot error.svg --quantity error".to_owned())
-        }
-        ErrorKind::MissingRequiredArgument => match command {
-            "circle" | "sphere" => Some(format!("for example: curveto {command} 50")),
-            "ellipse" => Some("for example: curveto ellipse 30 20".to_owned()),
-            "path" => Some(
-                "for example: curveto path 'M0 0A5 5 0 0 1 10 0'; - reads standard input"
-                    .to_owned(),
-            ),
-            "measure" => Some("for example: curveto measure circle 50".to_owned()),
-            "explore" => Some("for example: curveto explore circle 50 -o page.html".to_owned()),
-            "conic" => Some(
-                "for example: curveto conic --from 0,0 --control 5,8 --to 10,0 --weight 0.7"
-                    .to_owned(),
-            ),
-            "spline" => Some("for example: curveto spline --points '0,0 5,8 10,0'".to_owned()),
-            "diff" => Some("for example: curveto diff golden.svg new.svg -t 0.001".to_owned()),
-            "completions" => Some("for example: curveto completions bash".to_owned()),
-            _ => None,
-        },
+        ErrorKind::MissingRequiredArgument => of_missing(words, command),
         _ => None,
     }
+}
+
+/// What is told where something is missing: an example, mostly.
+fn of_missing(words: &[String], command: &str) -> Option<String> {
+    let hint = match command {
+        _ if has(words, "--adaptive") => "it goes with a number of segments: -n 5 --adaptive",
+        _ if has(words, "--quantity") => {
+            "it says what a plot shows: --plot error.svg --quantity error"
+        }
+        "circle" | "sphere" => return Some(format!("for example: curveto {command} 50")),
+        "ellipse" => "for example: curveto ellipse 30 20",
+        "arc" => {
+            "the radius stands alone: curveto arc 50 --start 0 --end 90; --radius goes with --from and --to"
+        }
+        "path" => "for example: curveto path 'M0 0A5 5 0 0 1 10 0'; - reads standard input",
+        "measure" => "for example: curveto measure circle 50",
+        "explore" => "for example: curveto explore circle 50 -o page.html",
+        "conic" => "for example: curveto conic --from 0,0 --control 5,8 --to 10,0 --weight 0.7",
+        "spline" => "for example: curveto spline --points '0,0 5,8 10,0'",
+        "diff" => "for example: curveto diff golden.svg new.svg -t 0.001",
+        "completions" => "for example: curveto completions bash",
+        _ => return None,
+    };
+    Some(hint.to_owned())
 }
 
 fn of_command(word: &str, command: &str) -> Option<String> {
@@ -263,7 +78,7 @@ fn of_command(word: &str, command: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() {
         return Some(format!("name a shape first: curveto circle {word}"));
     }
-    if word.starts_with(['M', 'm']) && word.len() > 1 && !word.as_bytes()[1].is_ascii_alphabetic() {
+    if is_path_data(word) {
         return Some(format!("path data has a command: curveto path '{word}'"));
     }
     let found = COMMANDS.iter().find(|(words, _)| words.contains(&word));
@@ -283,10 +98,25 @@ fn of_argument(argument: &str, command: &str) -> Option<String> {
         ));
     }
     let is_number = argument.parse::<f64>().is_ok();
+    let is_pair = argument
+        .split_once(',')
+        .is_some_and(|(x, y)| [x, y].iter().all(|part| part.parse::<f64>().is_ok()));
     match command {
         "circle" if is_number => {
             Some("a circle has one radius; with two it is 'curveto ellipse RX RY'".to_owned())
         }
+        "spline" if !argument.starts_with('-') => {
+            Some("points have a flag: --points '0,0 5,8 10,0'".to_owned())
+        }
+        "path" if !argument.starts_with('-') => {
+            Some("path data is one word, in quotes: curveto path 'M0 0L10 10'".to_owned())
+        }
+        "batch" if !argument.starts_with('-') => {
+            Some("it reads one file, or standard input: cat a.txt b.txt | curveto batch".to_owned())
+        }
+        _ if is_pair => Some(
+            "a point is one word, with a comma between its numbers: --center 1.5,2.5".to_owned(),
+        ),
         _ if !argument.starts_with('-') => {
             Some("put words that belong together in quotes".to_owned())
         }
@@ -297,6 +127,15 @@ fn of_argument(argument: &str, command: &str) -> Option<String> {
 /// What a value is told that is almost a number, or two of them with commas in them.
 fn of_value(value: &str, argument: &str) -> Option<String> {
     let is_number = value.parse::<f64>().is_ok();
+    if is_path_data(value) && argument.contains("RADIUS") {
+        return Some(format!(
+            "path data has a flag, or its command: curveto arc --svg '{0}', curveto path '{0}'",
+            shortened(value)
+        ));
+    }
+    if argument.starts_with("--ends") && ["closed", "periodic", "loop"].contains(&value) {
+        return Some("--ends cyclic closes it".to_owned());
+    }
     if argument.starts_with("--size") {
         let side = value.trim_end_matches(char::is_alphabetic);
         let both = side
@@ -316,7 +155,10 @@ fn of_value(value: &str, argument: &str) -> Option<String> {
         );
     }
     if argument.contains("<X,Y>") && is_number {
-        return Some(format!("both coordinates: {value},0"));
+        let angles = "; angles are --start and --end";
+        let is_end = argument.starts_with("--from") || argument.starts_with("--to");
+        let more = if is_end { angles } else { "" };
+        return Some(format!("both coordinates: {value},0{more}"));
     }
     if argument.contains("<X,Y>") && value.split_whitespace().count() == 2 {
         let pair: Vec<&str> = value.split_whitespace().collect();
@@ -331,26 +173,29 @@ fn of_value(value: &str, argument: &str) -> Option<String> {
     {
         return Some("a list names each: -n 2,3,4".to_owned());
     }
-    let has_unit =
-        value.starts_with(|c: char| c.is_ascii_digit()) && value.ends_with(char::is_alphabetic);
-    if has_unit && argument.contains("ANGLE") {
-        return Some(
-            "angles take the units deg, rad, grad and turn; without one they are degrees"
-                .to_owned(),
-        );
-    }
-    if has_unit
-        && ["<N>", "<N,N>", "<P>"]
-            .iter()
-            .any(|name| argument.contains(name))
-    {
-        return Some("numbers of things have no unit".to_owned());
+    if let Some(hint) = of_count_or_angle(value, argument) {
+        return Some(hint.to_owned());
     }
     let [a, b, c, d] = value.split(',').collect::<Vec<_>>()[..] else {
         return hint_of_number(value.trim());
     };
     let pair = [a, b, c, d].iter().all(|part| part.parse::<f64>().is_ok());
     pair.then(|| format!("decimals come after a point: {a}.{b},{c}.{d}"))
+}
+
+/// What is told of a value with a unit in the wrong place, or of a count with decimals.
+fn of_count_or_angle(value: &str, argument: &str) -> Option<&'static str> {
+    let has_unit =
+        value.starts_with(|c: char| c.is_ascii_digit()) && value.ends_with(char::is_alphabetic);
+    let takes = |names: &[&str]| names.iter().any(|name| argument.contains(name));
+    if has_unit && takes(&["ANGLE"]) {
+        return Some("angles take the units deg, rad, grad and turn; without one they are degrees");
+    }
+    if has_unit && takes(&["<N>", "<N,N>", "<P>"]) {
+        return Some("numbers of things have no unit");
+    }
+    let has_decimals = value.replace(',', ".").parse::<f64>().is_ok();
+    (takes(&["<N>", "<P>"]) && has_decimals).then_some("it is a whole number, without decimals")
 }
 
 /// What `measure` is told where words that belong to a shape stand outside it.
@@ -361,14 +206,36 @@ fn of_measure(words: &[String]) -> Option<String> {
         let hint = format!("the shape comes first: curveto measure {shape} ... --plot error.svg");
         return Some(hint);
     }
-    let has_path = words.iter().any(|word| word == "--path");
-    has_path.then(|| "put the path data in quotes: --path 'M0 0C0 5 5 10 10 10'".to_owned())
+    let has_path_alone = has(words, "--path") && !has(words, "--file");
+    has_path_alone.then(|| "put the path data in quotes: --path 'M0 0C0 5 5 10 10 10'".to_owned())
+}
+
+/// What is told where a value is none of those that can be.
+fn of_choice(value: &str, argument: &str, command: &str) -> Option<String> {
+    let is_picture = ["svg", "png", "eps", "pdf"].contains(&value);
+    (command == "measure" && argument.starts_with("--format") && is_picture)
+        .then(|| format!("a plot has a flag: --plot error.{value}"))
+}
+
+fn has(words: &[String], flag: &str) -> bool {
+    words.iter().any(|word| word.starts_with(flag))
+}
+
+/// Whether a word looks like path data, and not like a name.
+fn is_path_data(word: &str) -> bool {
+    let rest = word.strip_prefix(['M', 'm']);
+    rest.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit() || " -.".contains(c)))
 }
 
 fn of_values(words: &[String], command: &str) -> Option<&'static str> {
-    let has = |flag: &str| words.iter().any(|word| word.starts_with(flag));
+    let has = |flag: &str| has(words, flag);
+    // Shapes have the same words in `measure` and `explore`.
+    let command = match words.get(1) {
+        Some(shape) if matches!(command, "measure" | "explore") => shape,
+        _ => command,
+    };
     match command {
-        "arc" if has("--svg") => {
+        "arc" if has("--svg") || words.iter().any(|word| is_path_data(word)) => {
             Some("put the path data in quotes: --svg 'M0 0A25 25 0 0 1 50 50'")
         }
         "arc" if has("--through") => {

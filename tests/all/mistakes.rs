@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 129] = [
+const MISTAKES: [(&str, &str); 143] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -163,7 +163,30 @@ const MISTAKES: [(&str, &str); 129] = [
         "circle 50 --start 1,5",
         "hint: decimals come after a point: 1.5",
     ),
-    ("circle 50 -p 1,5", "hint: decimals come after a point: 1.5"),
+    ("circle 50 -p 3,5", "a whole number, without decimals"),
+    (
+        "sphere 50 --meridians 3.5",
+        "a whole number, without decimals",
+    ),
+    ("spline --points 0,0 --closed", "--ends cyclic closes it"),
+    ("circle 50 --center 1,5 2,5", "--center 1.5,2.5"),
+    ("batch a.txt b.txt", "cat a.txt b.txt | curveto batch"),
+    ("arc 50 --from 0 --to 90", "angles are --start and --end"),
+    ("arc M0 0A5 5 0 0 1 10 0", "--svg 'M0 0A25"),
+    (
+        "arc --radius 50 --start 0 --end 90",
+        "curveto arc 50 --start 0 --end 90",
+    ),
+    (
+        "circle 50 --file x.svg",
+        "-o FILE says where the output goes",
+    ),
+    ("circle 50 --x 3", "--center X,Y"),
+    ("explore ellipse 50", "the two radii stand apart"),
+    ("methods -m minimax", "curveto methods minimax"),
+    ("measure circle 50 -f svg", "--plot error.svg"),
+    ("circle 50 -n 4 -t 1", "take one of them"),
+    ("square 10", "'curveto path'"),
     (
         "circle 50 --center 1,5,2,5",
         "hint: decimals come after a point: 1.5,2.5",

@@ -70,7 +70,7 @@ fn polyline_from_text(mut words: Words) -> Result<Vec<Contour>> {
         match (word, number(word)) {
             ("close", _) => closed = true,
             (_, Some(value)) => numbers.push(value),
-            (_, None) => return Err(words.wrong(at, format!("'{word}' is not a number"))),
+            (_, None) => return Err(words.wrong(at, no_number(word))),
         }
     }
     let (vertices, rest) = numbers.as_chunks::<3>();
@@ -80,6 +80,19 @@ fn polyline_from_text(mut words: Words) -> Result<Vec<Contour>> {
         return Err(words.wrong(end, format!("{count} numbers where {FORM} is expected")));
     }
     polyline(vertices, closed)
+}
+
+/// What is said of a word that is no number.
+fn no_number(word: &str) -> String {
+    let number = word.trim_end_matches(char::is_alphabetic);
+    let why = if word.contains(',') {
+        ": blanks stand between numbers, and decimals after a point"
+    } else if number != word && number.parse::<f64>().is_ok() {
+        ": lengths are numbers in user units, angles in degrees"
+    } else {
+        ""
+    };
+    format!("'{word}' is not a number{why}")
 }
 
 /// The form of a line that begins with this word, and how many numbers it has.
@@ -116,7 +129,7 @@ impl Numbers {
         while let Some((at, word)) = words.next() {
             let value = number(word).or_else(|| Some(word.parse::<Angle>().ok()?.degrees()));
             let Some(value) = value else {
-                return Err(words.wrong(at, format!("'{word}' is not a number")));
+                return Err(words.wrong(at, no_number(word)));
             };
             if read.count == MOST_NUMBERS {
                 return Err(words.wrong(at, format!("too many numbers for {form}")));

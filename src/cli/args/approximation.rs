@@ -132,7 +132,7 @@ impl ApproximationArgs {
             Method::Chen2 => Ok(Rule::Chen2(iteration)),
             _ if self.stop.is_some() => Err(Failure::request_with_hint(
                 format!("{method} iterates no arc length, so that --stop has nothing to say"),
-                "--stop goes with -m chen-2",
+                "--stop goes with -m chen-2; an arc ends at its --end",
             )),
             _ => Err(Failure::request_with_hint(
                 format!(
