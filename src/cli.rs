@@ -25,6 +25,7 @@ mod shell;
 mod signals;
 mod sphere;
 mod spline;
+mod usage;
 
 use std::process::ExitCode;
 
@@ -40,7 +41,7 @@ type Outcome = Result<ExitCode, Failure>;
 pub(crate) fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => return failure::usage(&error),
+        Err(error) => return usage::tell_of(error),
     };
     match run(cli.command) {
         Ok(code) => code,

@@ -35,10 +35,9 @@ use core::cell::LazyCell;
 use crate::approximate::Drawing;
 use crate::contour::Closeness;
 use crate::course::Course;
-use crate::curve::Curve;
 use crate::error::{Error, PictureError, Remedy, Result};
 use crate::number::Precision;
-use crate::picture::figure::Figure;
+use crate::picture::figure::{Figure, Layer};
 #[cfg(feature = "plot")]
 use crate::picture::plot::Chart;
 use crate::picture::scene::Scene;
@@ -144,8 +143,14 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
         _ if !figure.courses.is_empty() => return write_courses(&figure, format, options),
         Format::Path => crate::path::data(figure.curves(), options.relative) + "\n",
         Format::Ps => postscript::operators(figure.curves()),
-        Format::Tikz => named(&figure, " % ", |curves| tikz::commands(curves))?,
-        Format::Canvas => named(&figure, " // ", |curves| Ok(canvas::calls(curves)))?,
+        Format::Tikz => named(&figure, " % ", |layer| {
+            let text = tikz::commands(&layer.curves)?;
+            let dashed = layer
+                .dashed
+                .then(|| text.replace("\\draw ", "\\draw[dashed] "));
+            Ok(dashed.unwrap_or(text))
+        })?,
+        Format::Canvas => named(&figure, " // ", |layer| Ok(canvas::calls(&layer.curves)))?,
         Format::Glif => glif::glyph(&figure, options.glyph.as_deref()),
         Format::Dxf => dxf::drawing(&figure.title, &traces(&figure, options)),
         Format::Gcode => {
@@ -164,11 +169,11 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
 fn named(
     figure: &Figure,
     comment: &str,
-    text: impl Fn(&[Curve]) -> Result<String>,
+    text: impl Fn(&Layer) -> Result<String>,
 ) -> Result<String> {
     let mut out = String::new();
     for layer in &figure.layers {
-        let text = text(&layer.curves)?;
+        let text = text(layer)?;
         match (&layer.id, text.split_once('\n')) {
             (Some(id), Some((first, rest))) => out.extend([first, comment, id, "\n", rest]),
             _ => out += &text,

@@ -68,9 +68,16 @@ pub(crate) enum Command {
     Ellipse(Deferred<Draw<EllipseShape>>),
     /// Draw an arc of a circle or an ellipse
     Arc(Deferred<Draw<ArcShape>>),
-    /// Draw a conic by its control point and weight: an arc of an ellipse, a parabola or a hyperbola
+    /// Draw a conic by its control point and weight
+    ///
+    /// An arc of an ellipse, a parabola or a hyperbola.
+    #[command(
+        override_usage = "curveto conic --from X,Y --control X,Y --to X,Y --weight W [OPTIONS]"
+    )]
     Conic(Deferred<Draw<ConicShape>>),
-    /// Draw SVG path data: every arc becomes Béziers, all else stays as it is; or all of it becomes lines or circular arcs
+    /// Draw SVG path data with Béziers, lines or circular arcs
+    ///
+    /// Every arc becomes Béziers, all else stays as it is; or all of it becomes lines or circular arcs.
     Path(Deferred<PathArgs>),
     /// Draw the shapes of a stream, one a line in, one a line out
     Batch(Deferred<BatchArgs>),
@@ -90,7 +97,9 @@ pub(crate) enum Command {
     Diff(Deferred<diff::DiffArgs>),
     /// Write a page to look at: choose methods and counts, magnify, compare, copy
     Explore(Deferred<Box<ExploreArgs>, true>),
-    /// Replace circles, ellipses, rounded rectangles and path arcs in SVG files by Béziers; every other byte stays
+    /// Replace circles, ellipses and arcs in SVG files by Béziers
+    ///
+    /// Rounded rectangles too; every other byte stays. --to arcs is the way back.
     Convert(Deferred<ConvertArgs>),
     /// Print a completion script for a shell
     Completions(Deferred<CompletionsArgs>),

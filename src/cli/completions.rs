@@ -1,6 +1,7 @@
 //! Completion for shells. The scripts that clap writes know one word a flag; here lists with commas are taught to them, so that the
 //! word after each comma is completed too.
 
+use clap::builder::PossibleValue;
 use clap::{Arg, Command, CommandFactory as _};
 use clap_complete::Shell;
 
@@ -29,7 +30,7 @@ pub(super) fn script(shell: Shell) -> String {
     match shell {
         Shell::Bash => script + &bash(&lists),
         Shell::Zsh => zsh(script, &lists),
-        Shell::Fish => fish(&script, &lists),
+        Shell::Fish => fish(&script, &lists) + &fish_arguments(&command),
         _ => script,
     }
 }
@@ -58,7 +59,8 @@ fn collect(command: &Command, top: &str, lists: &mut Vec<List>) {
     }
 }
 
-/// A function before clap's own, which sees only what stands after the last comma.
+/// A function before clap's own, which sees only what stands after the last comma, and the value of `--flag=value` as that of the flag:
+/// bash gives it three words, or one where `=` is not in `COMP_WORDBREAKS`.
 fn bash(lists: &[List]) -> String {
     let flags = |list: &List| {
         let short = list.short.map(|short| format!("\"{} -{short}\"", list.top));
@@ -71,13 +73,23 @@ fn bash(lists: &[List]) -> String {
     format!(
         r#"
 _curveto_list() {{
-    local before="${{2%,*}},"
-    case "${{COMP_WORDS[1]}} $3,$2" in
-        {}) COMP_WORDS[COMP_CWORD]="${{2##*,}}"
-            _curveto "$1" "${{2##*,}}" "$3"
-            COMPREPLY=("${{COMPREPLY[@]/#/$before}}") ;;
-        *) _curveto "$@" ;;
+    local word="$2" flag="$3" before=""
+    if [[ "$flag" == "=" ]]; then
+        flag="${{COMP_WORDS[COMP_CWORD-2]}}"
+    elif [[ "${{COMP_WORDS[COMP_CWORD]}}" == "=" ]]; then
+        word=""
+    elif [[ "$word" == --*=* ]]; then
+        flag="${{word%%=*}}"
+        before="$flag="
+        word="${{word#*=}}"
+    fi
+    case "${{COMP_WORDS[1]}} $flag,$word" in
+        {}) before+="${{word%,*}},"
+            word="${{word##*,}}" ;;
     esac
+    COMP_WORDS[COMP_CWORD]="$word"
+    _curveto "$1" "$word" "$flag"
+    COMPREPLY=("${{COMPREPLY[@]/#/$before}}")
 }}
 complete -F _curveto_list -o bashdefault -o default curveto
 "#,
@@ -150,4 +162,31 @@ fn fish(script: &str, lists: &[List]) -> String {
         out.push(format!("{before} -a \"(__fish_append , {words})\""));
     }
     out.join("\n") + "\n"
+}
+
+/// The words of arguments without a flag, such as a shell's name, which clap's script for fish leaves out.
+fn fish_arguments(program: &Command) -> String {
+    let quoted = |text: &str| text.replace('\\', "\\\\").replace('\'', "\\'");
+    let mut out = String::new();
+    for command in program.get_subcommands() {
+        for argument in command.get_positionals() {
+            let values = argument.get_possible_values();
+            let word = |value: &PossibleValue| match value.get_help() {
+                Some(help) => format!("{}\\t'{}'", value.get_name(), quoted(&help.to_string())),
+                None => value.get_name().to_owned(),
+            };
+            let words: Vec<String> = values.iter().map(word).collect();
+            if !words.is_empty() {
+                let (name, words) = (command.get_name(), words.join("\n"));
+                out.extend([
+                    "complete -c curveto -n \"__fish_curveto_using_subcommand ",
+                    name,
+                    "\" -f -a \"",
+                    &words,
+                    "\"\n",
+                ]);
+            }
+        }
+    }
+    out
 }

@@ -170,15 +170,34 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
 
 const DRAWS: &str = "0 done; 1 a failure while running; 2 a wrong or impossible request; 130, 143 ended by SIGINT, SIGTERM.";
 
+/// Stands for a blank where help must not wrap a line: clap does so at blanks.
+pub(crate) const BLANK: char = '\u{a0}';
+
+/// The examples of a command, and what each of its exit codes means.
+pub(crate) fn find(command: &str) -> Option<(&'static [&'static str; 3], &'static str)> {
+    let found = EXAMPLES.iter().find(|(name, ..)| *name == command);
+    found.map(|(_, examples, codes)| (examples, *codes))
+}
+
 /// The examples of a command and its exit codes.
 pub(crate) fn of(command: &str) -> String {
-    let found = EXAMPLES.iter().find(|(name, ..)| *name == command);
-    found.map_or_else(String::new, |(_, examples, codes)| {
-        format!(
-            "Examples:\n  {}\n\nExit codes: {codes}",
-            examples.join("\n  ")
-        )
-    })
+    let words = find(command).map(|(examples, codes)| {
+        let examples = examples.join("\n  ");
+        format!("Examples:\n  {examples}\n\nExit codes: {codes}")
+    });
+    unbroken(&words.unwrap_or_default())
+}
+
+/// A text of which no indented line is wrapped: those are to be copied.
+fn unbroken(text: &str) -> String {
+    let line = |line: &str| {
+        if line.starts_with("  ") {
+            line.replace(' ', &BLANK.to_string())
+        } else {
+            line.to_owned()
+        }
+    };
+    text.split('\n').map(line).collect::<Vec<_>>().join("\n")
 }
 
 /// A command whose long help ends in them, after what it ended in before.
@@ -188,5 +207,5 @@ pub(crate) fn ended(command: Command) -> Command {
         .or_else(|| command.get_after_help());
     let before = before.map_or_else(String::new, |words| format!("{words}\n\n"));
     let own = of(command.get_name());
-    command.after_long_help(before + &own)
+    command.after_long_help(unbroken(&before) + &own)
 }

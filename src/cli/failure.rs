@@ -1,12 +1,12 @@
 //! Failures: a message, a hint, an exit code.
 
 use core::fmt;
-use std::io::{self, Write};
+use std::io::{self, Write as _};
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
+use anstream::{AutoStream, ColorChoice};
 
-use super::{hints, remedies};
+use super::remedies;
 
 /// Why a command ended, and how the process is to end.
 #[derive(Debug)]
@@ -99,7 +99,7 @@ fn is_closed_pipe(error: &io::Error) -> bool {
 /// Writes to standard error, whose reader may be a terminal: what is quoted is cut, and its control characters are spelt out.
 pub(crate) fn tell(text: &str) {
     // Where standard error is gone, nobody is left to tell.
-    let _ = io::stderr()
+    let _ = anstream::stderr()
         .lock()
         .write_all(fit_for_terminals(text).as_bytes());
 }
@@ -108,7 +108,7 @@ pub(crate) fn tell(text: &str) {
 const LONGEST_LINE: usize = 1500;
 const LINE_END: usize = 300;
 
-/// A message with control characters spelt out and its longest lines cut.
+/// A message with control characters spelt out and its longest lines cut; with colours, where standard error shows them.
 pub(crate) fn fit_for_terminals(text: &str) -> String {
     let mut out = String::with_capacity(text.len().min(4 * LONGEST_LINE));
     for line in without_numbers_of_the_system(text).split_inclusive('\n') {
@@ -128,7 +128,30 @@ pub(crate) fn fit_for_terminals(text: &str) -> String {
             }
         }
     }
-    out
+    if AutoStream::choice(&io::stderr()) == ColorChoice::Never {
+        out
+    } else {
+        coloured(&out)
+    }
+}
+
+/// What messages begin with, and its colour.
+const COLOURS: [(&str, &str); 3] = [
+    ("error:", "\x1b[1;31m"),
+    ("hint:", "\x1b[1;36m"),
+    ("note:", "\x1b[1;32m"),
+];
+
+/// A message with the word that each of its lines begins with in colour.
+fn coloured(text: &str) -> String {
+    let line = |line: &str| {
+        let found = COLOURS.iter().find(|(word, _)| line.starts_with(word));
+        found.map_or_else(
+            || line.to_owned(),
+            |(word, colour)| format!("{colour}{word}\x1b[0m{}", &line[word.len()..]),
+        )
+    };
+    text.split_inclusive('\n').map(line).collect()
 }
 
 /// A message without the numbers that Rust puts behind the system's words: `(os error 2)`.
@@ -142,75 +165,4 @@ fn without_numbers_of_the_system(text: &str) -> String {
         }
     }
     out
-}
-
-/// Tells what the parser of the command line has to say: help and version on standard output, errors on standard error.
-pub(crate) fn usage(error: &clap::Error) -> ExitCode {
-    if !error.use_stderr() {
-        return match error.print() {
-            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-                tell(&format!("error: cannot write to standard output: {error}"));
-                ExitCode::FAILURE
-            }
-            _ => ExitCode::SUCCESS,
-        };
-    }
-    let words: Vec<String> = std::env::args_os()
-        .skip(1)
-        .map(|word| word.to_string_lossy().into_owned())
-        .collect();
-    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand && !words.is_empty() {
-        let failure = Failure::request_with_hint(
-            format!("{}: the shape is missing", words[0]),
-            format!("for example: curveto {} circle 50 -o page.html", words[0]),
-        );
-        tell(&failure.to_string());
-        return failure.exit_code();
-    }
-    let styled = error.render();
-    // Where a value is refused with a hint of its own, that is the better one.
-    let told = styled.to_string().contains("\nhint: ");
-    let hint = hints::hint(error, &words).filter(|_| !told);
-    if anstream_is_terminal() {
-        // The styles are control characters themselves; the parser takes those out of what it quotes.
-        let _ = write!(
-            io::stderr().lock(),
-            "{}",
-            with_hint(&styled.ansi().to_string(), hint)
-        );
-    } else {
-        tell(&with_hint(&styled.to_string(), hint));
-    }
-    ExitCode::from(2)
-}
-
-/// The message with our hint in place of the parser's, which says how to pass a flag as a value: hardly anyone means that.
-fn with_hint(text: &str, hint: Option<String>) -> String {
-    let ours = hint.is_some();
-    let is_theirs = |line: &&str| line.contains("tip:") && (ours || line.contains("as a value"));
-    let lines = text.lines().filter(|line| !is_theirs(line));
-    let mut out = String::new();
-    let mut hint = hint;
-    let mut blank = false;
-    for line in lines {
-        if (line.contains("Usage:") || line.contains("For more information"))
-            && let Some(hint) = hint.take()
-        {
-            out.extend(["hint: ", hint.as_str(), "\n\n"]);
-        }
-        // A tip that was removed leaves two blank lines.
-        if !(line.is_empty() && blank) {
-            out += line;
-            out += "\n";
-        }
-        blank = line.is_empty();
-    }
-    if let Some(hint) = hint {
-        out.extend(["hint: ", hint.as_str(), "\n"]);
-    }
-    out.replace("  tip: ", "hint: ")
-}
-
-fn anstream_is_terminal() -> bool {
-    io::IsTerminal::is_terminal(&io::stderr()) && std::env::var_os("NO_COLOR").is_none()
 }

@@ -430,8 +430,24 @@ fn bash_completes_the_word_after_each_comma_of_a_list() {
         completed(&["curveto", "circle", "--show", "joints,error=5,tr"]),
         "joints,error=5,truth"
     );
+    assert_eq!(
+        completed(&["curveto", "procset", "--with", "reporter,"]),
+        "reporter,reporter reporter,trig"
+    );
     // A point is no list of words.
     assert_eq!(completed(&["curveto", "circle", "--center", "1,"]), "");
+    // The value of --flag=value, which bash gives as three words where = breaks words.
+    let circle = ["curveto", "circle", "5"];
+    let after = |words: &[&'static str]| completed(&[&circle[..], words].concat());
+    assert_eq!(after(&["--format", "=", "sv"]), "svg");
+    assert_eq!(after(&["--method", "=", "midp"]), "midpoint");
+    assert_eq!(after(&["--show", "=", "joints,tr"]), "joints,truth");
+    assert_eq!(after(&["--format=sv"]), "--format=svg");
+    assert_eq!(
+        completed(&["curveto", "sphere", "5", "-f", "g"]),
+        "glif",
+        "a sphere is never G-code"
+    );
 }
 
 #[test]
@@ -450,10 +466,18 @@ fn completions_and_manual_pages() {
         printed(&["completions", "zsh"])
             .contains(r#":ID,ID|all:_values -s , ID "all[every method]""#)
     );
+    let fish = printed(&["completions", "fish"]);
+    assert!(fish.contains("-l only -d 'Replace only these' -r -f -a \"(__fish_append , circle"));
     assert!(
-        printed(&["completions", "fish"])
-            .contains("-l only -d 'Replace only these' -r -f -a \"(__fish_append , circle")
+        fish.contains("-l with -d 'More of his procedures' -r -f -a \"(__fish_append , reporter")
     );
+    // What stands without a flag.
+    for (command, word) in [("methods", "minimax\\t'"), ("completions", "zsh\n")] {
+        let line = format!("_subcommand {command}\" -f -a \"");
+        let (_, words) = fish.split_once(&line).unwrap();
+        let (words, _) = words.split_once('"').unwrap();
+        assert!(format!("{words}\n").contains(word), "{command}: {words}");
+    }
     assert!(printed(&["man"]).contains(".TH curveto 1"));
     let folder = tempfile::tempdir().unwrap();
     printed(&["man", "--out-dir", folder.path().to_str().unwrap()]);

@@ -40,7 +40,7 @@ fn each_feature_brings_its_own_crates_and_the_command_line_has_all() {
         ("simd", "fearless_simd"),
         (
             "cli",
-            "anyhow clap clap_builder clap_complete clap_mangen comfy-table flate2 indicatif rayon strsim tempfile",
+            "anstream anyhow clap clap_builder clap_complete clap_mangen comfy-table flate2 indicatif rayon strsim tempfile",
         ),
     ] {
         let with = crates(&["--no-default-features", "--features", feature]);

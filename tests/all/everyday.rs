@@ -505,6 +505,13 @@ fn the_catalogue_fits_terminals_from_60_to_200_columns() {
         // A criterion is not cut into single words.
         assert_eq!(table.contains("criterion"), columns >= 72);
         assert_eq!(table.contains("Lancaster 2005"), columns >= 90);
+        // Where there is room, nothing is wrapped.
+        for method in curveto::Method::ALL.iter().filter(|_| columns == 200) {
+            let whole = |line: &str| {
+                line.starts_with(method.id()) && line.contains(method.card().criterion)
+            };
+            assert!(table.lines().any(whole), "{method}");
+        }
     }
 }
 

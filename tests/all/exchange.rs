@@ -17,6 +17,7 @@ fn tikz(text: &str) -> Vec<Chain> {
     commands
         .map(|command| {
             let mut rest = command.strip_prefix("\\draw").unwrap();
+            rest = rest.strip_prefix("[dashed]").unwrap_or(rest);
             let mut chain = Chain::new(pair(&mut rest));
             while !rest.is_empty() {
                 if let Some(after) = rest.strip_prefix("--cycle") {

@@ -29,13 +29,17 @@ impl From<Quadrature> for curveto::method::Quadrature {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "How it is approximated")]
 pub(crate) struct ApproximationArgs {
-    /// A method by id or alias; 'curveto methods' lists them [default: minimax]
+    /// The method, by id or alias [default: minimax]
+    ///
+    /// 'curveto methods' lists them.
     #[arg(short, long, value_name = "ID", value_delimiter = ',', value_parser = values::METHOD, hide_possible_values = true, action = ArgAction::Set)]
     method: Vec<Method>,
     /// Exactly N segments, of equal parametric angle
     #[arg(short = 'n', long, value_name = "N", value_delimiter = ',', value_parser = values::count, allow_hyphen_values = true, action = ArgAction::Set, conflicts_with_all = ["tolerance", "joints"])]
     segments: Vec<usize>,
-    /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
+    /// The fewest segments within T of the true shape
+    ///
+    /// T is a distance in user units, or a percentage of the larger radius.
     #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true, conflicts_with = "joints")]
     tolerance: Option<Tolerance>,
     /// Joints at these angles instead; for an arc, inside its sweep

@@ -23,8 +23,10 @@ A line is a JSON object or one of:
   svgarc X1 Y1 RX RY ROTATION LARGE SWEEP X2 Y2
   bulge X1 Y1 X2 Y2 B
   through X1 Y1 X2 Y2 X3 Y3
-  polyline X Y B X Y B ... [close]      (a DXF LWPOLYLINE: B the bulge to the next vertex)
+  polyline X Y B X Y B ... [close]
   path DATA
+polyline is a DXF LWPOLYLINE, B the bulge to the next vertex.
+
 JSON, with id, method, segments or tolerance where a line needs its own, and stroke, fill or stroke_width for svg, eps, png or pdf:
   {\"id\": \"a1\", \"circle\": {\"center\": [0,0], \"radius\": 50}, \"method\": \"minimax\", \"segments\": 4}
   {\"ellipse\": {\"center\": [0,0], \"radii\": [30,20], \"rotation\": 15}, \"tolerance\": 0.001}
@@ -39,15 +41,18 @@ Blank lines and lines that begin with # give a blank line.";
 #[derive(Debug, Args)]
 #[command(
     after_long_help = GRAMMAR,
-    mut_arg("precision", |arg| arg.help("Decimals after the point, or auto: for each shape the fewest that add no more than a tenth of its error [default: auto; in json all]")),
+    mut_arg("precision", |arg| arg.help("Decimals after the point, or auto [default: auto; in json all]").long_help("Decimals after the point, or auto [default: auto; in json all]\n\nauto takes for each shape the fewest that add no more than a tenth of its error.")),
 )]
 pub(crate) struct BatchArgs {
-    /// The lines, one shape each; what a line says of its method and segments wins; - is standard input [default: -]
+    /// The lines, one shape each; - is standard input [default: -]
+    ///
+    /// What a line says of its method and segments wins.
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
-    /// path, json and ps answer each line with a line; the others are one picture of all lines
-    /// [default: by the extension of -o, else path]
-    #[arg(short, long, value_name = "F", value_enum, ignore_case = true)]
+    /// The format [default: by the extension of -o, else path]
+    ///
+    /// path, json and ps answer each line with a line; the others are one picture of all lines.
+    #[arg(short, long, value_name = "F", value_parser = values::format_but_gcode(), ignore_case = true)]
     format: Option<Format>,
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
@@ -56,8 +61,9 @@ pub(crate) struct BatchArgs {
     pub(crate) talk: TalkArgs,
     #[command(flatten)]
     each: EachArgs,
-    /// What becomes of a line that cannot be drawn: it ends the run, has no answer, a blank one, or with -f json an
-    /// object that says why
+    /// What becomes of a line that cannot be drawn
+    ///
+    /// It ends the run, has no answer, a blank one, or with -f json an object that says why.
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
     on_error: OnErrorArg,
     #[command(flatten)]

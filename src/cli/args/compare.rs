@@ -43,6 +43,9 @@ pub(crate) struct CompareArgs {
     /// The size of a plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,
+    /// Keep notes to yourself; errors are still printed
+    #[arg(short, long)]
+    quiet: bool,
 }
 
 /// How a comparison is written.

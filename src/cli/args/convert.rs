@@ -20,7 +20,9 @@ pub(crate) struct ConvertArgs {
     /// What the curves become
     #[arg(long, value_enum, value_name = "KIND", default_value_t)]
     to: TargetArg,
-    /// With --to arcs, paths that are a whole circle, ellipse or round rectangle become one
+    /// With --to arcs: whole circles, ellipses and rectangles
+    ///
+    /// Paths that are a whole circle, ellipse or round rectangle become one.
     #[arg(long)]
     shapes: bool,
     /// In folders, take hidden files and folders too
@@ -30,9 +32,11 @@ pub(crate) struct ConvertArgs {
     #[arg(long, value_enum, value_name = "KIND,...", value_delimiter = ',', action = ArgAction::Set)]
     only: Vec<KindArg>,
     /// Convert although notes of these codes would hold back: for who knows better
-    #[arg(long, value_name = "CODE,...", value_delimiter = ',', value_parser = doubts(), action = ArgAction::Set)]
+    #[arg(long, value_name = "CODE,...", hide_short_help = true, value_delimiter = ',', value_parser = doubts(), action = ArgAction::Set)]
     trust: Vec<Doubt>,
-    /// What was replaced and what was left, on standard error; without it, what was left
+    /// Tell on standard error what was replaced and left
+    ///
+    /// Without it, what was left.
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub(crate) report: Option<Report>,
     #[command(flatten)]
@@ -60,10 +64,14 @@ pub(crate) struct DestinationArgs {
     /// Write each file below DIR, folders kept
     #[arg(long, value_name = "DIR")]
     pub(crate) out_dir: Option<PathBuf>,
-    /// Replace each file, atomically; files with nothing to do are not touched
+    /// Replace each file, atomically
+    ///
+    /// Files with nothing to do are not touched.
     #[arg(long)]
     pub(crate) in_place: bool,
-    /// Write nothing; list the files with something to do, and end with 1 if there is one
+    /// Write nothing; list the files with something to do
+    ///
+    /// The exit code is 1 if there is one.
     #[arg(long)]
     pub(crate) check: bool,
 }

@@ -11,16 +11,24 @@ use crate::cli::failure::Failure;
 
 #[derive(Debug, Args)]
 pub(crate) struct EachArgs {
-    /// A method by id or alias; 'curveto methods' lists them [default: minimax]
+    /// The method, by id or alias [default: minimax]
+    ///
+    /// 'curveto methods' lists them.
     #[arg(short, long, value_name = "ID", value_parser = values::METHOD, hide_possible_values = true)]
     method: Option<Method>,
-    /// Exactly N segments for each shape and arc, of equal parametric angle
+    /// Exactly N segments for each shape and arc
+    ///
+    /// They are of equal parametric angle.
     #[arg(short = 'n', long, value_name = "N", value_parser = values::count, allow_hyphen_values = true, conflicts_with = "tolerance")]
     segments: Option<usize>,
-    /// The fewest segments within this distance of the true shape: user units, or a percentage of the larger radius
+    /// The fewest segments within T of the true shape
+    ///
+    /// T is a distance in user units, or a percentage of the larger radius.
     #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true)]
     tolerance: Option<Tolerance>,
-    /// Decimals after the point, or auto: for each shape the fewest that add no more than a tenth of its error [default: auto]
+    /// Decimals after the point, or auto [default: auto]
+    ///
+    /// auto takes for each shape the fewest that add no more than a tenth of its error.
     #[arg(short, long, value_name = "P", value_parser = values::precision, allow_hyphen_values = true)]
     pub(crate) precision: Option<values::PrecisionWord>,
     /// How many threads [default: one for each processor]

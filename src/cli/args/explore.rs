@@ -33,6 +33,9 @@ pub(crate) enum ExploredShape {
     /// Look at an arc
     Arc(Explored<ArcShape>),
     /// Look at a conic that is an arc of an ellipse
+    #[command(
+        override_usage = "curveto explore conic --from X,Y --control X,Y --to X,Y --weight W\n                             -o PAGE.html [OPTIONS]"
+    )]
     Conic(Explored<ConicShape>),
 }
 
@@ -43,17 +46,27 @@ pub(crate) struct Explored<S: Args> {
     #[command(flatten)]
     pub(crate) shape: S,
     /// Methods to choose from, by id or alias, or all
-    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = values::METHODS, hide_possible_values = true, action = ArgAction::Set)]
+    #[arg(short, long, value_name = "ID,ID|all", default_value = "all", value_parser = values::METHODS, hide_possible_values = true, action = ArgAction::Set, help_heading = "Page")]
     method: Vec<MethodList>,
     /// Numbers of segments to choose from [default: 2,3,4,5,6,8; of an open arc 1,2,3,4,6,8]
-    #[arg(short = 'n', long, value_name = "N,N", value_parser = values::count, value_delimiter = ',', action = ArgAction::Set)]
+    #[arg(short = 'n', long, value_name = "N,N", value_parser = values::count, value_delimiter = ',', action = ArgAction::Set, help_heading = "Page")]
     pub(crate) segments: Vec<usize>,
     /// The format [default: by the extension of -o, else html]
-    #[arg(short, long, value_enum, value_name = "F", ignore_case = true)]
+    #[arg(
+        short,
+        long,
+        value_enum,
+        value_name = "F",
+        ignore_case = true,
+        help_heading = "Page"
+    )]
     pub(crate) format: Option<PageFormat>,
     /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", help_heading = "Page")]
     pub(crate) output: Option<PathBuf>,
+    /// Keep notes to yourself; errors are still printed
+    #[arg(short, long, help_heading = "Page")]
+    quiet: bool,
 }
 
 impl<S: Args> Explored<S> {

@@ -43,6 +43,9 @@ pub(crate) enum MeasuredShape {
     /// Measure an arc as it would be drawn
     Arc(Measured<ArcShape>),
     /// Measure a conic as it would be drawn
+    #[command(
+        override_usage = "curveto measure conic --from X,Y --control X,Y --to X,Y --weight W\n                             [OPTIONS]"
+    )]
     Conic(Measured<ConicShape>),
 }
 
@@ -50,7 +53,7 @@ pub(crate) enum MeasuredShape {
 #[derive(Debug, Args)]
 #[command(
     after_long_help = examples::of("measure"),
-    mut_arg("method", |arg| arg.value_name("ID,ID").help("Methods by id or alias; 'curveto methods' lists them [default: minimax]")),
+    mut_arg("method", |arg| arg.value_name("ID,ID").help("Methods by id or alias [default: minimax]").long_help("Methods by id or alias [default: minimax]\n\n'curveto methods' lists them.")),
     mut_arg("segments", |arg| arg.value_name("N,N").help("Exactly N segments, of equal parametric angle, once for each number")),
 )]
 pub(crate) struct Measured<S: Args> {
@@ -85,8 +88,10 @@ pub(crate) struct ForeignArgs {
     /// The true shape [default: the one that fits best, as --fit says]
     #[arg(long, value_name = "circle:CX,CY,R|ellipse:CX,CY,RX,RY,ROT", value_parser = against, requires = "curve")]
     pub(crate) against: Option<Truth>,
-    /// What is fitted where --against names nothing: a circle, an ellipse, or with auto an ellipse where it is much nearer, and to
-    /// what: the joints where they determine it, else the curve [default: circle]
+    /// What is fitted where --against names nothing [default: circle]
+    ///
+    /// A circle, an ellipse, or with auto an ellipse where it is much nearer, and to what: the joints where they determine it, else the
+    /// curve.
     #[arg(
         long,
         value_enum,
@@ -151,26 +156,34 @@ impl FileFormat for ReportFormat {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Report")]
 pub(crate) struct ReportArgs {
-    /// The format of the report [default: by the extension of -o, else table]
+    /// The format [default: by the extension of -o, else table]
     #[arg(short, long, value_enum, value_name = "F", ignore_case = true)]
     pub(crate) format: Option<ReportFormat>,
-    /// Write the report to FILE, atomically; - is standard output
+    /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// Report N points of each segment at equal steps of t, both ends among them: t, x, y, radius, error, degrees
+    /// Report N points of each segment in its place
+    ///
+    /// At equal steps of t, both ends among them: t, x, y, radius, error, degrees.
     #[arg(long, value_name = "N", value_parser = values::count)]
     pub(crate) samples: Option<usize>,
     /// How far rounding may have moved each coordinate, in user units: jumps at joints that this explains do not count
     /// [default: four units in the last place of the largest coordinate]
-    #[arg(long, value_name = "D", value_parser = values::number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", hide_short_help = true, value_parser = values::number, allow_hyphen_values = true)]
     pub(crate) coordinate_tolerance: Option<f64>,
-    /// Draw the quantity along the curve too; the extension says how: svg, eps, png or pdf
+    /// Draw the quantity along the curve too
+    ///
+    /// The extension says how: svg, eps, png or pdf.
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
-    /// What the plot shows, several one below the other [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag, drawing]
+    /// What the plot shows [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag, drawing]
+    ///
+    /// Several stand one below the other.
     #[arg(long, value_name = "Q,Q,...", requires = "plot", value_delimiter = ',', action = ArgAction::Set, value_parser = values::QUANTITY, hide_possible_values = true)]
     pub(crate) quantity: Vec<Quantity>,
-    /// The size of the plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
+    /// The size of the plot, such as 800x400 or 80x60mm
+    ///
+    /// Without a unit it is pixels in svg and png, points in eps and pdf; units are mm, cm, in and pt.
     #[arg(
         long,
         value_name = "WxH",
@@ -178,6 +191,9 @@ pub(crate) struct ReportArgs {
         allow_hyphen_values = true
     )]
     pub(crate) size: Option<Size>,
+    /// Keep notes to yourself; errors are still printed
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 /// Reads the true shape of `--against`.

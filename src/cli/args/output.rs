@@ -23,9 +23,9 @@ pub(crate) struct OutputArgs {
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Decimals after the point, or auto [default: auto; in json all, in glif 0]
+    /// Decimals, or auto [default: auto; json all, glif 0]
     ///
-    /// auto takes the fewest that add no more than a tenth of the error.
+    /// They stand after the point; auto takes the fewest that add no more than a tenth of the error.
     #[arg(short, long, value_name = "P", value_parser = values::precision, allow_hyphen_values = true)]
     precision: Option<PrecisionWord>,
     /// An SVG transform list, applied to the control points

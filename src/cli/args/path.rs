@@ -11,7 +11,7 @@ use crate::cli::failure::Failure;
 #[command(
     // A path has many arcs: -n, -t and -m are for each of them.
     mut_arg("extremes", |arg| arg.hide(true)),
-    after_help = "Points that are given stay as they are unless -p or --transform changes them; what is computed is rounded as the arc with the smallest error needs it."
+    after_long_help = "Points that are given stay as they are unless -p or --transform changes them; what is computed is rounded as the arc with the smallest error needs it."
 )]
 pub(crate) struct PathArgs {
     /// SVG path data, or a file that holds it; - is standard input
@@ -21,13 +21,17 @@ pub(crate) struct PathArgs {
         required_unless_present = "power"
     )]
     pub(crate) source: Option<String>,
-    /// Equation-space coefficients in its place: JSON with the "power" of each segment, as -f json prints it, or a file of it
+    /// Equation-space coefficients in its place
+    ///
+    /// JSON with the "power" of each segment, as -f json prints it, or a file of it.
     #[arg(long, value_name = "JSON|FILE|-", conflicts_with = "source")]
     pub(crate) power: Option<String>,
     /// What it becomes
     #[arg(long, value_enum, value_name = "KIND", default_value_t)]
     to: TargetArg,
-    /// With --to arcs: what was drawn as an arc of an ellipse becomes one, and one that was given stays; other curves become circular arcs
+    /// With --to arcs: arcs of ellipses where there are some
+    ///
+    /// What was drawn as an arc of an ellipse becomes one, and one that was given stays; other curves become circular arcs.
     #[arg(long)]
     elliptic: bool,
     /// Leave out the closing operators

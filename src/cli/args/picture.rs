@@ -14,18 +14,22 @@ use crate::cli::formats;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Pictures (svg, eps, png, pdf)")]
 pub(crate) struct PictureArgs {
-    /// Size: pixels in png and svg, points in eps and pdf, or mm, cm, in, pt: 80x60mm
+    /// Size, such as 512x512 or 80x60mm
     ///
-    /// The drawing fits into its middle. [default: in png 512 on the larger side]
+    /// Without a unit it is pixels in png and svg, points in eps and pdf; units are mm, cm, in and pt. The drawing fits into its middle. [default: in png 512 on the larger side]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Size>,
-    /// Colour of the curve: a CSS colour, currentColor or none [default: black]
+    /// Colour of the curve [default: black]
+    ///
+    /// A CSS colour, currentColor or none.
     #[arg(long, value_name = "COLOR")]
     stroke: Option<Paint>,
     /// Width of the stroke in user units [default: about 1 % of the larger side]
     #[arg(long, value_name = "W", hide_short_help = true, value_parser = values::length, allow_hyphen_values = true)]
     stroke_width: Option<f64>,
-    /// Colour of the inside: a CSS colour or none [default: none]
+    /// Colour of the inside [default: none]
+    ///
+    /// A CSS colour or none.
     #[arg(long, value_name = "COLOR")]
     fill: Option<Paint>,
     /// Colour beneath everything: a CSS colour or none [default: white in png, else none]
@@ -34,9 +38,9 @@ pub(crate) struct PictureArgs {
     /// Free space around all that is drawn, strokes included, in user units [default: 0, with --show about 2 % of the larger side]
     #[arg(long, value_name = "M", hide_short_help = true, value_parser = values::length, allow_hyphen_values = true)]
     margin: Option<f64>,
-    /// Show with the curve any of joints, handles, truth, error=K
+    /// Show joints, handles, truth or error=K with the curve
     ///
-    /// truth is the true shape beneath; error=K the deviation drawn K times as large, orange outside and blue inside.
+    /// Any of them, with commas between; truth is the true shape beneath; error=K the deviation drawn K times as large, orange outside and blue inside.
     #[arg(long, value_name = "WHAT,...", value_delimiter = ',', value_parser = values::SHOWN, hide_possible_values = true, action = ArgAction::Set)]
     show: Vec<Shown>,
 }

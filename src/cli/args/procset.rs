@@ -14,7 +14,7 @@ pub(crate) struct ProcsetArgs {
     #[arg(short, long, value_name = "ID", default_value = "minimax", value_parser = values::METHOD, hide_possible_values = true)]
     pub(crate) method: Method,
     /// More of his procedures
-    #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',', action = ArgAction::Set)]
+    #[arg(long, value_enum, value_name = "WHAT,...", value_delimiter = ',', action = ArgAction::Set)]
     with: Vec<With>,
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE")]
@@ -26,9 +26,9 @@ pub(crate) struct ProcsetArgs {
 /// More of Lancaster's procedures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum With {
-    /// `reportpath` prints the current path, each point as x before y
+    /// reportpath prints the current path, each point as x before y
     Reporter,
-    /// `acos`, `asin`, `trig.acos` and `trig.asin`, in degrees
+    /// acos, asin, trig.acos and trig.asin, in degrees
     Trig,
 }
 

@@ -60,29 +60,37 @@ pub(crate) struct ArcShape {
     /// Units are deg (default), rad, grad and turn. Positive angles turn from +x towards +y.
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with_all = ["svg", "through", "from"])]
     start: Option<Angle>,
-    /// Where the arc ends, as PostScript's arc takes it, with --reverse as arcn does
+    /// Where the arc ends
     ///
-    /// It is raised by whole turns until it is not below the start; with --reverse lowered until it is not above.
+    /// As PostScript's arc takes it, with --reverse as arcn does. It is raised by whole turns until it is not below the start; with --reverse lowered until it is not above.
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with_all = ["sweep", "svg", "through", "from"])]
     end: Option<Angle>,
-    /// How far the arc runs, with its sign, at most one turn
+    /// How far the arc runs, with its sign
+    ///
+    /// At most one turn.
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with_all = ["svg", "through", "from"])]
     sweep: Option<Angle>,
-    /// The angle from the x axis to the axis of the first radius
+    /// How far the first radius's axis is turned
+    ///
+    /// It is the angle from the x axis to that axis.
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true, requires = "radii", conflicts_with_all = ["svg", "through", "from"])]
     rotation: Option<Angle>,
-    /// The centre [default: 0,0]; with --from and --to as G2 and G3 take it
+    /// The centre [default: 0,0]
     ///
     /// With --from and --to it is the circle's, as G2 and G3 with I and J.
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, conflicts_with_all = ["svg", "through"])]
     center: Option<Point>,
-    /// SVG path data 'M x y A rx ry rotation large sweep x y'
+    /// SVG path data of one arc
+    ///
+    /// 'M x y A rx ry rotation large sweep x y'
     #[arg(long, value_name = "PATH", allow_hyphen_values = true, group = "form")]
     svg: Option<String>,
     /// Start, a point on the arc, end
     #[arg(long, value_names = ["X,Y", "X,Y", "X,Y"], num_args = 3, value_parser = values::point, allow_hyphen_values = true, group = "form", action = ArgAction::Set)]
     through: Vec<Point>,
-    /// The first point; with --to, and --bulge, --radius or --center
+    /// The first point, with --to
+    ///
+    /// And with one of --bulge, --radius and --center.
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, requires = "to", group = "form")]
     from: Option<Point>,
     /// The last point
@@ -95,13 +103,15 @@ pub(crate) struct ArcShape {
     #[arg(long, value_name = "R", value_parser = values::number, allow_hyphen_values = true, requires = "from", conflicts_with = "center")]
     radius: Option<f64>,
     /// With --radius: the longer way round
-    #[arg(long, requires = "radius", conflicts_with_all = ["bulge", "center"])]
+    #[arg(long, hide_short_help = true, requires = "radius", conflicts_with_all = ["bulge", "center"])]
     large: bool,
-    /// Run against growing angles (with --end, --radius or --center)
+    /// Run against growing angles
+    ///
+    /// With --end, --radius or --center.
     #[arg(long, conflicts_with_all = ["sweep", "svg", "through", "bulge"])]
     reverse: bool,
     /// Leave out the closing operator of a whole turn
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     open: bool,
 }
 

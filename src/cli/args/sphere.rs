@@ -8,6 +8,7 @@ use super::OutputArgs;
 use super::values;
 
 #[derive(Debug, Args)]
+#[command(mut_arg("format", |arg| arg.value_parser(values::format_but_gcode())))]
 pub(crate) struct SphereArgs {
     /// The radius
     #[arg(value_name = "RADIUS", value_parser = values::number, allow_negative_numbers = true)]
@@ -22,12 +23,16 @@ pub(crate) struct SphereArgs {
     #[arg(long, value_name = "LON,LAT", value_parser = values::angles, allow_hyphen_values = true, default_value = "30,20")]
     pub(crate) view: [Angle; 2],
     /// What becomes of the hidden halves
+    ///
+    /// Dashes are in svg, eps, png, pdf and tikz; in path, ps, canvas, glif and dxf dash draws as show does.
     #[arg(long, value_enum, value_name = "HOW", default_value_t)]
     pub(crate) hidden: Hidden,
     /// Where the centre is seen
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, default_value = "0,0")]
     pub(crate) center: Point,
-    /// A method by id or alias; 'curveto methods' lists them
+    /// The method, by id or alias
+    ///
+    /// 'curveto methods' lists them.
     #[arg(short, long, value_name = "ID", value_parser = values::METHOD, hide_possible_values = true, default_value_t, help_heading = "How it is approximated")]
     pub(crate) method: Method,
     /// Segments of a whole circle [default: 4]
@@ -41,7 +46,9 @@ pub(crate) struct SphereArgs {
         help_heading = "How it is approximated"
     )]
     segments: Option<usize>,
-    /// Joints of every circle at these angles instead: longitudes on a parallel, from the north pole on a meridian
+    /// Joints of every circle at these angles instead
+    ///
+    /// They are longitudes on a parallel, and count from the north pole on a meridian.
     #[arg(
         long,
         value_name = "A,B,...",

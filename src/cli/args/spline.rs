@@ -13,7 +13,8 @@ use crate::cli::failure::Failure;
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "A curve through points states no error: -p auto keeps the points as they were given and moves no control point farther than a ten-thousandth of the shortest distance between neighbours."
+    after_long_help = "A curve through points states no error: -p auto keeps the points as they were given and moves no control point farther than a ten-thousandth of the shortest distance between neighbours.",
+    mut_arg("format", |arg| arg.value_parser(values::format_but_gcode()))
 )]
 pub(crate) struct SplineArgs {
     #[command(flatten)]
@@ -41,17 +42,27 @@ struct Way {
     /// How far the parameter runs along each segment
     #[arg(long, value_enum, value_name = "P", default_value_t)]
     parametrization: Parametrization,
-    /// Make the nodal derivatives unit vectors, as Chen does with arc length: G1 in place of C2
+    /// Nodal derivatives of length 1: G1 in place of C2
+    ///
+    /// Chen makes them unit vectors with arc length.
     #[arg(long)]
     unit_tangents: bool,
-    /// What holds at the ends: cyclic (a closed curve), free (derivatives zero), natural (no curvature) or fixed:DX,DY,DX,DY (these derivatives)
+    /// What holds at the ends: cyclic, free, natural or fixed:DX,DY,DX,DY
+    ///
+    /// cyclic is a closed curve, free has derivatives zero, natural no curvature, fixed:DX,DY,DX,DY these derivatives.
     #[arg(long, value_name = "ENDS", value_parser = values::ENDS, hide_possible_values = true, default_value = "free")]
     ends: Ends,
     /// How arc length is integrated
-    #[arg(long, value_enum, value_name = "RULE", default_value_t)]
+    #[arg(
+        long,
+        value_enum,
+        value_name = "RULE",
+        hide_short_help = true,
+        default_value_t
+    )]
     quadrature: Quadrature,
     /// The iteration of arc lengths ends when none changes by more than this part of itself [default: 1e-12]
-    #[arg(long, value_name = "E", value_parser = values::positive, allow_hyphen_values = true)]
+    #[arg(long, value_name = "E", hide_short_help = true, value_parser = values::positive, allow_hyphen_values = true)]
     stop: Option<f64>,
 }
 

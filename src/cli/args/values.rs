@@ -4,8 +4,8 @@ use std::ffi::OsStr;
 use std::num::NonZeroUsize;
 use std::str::FromStr;
 
-use clap::builder::{PossibleValue, TypedValueParser};
-use clap::{Arg, Command};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Arg, Command, ValueEnum};
 use curveto::compare::Criterion;
 use curveto::measure::Quantity;
 use curveto::number::Precision;
@@ -119,6 +119,15 @@ pub(super) const ENDS: Listed<Ends> = Listed {
             .into()
     },
 };
+
+/// Reads a format of a command that cannot make G-code: typed all the same, it is told what can.
+pub(super) fn format_but_gcode() -> impl TypedValueParser<Value = Format> {
+    let words = Format::value_variants().iter().filter_map(|&format| {
+        let word = format.to_possible_value()?;
+        Some(word.hide(format == Format::Gcode))
+    });
+    PossibleValuesParser::new(words).try_map(|word| <Format as ValueEnum>::from_str(&word, true))
+}
 
 /// The ids of the methods and then their aliases: completions list what stands here, and no aliases of it.
 fn method_names() -> impl Iterator<Item = PossibleValue> {

@@ -89,12 +89,12 @@ fn is_zero(distance: &f64) -> bool {
 
 /// Tells about all files: errors and what was left, and with `--report` or `--verbose` the counts.
 pub(super) fn tell(reports: &[FileReport], form: Option<Report>, talk: TalkArgs, back: bool) {
-    let mut out = BufWriter::new(io::stderr().lock());
     // Where standard error is gone, nobody is left to tell.
     let _ = if form == Some(Report::Json) {
-        json(reports, &mut out)
+        json(reports, &mut BufWriter::new(io::stderr().lock()))
     } else {
         let counts = (form.is_some() || talk.verbose).then_some(back);
+        let mut out = BufWriter::new(anstream::stderr().lock());
         text(reports, counts, !talk.quiet, &mut out)
     };
 }

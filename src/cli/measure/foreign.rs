@@ -21,7 +21,7 @@ struct Source {
 
 /// Measures every subpath that can be measured, and notes the others.
 pub(super) fn measured(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Failure> {
-    let (name, sources) = sources(args)?;
+    let (name, sources) = sources(args, report)?;
     let readable = sources
         .iter()
         .filter_map(|source| source.contours.as_ref().ok());
@@ -57,7 +57,9 @@ pub(super) fn measured(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Su
     }
     for (place, failure) in refused {
         match failure {
-            Failure::Request { message, .. } => note(&format!("{place}: not measured: {message}")),
+            Failure::Request { message, .. } => {
+                note(report, &format!("{place}: not measured: {message}"));
+            }
             other => return Err(other),
         }
     }
@@ -70,15 +72,17 @@ pub(super) fn measured(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Su
     Ok(found)
 }
 
-fn note(text: &str) {
-    failure::tell(&format!("note: {text}\n"));
+fn note(report: &ReportArgs, text: &str) {
+    if !report.quiet {
+        failure::tell(&format!("note: {text}\n"));
+    }
 }
 
 fn empty() -> Failure {
     Failure::request("there is nothing to measure: the path is empty, or a single point")
 }
 
-fn sources(args: &ForeignArgs) -> Result<(String, Vec<Source>), Failure> {
+fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Source>), Failure> {
     if let Some(data) = &args.path {
         let (data, name) = input::path_data(data)?;
         let source = Source {
@@ -97,9 +101,8 @@ fn sources(args: &ForeignArgs) -> Result<(String, Vec<Source>), Failure> {
     let paths =
         document::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
     if document::has_transforms_elsewhere(&text) {
-        note(&format!(
-            "{name}: a style sheet mentions transform; style sheets are not applied"
-        ));
+        let why = "a style sheet mentions transform; style sheets are not applied";
+        note(report, &format!("{name}: {why}"));
     }
     let source = |path: document::SvgPath| {
         let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
@@ -134,9 +137,8 @@ fn subject(
     found.reference.fit = fit;
     if left_out > 0 {
         let s = if left_out == 1 { "" } else { "s" };
-        note(&format!(
-            "{name}: {left_out} segment{s} of no length left out"
-        ));
+        let left_out = format!("{name}: {left_out} segment{s} of no length left out");
+        note(report_args, &left_out);
     }
     Ok(Subject {
         name: name.to_owned(),

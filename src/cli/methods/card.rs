@@ -8,7 +8,7 @@ use curveto::write::catalogue::{MethodDocument, corner};
 use curveto::{Method, Result};
 
 use super::notes::notes;
-use super::table::{lines, plain};
+use super::table::{PROSE, lines, plain};
 
 /// The numbers of segments to the circle that a card tells.
 const COUNTS: [u32; 7] = [2, 3, 4, 5, 6, 8, 12];
@@ -20,7 +20,7 @@ pub(super) fn render(method: Method, entry: &MethodDocument) -> Result<String> {
     out += "\nSegments to a circle of radius 1\n";
     out += &lines(&counts(method)?, "  ");
     for note in notes(method)? {
-        let mut table = plain();
+        let mut table = plain(PROSE);
         table.add_row([note]);
         out.push('\n');
         out += &lines(&table, "");
@@ -39,7 +39,7 @@ fn heading(entry: &MethodDocument) -> String {
 
 /// A heading, and rows of a name and what is to be said.
 fn section(heading: &str, rows: &[(&str, String)]) -> String {
-    let mut table = plain();
+    let mut table = plain(PROSE);
     for (name, value) in rows {
         table.add_row([*name, value.as_str()]);
     }

@@ -6,25 +6,28 @@ use curveto::method::Ends;
 use curveto::number::{rounded_up, significant};
 use curveto::write::catalogue::MethodDocument;
 
-/// Wider lines are no joy to read, and a pipe has no width of its own.
-pub(super) const WIDEST: u16 = 100;
+/// Wider lines of prose are no joy to read, and a pipe has no width of its own.
+pub(super) const PROSE: u16 = 100;
 
-/// A table without lines that fits the terminal.
-pub(super) fn plain() -> Table {
+/// The widest table: its columns grow until nothing wraps.
+const WIDEST: u16 = 200;
+
+/// A table without lines that fits the terminal, as far as this width.
+pub(super) fn plain(widest: u16) -> Table {
     let mut table = Table::new();
     table
         .load_style(presets::NOTHING)
         .set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_width(width());
+    table.set_width(width(widest));
     table
 }
 
-/// The width of the terminal, or what `COLUMNS` says of it, as far as lines are a joy to read.
-fn width() -> u16 {
+/// The width of the terminal, or what `COLUMNS` says of it.
+fn width(widest: u16) -> u16 {
     let told = std::env::var("COLUMNS").ok();
     let told = told.and_then(|columns| columns.parse().ok());
     let width = told.or_else(|| Table::new().width());
-    width.unwrap_or(WIDEST).clamp(60, WIDEST)
+    width.unwrap_or(PROSE).clamp(60, widest)
 }
 
 /// Without the blanks that a table puts at both ends of its lines.
@@ -57,9 +60,9 @@ const GROUPS: [(u8, Ends, &str); 4] = [
 ];
 
 pub(super) fn render(entries: &[MethodDocument]) -> String {
-    let columns = columns(width());
+    let columns = columns(width(WIDEST));
     let cut = |row: [String; 7]| row.into_iter().take(columns);
-    let mut table = plain();
+    let mut table = plain(WIDEST);
     table.add_row(cut(HEADINGS.map(str::to_owned)));
     for (degree, ends, heading) in GROUPS {
         // One table, so that the groups share their columns; a heading is put in its place afterwards.

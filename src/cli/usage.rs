@@ -1,0 +1,102 @@
+//! What the parser of the command line has to say.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::CommandFactory as _;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+use super::args::Cli;
+use super::failure::{Failure, tell};
+use super::{examples, hints};
+
+/// Tells it: help and version on standard output, errors on standard error.
+pub(crate) fn tell_of(mut error: clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        return match print(&error, anstream::stdout()) {
+            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+                tell(&format!(
+                    "error: cannot write to standard output: {error}\n"
+                ));
+                ExitCode::FAILURE
+            }
+            _ => ExitCode::SUCCESS,
+        };
+    }
+    let words: Vec<String> = std::env::args_os()
+        .skip(1)
+        .map(|word| word.to_string_lossy().into_owned())
+        .collect();
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let Some(command) = words.first() else {
+            // Where standard error is gone, nobody is left to tell.
+            let _ = print(&error, anstream::stderr());
+            return ExitCode::from(2);
+        };
+        let failure = Failure::request_with_hint(
+            format!("{command}: the shape is missing"),
+            format!("for example: curveto {command} circle 50 -o page.html"),
+        );
+        tell(&failure.to_string());
+        return failure.exit_code();
+    }
+    if error.get(ContextKind::Usage).is_some() {
+        let usage = usage(&words);
+        error.insert(ContextKind::Usage, ContextValue::StyledStr(usage));
+    }
+    let text = error.render().to_string();
+    // Where a value is refused with a hint of its own, that is the better one.
+    let hint = shell(&error).or_else(|| hints::hint(&error, &words));
+    let hint = hint.filter(|_| !text.contains("\nhint: "));
+    tell(&message(&text, hint.as_deref()));
+    ExitCode::from(2)
+}
+
+/// Prints help or the version.
+fn print(error: &clap::Error, mut out: impl Write) -> io::Result<()> {
+    let text = error.render().ansi().to_string();
+    out.write_all(text.replace(examples::BLANK, " ").as_bytes())?;
+    out.flush()
+}
+
+/// The usage of the command that was called. The parser's own names the flags that it met, whether they matter or not.
+fn usage(words: &[String]) -> clap::builder::StyledStr {
+    let mut command = Cli::command();
+    command.build();
+    for word in words {
+        if let Some(inner) = command.find_subcommand(word) {
+            command = inner.clone();
+        }
+    }
+    command.render_usage()
+}
+
+/// What is told of a shell that has no script, below the list of those that have one: a name that looks like its own is no other's.
+fn shell(error: &clap::Error) -> Option<String> {
+    let argument = error.get(ContextKind::InvalidArg)?;
+    let is_shell = argument.to_string() == "<SHELL>" && error.kind() == ErrorKind::InvalidValue;
+    is_shell.then(|| "for example: curveto completions bash".to_owned())
+}
+
+/// The parser's message with its tips, or our hint in their place, directly below what is wrong. Its tip how to pass a flag as a value
+/// is left out: hardly anyone means that.
+fn message(text: &str, hint: Option<&str>) -> String {
+    let mut wrong: Vec<&str> = Vec::new();
+    let mut tips: Vec<&str> = Vec::new();
+    let mut rest: Vec<&str> = Vec::new();
+    for line in text.lines() {
+        if !rest.is_empty() || line.starts_with("Usage:") || line.starts_with("For more") {
+            rest.push(line);
+        } else if let Some(tip) = line.strip_prefix("  tip: ") {
+            tips.push(tip);
+        } else {
+            wrong.push(line);
+        }
+    }
+    tips.retain(|tip| hint.is_none() && !tip.contains("as a value"));
+    let mut out = wrong.join("\n").trim_end().to_owned() + "\n";
+    for hint in hint.into_iter().chain(tips) {
+        out.extend(["hint: ", hint, "\n"]);
+    }
+    out + "\n" + &rest.join("\n") + "\n"
+}
