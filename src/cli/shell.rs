@@ -19,37 +19,38 @@ pub(super) fn completions(args: &CompletionsArgs) -> Outcome {
 }
 
 pub(super) fn man(args: &ManArgs) -> Outcome {
-    let mut command = Cli::command();
-    command.build();
+    // Nobody needs a page of the word help.
+    let mut program = Cli::command().disable_help_subcommand(true);
+    program.build();
     match &args.out_dir {
-        Some(folder) => write_pages(&command, folder)?,
-        None => Target::Stdout.write(&page(&command)?)?,
+        Some(folder) => {
+            fs::create_dir_all(folder)
+                .with_context(|| format!("cannot make the folder {}", folder.display()))?;
+            write_page(&program, program.get_name(), folder)?;
+            for command in program.get_subcommands() {
+                let topic = command.get_name();
+                write_page(command, topic, folder)?;
+                for inner in command.get_subcommands() {
+                    write_page(inner, topic, folder)?;
+                }
+            }
+        }
+        None => Target::Stdout.write(&page(&program, program.get_name())?)?,
     }
     Ok(ExitCode::SUCCESS)
 }
 
-/// Writes a page for the program and one for every command.
-fn write_pages(program: &Command, folder: &Path) -> Result<(), Failure> {
-    fs::create_dir_all(folder)
-        .with_context(|| format!("cannot make the folder {}", folder.display()))?;
-    for command in std::iter::once(program).chain(
-        program
-            .get_subcommands()
-            .filter(|command| command.get_name() != "help"),
-    ) {
-        let name = command
-            .get_display_name()
-            .unwrap_or(command.get_name())
-            .to_owned();
-        let path = folder.join(format!("{name}.1"));
-        write_file(&path, &page(command)?)
-            .with_context(|| format!("cannot write {}", path.display()))?;
-    }
+/// Writes the page of a command, whose examples are those of a topic.
+fn write_page(command: &Command, topic: &str, folder: &Path) -> Result<(), Failure> {
+    let name = command.get_display_name().unwrap_or(command.get_name());
+    let path = folder.join(format!("{name}.1"));
+    write_file(&path, &page(command, topic)?)
+        .with_context(|| format!("cannot write {}", path.display()))?;
     Ok(())
 }
 
 /// A manual page: what the long help of a command says.
-fn page(command: &Command) -> Result<Vec<u8>, Failure> {
+fn page(command: &Command, topic: &str) -> Result<Vec<u8>, Failure> {
     // The page is no short help: it tells of every option.
     let whole = command.clone().mut_args(|arg| arg.hide_short_help(false));
     let man = clap_mangen::Man::new(whole).source("curveto");
@@ -62,16 +63,15 @@ fn page(command: &Command) -> Result<Vec<u8>, Failure> {
     if command.has_subcommands() {
         man.render_subcommands_section(&mut page)?;
     }
-    let name = command.get_name();
     let notes = command.get_after_long_help().map(ToString::to_string);
     let notes = notes.unwrap_or_default();
-    let notes = notes.strip_suffix(&examples::of(name)).unwrap_or(&notes);
+    let notes = notes.strip_suffix(&examples::of(topic)).unwrap_or(&notes);
     if !notes.is_empty() {
-        let heading = if name == "batch" { "LINES" } else { "NOTES" };
+        let heading = if topic == "batch" { "LINES" } else { "NOTES" };
         let notes = notes.replace(examples::BLANK, " ");
         page.extend(section(heading, notes.trim_end()).bytes());
     }
-    let found = examples::find(name);
+    let found = examples::find(topic);
     if let Some((_, codes)) = found {
         page.extend(exit_status(codes).bytes());
     }
