@@ -41,7 +41,7 @@ use crate::method::{Ends, Rule, Span};
 
 pub use doubt::{Doubt, Trust};
 pub use note::Note;
-pub use paths::{SvgPath, has_transforms_elsewhere, svg_paths, svg_shapes};
+pub use paths::{SvgPath, has_transforms_elsewhere, has_uses, svg_paths, svg_shapes};
 pub use reason::Reason;
 pub use style::property::Kind;
 

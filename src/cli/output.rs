@@ -111,6 +111,22 @@ impl Target {
     }
 }
 
+/// Where a path leads by its links, also where nothing is there yet.
+fn followed(path: &Path) -> PathBuf {
+    let mut path = path.to_owned();
+    // As many as Linux follows.
+    for _ in 0..40 {
+        if let Ok(real) = fs::canonicalize(&path) {
+            return real;
+        }
+        let Ok(target) = fs::read_link(&path) else {
+            break;
+        };
+        path = path.parent().unwrap_or(Path::new("")).join(target);
+    }
+    path
+}
+
 /// Whether a path names standard output, which is written through and never replaced, whatever it leads to.
 fn is_stdout(path: &Path) -> bool {
     ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]
@@ -135,7 +151,7 @@ pub(crate) fn stream_file(
 ) -> Result<(), Failure> {
     let cannot = || format!("cannot write {}", path.display());
     let open_already = path.starts_with("/dev") || path.starts_with("/proc");
-    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let path = &followed(path);
     let existing = fs::metadata(path).ok();
     if open_already || existing.as_ref().is_some_and(|data| !data.is_file()) {
         let mut file = File::options()
@@ -218,7 +234,7 @@ pub(crate) fn write_file_unless(
     changed: impl Fn(&fs::Metadata) -> bool,
 ) -> io::Result<bool> {
     let open_already = path.starts_with("/dev") || path.starts_with("/proc");
-    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let path = &followed(path);
     let existing = fs::metadata(path).ok();
     if open_already || existing.as_ref().is_some_and(|data| !data.is_file()) {
         File::options().append(true).open(path)?.write_all(bytes)?;

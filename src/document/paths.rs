@@ -61,6 +61,17 @@ pub fn has_transforms_elsewhere(text: &str) -> bool {
     })
 }
 
+/// Whether the file draws elements again by `use`, which [`svg_paths`] does not follow: what they draw is found where it is defined.
+#[must_use]
+pub fn has_uses(text: &str) -> bool {
+    let mut tags = text.split('<').skip(1);
+    tags.any(|tag| {
+        let ends = |c: char| c.is_ascii_whitespace() || c == '/' || c == '>';
+        let name = tag.split(ends).next().unwrap_or_default();
+        name.rsplit(':').next() == Some("use")
+    })
+}
+
 fn elements(text: &str, names: &[&str]) -> Result<Vec<SvgPath>> {
     // The reader leaves a byte order mark out of its positions.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -233,6 +244,8 @@ mod tests {
         assert!(line(2)[0].distance(Point::new(150.0, -50.0)) < 1e-12);
         assert_eq!(line(3)[1], Point::new(100.0, 100.0));
         assert!(paths[4].contours.is_err());
+        assert!(has_uses("<svg><use href='#a'/></svg>") && has_uses("<s:svg><s:use/></s:svg>"));
+        assert!(!has_uses("<svg><user/> use </svg>"));
         assert!(has_transforms_elsewhere(
             "<style>.a{transform: none}</style>"
         ));

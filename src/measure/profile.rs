@@ -60,7 +60,7 @@ impl Quantity {
     #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
-            Self::Error => "distance from the true shape (user units, + outside)",
+            Self::Error => "distance (user units, + outside)",
             Self::Curvature => "curvature κ (1/unit)",
             Self::CurvatureD1 => "κ′ = dκ/ds (1/unit²)",
             Self::CurvatureD2 => "κ″ = d²κ/ds² (1/unit³)",

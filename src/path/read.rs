@@ -74,13 +74,18 @@ fn syntax(data: &str, why: String) -> Error {
     })
 }
 
-/// The first words of a text that may be long.
+/// The first words of a text that may be long, in one line.
 #[must_use]
 pub fn shortened(text: &str) -> String {
-    match text.char_indices().nth(40) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
-    }
+    let in_line = |c: char| if c.is_control() { ' ' } else { c };
+    let mut characters = text.trim_end().chars().map(in_line);
+    let first: String = characters.by_ref().take(40).collect();
+    let more = if characters.next().is_some() {
+        "..."
+    } else {
+        ""
+    };
+    first + more
 }
 
 /// The current subpath.

@@ -27,6 +27,9 @@ const LAYOUT: [f64; 2] = [800.0, 500.0];
 /// The height of each of several charts.
 const PANEL: f64 = 280.0;
 
+/// The smallest size at which the words of one have room.
+const LEAST: [f64; 2] = [360.0, 220.0];
+
 /// More joints than this are not marked.
 const MOST_MARKED_JOINTS: usize = 36;
 
@@ -214,10 +217,14 @@ impl Chart {
         }
     }
 
-    /// The chart laid out on a white sheet of this size, in pixels or points: its words keep their size.
+    /// The chart laid out on a white sheet of this size, in pixels or points: its words keep their size, but on one that is too small
+    /// for them.
     #[must_use]
     pub fn scene(&self, size: [f64; 2]) -> Scene {
-        let [width, height] = size;
+        let least = [LEAST[0], LEAST[1] * (1 + self.below.len()) as f64];
+        let short = least.iter().zip(size).map(|(least, side)| least / side);
+        let scale = short.fold(1.0, f64::max);
+        let [width, height] = size.map(|side| side * scale);
         Scene {
             title: self.title.clone(),
             description: String::new(),

@@ -313,6 +313,21 @@ fn a_hard_link_keeps_the_old_content_and_a_symbolic_one_leads_to_the_new() {
 }
 
 #[test]
+fn a_link_that_leads_nowhere_yet_is_followed() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    symlink("new.path", at("soft")).unwrap();
+    let words = ["circle", "3", "-o", "soft"];
+    assert!(run_in(folder.path(), &words).status.success());
+    assert!(fs::symlink_metadata(at("soft")).unwrap().is_symlink());
+    assert!(
+        fs::read_to_string(at("new.path"))
+            .unwrap()
+            .starts_with("M3 0")
+    );
+}
+
+#[test]
 fn fifos_and_devices_are_written_to() {
     let folder = folder();
     let fifo = folder.path().join("fifo");

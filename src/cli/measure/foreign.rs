@@ -104,6 +104,10 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Sourc
         let why = "a style sheet mentions transform; style sheets are not applied";
         note(report, &format!("{name}: {why}"));
     }
+    if document::has_uses(&text) {
+        let why = "<use> is not followed; what it draws is measured where it is defined";
+        note(report, &format!("{name}: {why}"));
+    }
     let source = |path: document::SvgPath| {
         let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
         Source {

@@ -163,14 +163,19 @@ fn extent(extent: &Extent) -> String {
 }
 
 fn reference(reference: &ReferenceReport) -> String {
-    let [x, y] = reference.center.map(|x| significant(x, 8));
+    // What rounding leaves of 0 is told as 0.
+    let unless_nothing = |x: f64, size: f64| if x.abs() < 1e-13 * size { 0.0 } else { x };
+    let radius = reference.radii[0].max(reference.radii[1]);
+    let [x, y] = reference
+        .center
+        .map(|x| significant(unless_nothing(x, radius), 8));
     let [rx, ry] = reference.radii.map(|r| significant(r, 10));
     let shape = if reference.radii[0] == reference.radii[1] {
         format!("the circle about {x},{y} of radius {rx}")
     } else {
         format!(
             "the ellipse about {x},{y}\nwith radii {rx} and {ry} at {} degrees",
-            significant(reference.rotation, 6)
+            significant(unless_nothing(reference.rotation, 360.0), 6)
         )
     };
     let Some(fit) = reference.fit else {

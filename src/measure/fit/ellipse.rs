@@ -41,7 +41,11 @@ pub(super) fn nearest_ellipse(points: &[Point]) -> Option<Truth> {
     }
     let center = (mean + found.center.to_vec2() * size).to_point();
     let radii = found.radii * size;
-    (center.is_finite() && radii.is_finite()).then(|| Truth::new(center, radii, found.axis))
+    // An axis has two directions; that to the right, or upwards but for rounding, is told.
+    let axis = found.axis;
+    let is_back = axis.x < -1e-14 || (axis.x < 1e-14 && axis.y < 0.0);
+    let axis = if is_back { -axis } else { axis };
+    (center.is_finite() && radii.is_finite()).then(|| Truth::new(center, radii, axis))
 }
 
 /// The sum of the squared distances of points.

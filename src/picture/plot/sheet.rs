@@ -254,10 +254,14 @@ impl Sheet<'_> {
             let times = format!("×{}", power_of_ten(self.y.exponent));
             self.text((frame.x0, frame.y0 - 7.0), &times, BODY, Anchor::End);
         }
-        // As high as the sheet has room for.
-        let room = (self.size.y - 24.0) / width(&self.chart.y_title, BODY).max(1.0);
+        // As high as there is room below the title and the legend, where it can stand beside the middle of the axis.
+        let (top, bottom) = (frame.y0 - 16.0, self.size.y - 8.0);
+        let long = width(&self.chart.y_title, BODY).max(1.0);
+        let room = (bottom - top) / long;
+        let half = long * room.min(1.0) / 2.0;
+        let middle = frame.center().y.clamp(top + half, bottom - half + 1e-9);
         self.words.push(Mark::Text(Text {
-            at: tidy(Point::new(20.0, frame.center().y)),
+            at: tidy(Point::new(20.0, middle)),
             words: self.chart.y_title.clone(),
             size: round(BODY * room.min(1.0), DECIMALS),
             anchor: Anchor::Middle,
