@@ -43,7 +43,7 @@ pub(crate) struct CompareArgs {
     /// The size of a plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,
-    /// Keep notes to yourself; errors are still printed
+    /// Print no notes, only errors
     #[arg(short, long)]
     quiet: bool,
 }

@@ -64,7 +64,7 @@ pub(crate) struct Explored<S: Args> {
     /// Write to FILE, atomically; - is standard output
     #[arg(short, long, value_name = "FILE", help_heading = "Page")]
     pub(crate) output: Option<PathBuf>,
-    /// Keep notes to yourself; errors are still printed
+    /// Print no notes, only errors
     #[arg(short, long, help_heading = "Page")]
     quiet: bool,
 }

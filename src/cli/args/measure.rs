@@ -191,7 +191,7 @@ pub(crate) struct ReportArgs {
         allow_hyphen_values = true
     )]
     pub(crate) size: Option<Size>,
-    /// Keep notes to yourself; errors are still printed
+    /// Print no notes, only errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }

@@ -9,7 +9,7 @@ pub(crate) struct TalkArgs {
     /// State on standard error what was done and how closely
     #[arg(short, long)]
     pub(crate) verbose: bool,
-    /// Keep notes to yourself; errors are still printed
+    /// Print no notes, only errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
 }
