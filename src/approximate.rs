@@ -6,6 +6,7 @@ pub(crate) mod fewest;
 mod rounding;
 mod rounds;
 mod sketch;
+pub(crate) mod within;
 
 pub(crate) use decimals::{Known, ROUNDING_SHARE, automatic_precision};
 pub use extremes::approximate_at_extremes;

@@ -10,7 +10,6 @@ use crate::error::{Error, Remedy, Result};
 use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
 use crate::measure::radial;
-use crate::measure::radial::nearly::{bound, closer_bound, nearly};
 use crate::method::{Method, Rule, Span};
 use crate::number::Precision;
 use crate::numeric::functions::power;
@@ -26,9 +25,6 @@ const MOST_TRIES: usize = 64;
 /// How many counts are tried from the one on that marching takes.
 const MOST_BEYOND: usize = 8;
 
-/// How far above the peak a bound by few samples lies, at most and mostly.
-const LOOSE: f64 = 1.15;
-
 /// How far beyond a tolerance, as a part of it, all joints are tried that rounding may bring within.
 const LUCK: f64 = 1.03;
 
@@ -41,23 +37,6 @@ pub(crate) fn rounding(precision: Option<Precision>, tolerance: f64) -> f64 {
         Some(Precision::Fixed(decimals)) => power(10.0, -i32::from(decimals)),
         _ => tolerance * ROUNDING_SHARE,
     }
-}
-
-/// Whether a curve of this peak error before rounding is within the tolerance as it is written; `None` where rounding decides.
-pub(crate) fn by_formula(
-    peak: f64,
-    precision: Precision,
-    reach: f64,
-    tolerance: f64,
-) -> Option<bool> {
-    let Precision::Fixed(_) = precision else {
-        return None;
-    };
-    let moved = precision.farthest_moved() + 8.0 * f64::EPSILON * reach;
-    if peak + moved <= tolerance {
-        return Some(true);
-    }
-    (peak - moved > tolerance).then_some(false)
 }
 
 /// The count of a circle's equal segments from which on they are tried for a tolerance.
@@ -82,12 +61,32 @@ impl<'a> Marched<'a> {
         }
     }
 
-    /// Those for every so many of the parts of a tolerance.
-    fn every(&self, step: usize) -> impl Iterator<Item = &Joints> {
-        let parts = self.parts.iter().zip(NEARLY).step_by(step);
-        parts.flat_map(|(joints, part)| {
+    /// Those for each of the parts of a tolerance.
+    fn all(&self) -> impl Iterator<Item = &Vec<Joints>> {
+        let parts = self.parts.iter().zip(NEARLY);
+        parts.map(|(joints, part)| {
             joints.get_or_init(|| self.balance.greedy(part * self.allowed).collect())
         })
+    }
+
+    /// The least count. The largest error takes it, but where a sharp end makes a longer segment err less: there some are looked at.
+    fn least_count(&self) -> Option<usize> {
+        let looked_at = if self.balance.is_sharp() {
+            NEARLY.len()
+        } else {
+            1
+        };
+        let some = self.all().take(looked_at).step_by(4).flatten();
+        some.map(Joints::count).min()
+    }
+
+    /// Those of this count; a smaller error takes no fewer, with the same exception.
+    fn of_count(&self, count: usize) -> impl Iterator<Item = &Joints> {
+        let is_sharp = self.balance.is_sharp();
+        let reaches =
+            move |joints: &&Vec<Joints>| is_sharp || joints.iter().any(|all| all.count() <= count);
+        let marched = self.all().take_while(reaches).flatten();
+        marched.filter(move |joints| joints.count() == count)
     }
 }
 
@@ -151,37 +150,6 @@ impl Request<'_> {
         }
         let mut sketch = self.cut(joints, told, Some(tolerance))?;
         Ok(self.is_within(&mut sketch, tolerance).then_some(sketch))
-    }
-
-    /// Whether the curve as it is written is within the tolerance; measured only where rounding decides.
-    fn is_within(&self, sketch: &mut Sketch, tolerance: f64) -> bool {
-        let truth = &self.outline.truth;
-        if let Some(peak) = sketch.peak
-            && let Some(is_within) = by_formula(peak, sketch.precision, self.reach(), tolerance)
-        {
-            return is_within;
-        }
-        let curve = sketch.rounded();
-        let segments = || curve.segments.iter().copied();
-        // A centre that follows from given ends is known to half the digits at worst.
-        let knows_center = self.outline.ends.is_none() || tolerance > 1e-6 * self.reach();
-        let is_certain = |most: f64| knows_center && most <= tolerance;
-        let most = bound(segments(), truth);
-        let is_bounded = is_certain(most) || {
-            if nearly(segments(), truth).is_some_and(|[low, _]| low > tolerance) {
-                return false;
-            }
-            is_certain(most / LOOSE) && is_certain(closer_bound(segments(), truth))
-        };
-        if !is_bounded {
-            let error = radial::error_within(&curve.segments, truth, tolerance);
-            sketch.measured = Some(error);
-            if error.peak() > tolerance {
-                return false;
-            }
-        }
-        sketch.written = Some(curve);
-        true
     }
 
     /// Whether rounding alone moves a joint of the true shape beyond the tolerance: then nothing else needs to be looked at.
@@ -260,10 +228,8 @@ impl Request<'_> {
         let marched = Marched::new(balance, allowed);
         let least = balance.least(allowed);
         let is_told = least.is_some();
-        let first = least.as_ref().map(|least| least.count).or_else(|| {
-            let step = if balance.is_quick() { 4 } else { 1 };
-            marched.every(step).map(Joints::count).min()
-        })?;
+        let first = least.as_ref().map(|least| least.count);
+        let first = first.or_else(|| marched.least_count())?;
         let mut begun = least.map(|least| least.level);
         (first..=MOST_SEGMENTS).take(MOST_BEYOND).find_map(|count| {
             let adaptive = balance.joints_from(count, begun.take());
@@ -275,8 +241,8 @@ impl Request<'_> {
                 if is_told && least() > Some(count) {
                     return None;
                 }
-                let mut all = marched.every(1);
-                all.find_map(|joints| within((joints.count() == count).then(|| joints.clone())?))
+                let mut all = marched.of_count(count);
+                all.find_map(|joints| within(joints.clone()))
             };
             let adaptive = adaptive
                 .ok()

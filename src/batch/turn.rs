@@ -1,6 +1,6 @@
 //! Whole circles: those of one count are the same drawing of the unit circle, placed.
 
-use crate::approximate::{self, automatic_precision, fewest};
+use crate::approximate::{self, automatic_precision, fewest, within};
 use crate::curve::Curve;
 use crate::joints::{Cut, Joints, quarters};
 use crate::method::{Method, Piece, Rule, Span};
@@ -140,7 +140,7 @@ impl Turns {
             .precision
             .unwrap_or_else(|| automatic_precision(peak.min(tolerance), &curve.segments));
         let reach = truth.center.to_vec2().hypot() + radius;
-        let is_within = fewest::by_formula(peak, precision, reach, tolerance);
+        let is_within = within::by_formula(peak, precision, reach, tolerance);
         is_within.filter(|&is| is)?;
         path::push_rounded(out, &curve, precision);
         Some(())

@@ -28,8 +28,6 @@ use lobes::Lobes;
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
 const GRID: f64 = 1.0 / (1 << 30) as f64;
 
-/// How often the error is halved, by its ratio, that equalises such segments.
-const NARROWINGS: u32 = 7;
 /// The most steps for the length of one segment, and for the error that makes the count whole.
 const MOST_STEPS: usize = 40;
 
@@ -116,9 +114,9 @@ impl Balance {
         })
     }
 
-    /// Whether an error costs no search.
-    pub(crate) const fn is_quick(&self) -> bool {
-        self.errors.is_quick()
+    /// Whether the ellipse is so flat that a longer segment may err less than a shorter one for its sharp ends.
+    pub(crate) fn is_sharp(&self) -> bool {
+        self.errors.is_sharp()
     }
 
     /// This many degrees after the start, counted upwards from the short axis: that leaves every distance as it is.
@@ -230,27 +228,6 @@ impl Balance {
             allowed *= libm::pow(taken / count, self.order).clamp(1e-3, 1e3);
         }
         None
-    }
-
-    /// As [`Self::equalised`] where longer segments may err less: the error is narrowed down between that of equal angles and a
-    /// thousandth of it.
-    fn narrowed(&self, whole: f64, pieces: usize) -> Option<Vec<f64>> {
-        let size = whole / pieces as f64;
-        let equal = (0..pieces).map(|i| self.error(i as f64 * size, size));
-        let mut high = equal.fold(0.0, f64::max);
-        let mut low = high / 1000.0;
-        let (mut found, mut joints) = (None, Vec::new());
-        for _ in 0..NARROWINGS {
-            let middle = (low * high).sqrt();
-            if self.march(whole, middle, pieces, &mut joints) > pieces as f64 {
-                low = middle;
-            } else {
-                high = middle;
-                joints.push(whole);
-                found = (joints.len() == pieces + 1).then(|| joints.clone());
-            }
-        }
-        found
     }
 }
 

@@ -13,6 +13,7 @@ mod part;
 mod peaks;
 mod pending;
 mod place;
+mod quick;
 mod search;
 mod settle;
 mod slopes;
@@ -30,13 +31,17 @@ use super::curvature;
 use crate::curve::{control_points, largest_coordinate};
 use crate::numeric::adaptive_integral;
 use crate::numeric::bernstein::{Parameters, Polynomial};
-use crate::numeric::double::Double;
+use crate::numeric::double::{Double, by_fused_products};
 use crate::numeric::foot::{Foot, foot};
 use crate::radial_error::RadialError;
 use crate::shape::{Exact, Truth};
 
 /// How far distances may be off that are formed in twice the digits, some 106 bits, as a part of the larger radius; a 0 is an exact one.
 const NOISE: f64 = f64::EPSILON * f64::EPSILON * 1024.0;
+
+/// What the extremes of a cubic that touches a circle at its ends, nearly, and crosses it twice lie between: one beside each end, which
+/// rounding moves to either side, and three lobes.
+const BESIDE_EXTREMES: [f64; 8] = [-0.125, 0.0, 0.08, 0.34, 0.66, 0.92, 1.0, 1.125];
 
 /// The largest distances of these segments from the true shape, rounded outward: docs/methods.md says how far they can be trusted.
 #[must_use]
@@ -61,6 +66,27 @@ pub(crate) fn error_within<'a>(
         }
     }
     range
+}
+
+/// Whether they are within a limit: what is not beyond it needs no closer look.
+pub(crate) fn is_within<'a>(
+    segments: impl IntoIterator<Item = &'a PathSeg>,
+    truth: &Truth,
+    limit: f64,
+) -> bool {
+    let exact = truth.frame.exact(truth.radii);
+    let mut known = Known::within(limit / truth.larger_radius());
+    let mut is_within = true;
+    for segment in segments {
+        let profile = Profile::within(segment, truth, &exact);
+        profile.visit_bounds(&mut known, |_, [low, high]| {
+            is_within &= high <= limit && -low <= limit;
+        });
+        if !is_within {
+            break;
+        }
+    }
+    is_within
 }
 
 /// Visits the ends and every extreme of the signed distance of a segment as (t, distance), positive outside.
@@ -92,10 +118,16 @@ impl Profile {
 
     /// The same where the frame of the true shape is at hand.
     fn within(segment: &PathSeg, truth: &Truth, exact: &Exact) -> Self {
-        let mut framed = FramedPoints::new(segment, exact);
-        if !truth.is_circle() {
-            framed = framed.raised(exact);
-        }
+        let (framed, excess) = by_fused_products(
+            #[inline(always)]
+            || {
+                let mut framed = FramedPoints::new(segment, exact);
+                if !truth.is_circle() {
+                    framed = framed.raised(exact);
+                }
+                (framed, framed.excess().scaled(exact.unit))
+            },
+        );
         let axis = if exact.is_mapped() {
             truth.axis
         } else {
@@ -107,7 +139,7 @@ impl Profile {
             own: framed.segment(exact, turned),
             center: turned(exact.image(Vec2::new(x, y))),
             radii: truth.radii,
-            excess: framed.excess().scaled(exact.unit),
+            excess,
             framed,
             exact: *exact,
             axis,
@@ -239,7 +271,9 @@ impl Profile {
     }
 
     fn visit_on_circle(&self, mut visit: impl FnMut(f64, f64)) {
-        let turning = self.excess.differences().sign_changes();
+        let slope = self.excess.differences();
+        let turning = slope.sign_changes_between(&BESIDE_EXTREMES);
+        let turning = turning.unwrap_or_else(|| slope.sign_changes());
         for t in iter::once(0.0).chain(turning.iter()).chain(iter::once(1.0)) {
             visit(t, self.distance_from_circle(t));
         }

@@ -6,6 +6,9 @@ const MOST: usize = 7;
 /// How often a part is cut in two at most; roots that are closer than that pass for one.
 const MOST_CUTS: u32 = 48;
 
+/// What a value has to be for its sign to be certain a little outside [0, 1], as a part of the largest coefficient.
+const CERTAIN: f64 = 1e-12;
+
 /// The most steps to a root; halving alone would be done in 60.
 const MOST_STEPS: usize = 100;
 
@@ -76,9 +79,15 @@ impl Polynomial {
         let crossed = own.windows(2).position(|pair| (pair[1] > 0.0) == rises);
         let crossed = crossed.unwrap_or(0);
         let (before, after) = (own[crossed], own[crossed + 1]);
-        let mut t = ((crossed as f64 + before / (before - after)) / degree).clamp(0.0, 1.0);
+        let t = (crossed as f64 + before / (before - after)) / degree;
+        self.root_between([0.0, 1.0], rises, t.clamp(0.0, 1.0))
+    }
+
+    /// The root between two places where it has different signs, by steps from t on.
+    fn root_between(&self, [mut low, mut high]: [f64; 2], rises: bool, mut t: f64) -> f64 {
+        let degree = self.degree as f64;
         // No step comes before the first, and nothing compares with it.
-        let (mut low, mut high, mut last) = (0.0, 1.0, f64::NAN);
+        let mut last = f64::NAN;
         for _ in 0..MOST_STEPS {
             let [before, after] = self.last_two(t);
             let value = (1.0 - t) * before + t * after;
@@ -196,6 +205,39 @@ impl Polynomial {
         found
     }
 
+    /// The same where between these places, ascending and on both sides of [0, 1], it changes its sign as often as it can: then once between
+    /// two of them or not at all. `None` where it does not. A root at 0 or 1 counts as beyond.
+    pub(crate) fn sign_changes_between<const N: usize>(
+        &self,
+        places: &[f64; N],
+    ) -> Option<Parameters> {
+        let mut values = places.map(|place| self.at(place));
+        let certain = CERTAIN * self.largest();
+        for i in 0..N {
+            // At the ends it is a coefficient.
+            values[i] = match places[i] {
+                0.0 if values[i] == 0.0 => values[i + 1],
+                1.0 if values[i] == 0.0 => values[i - 1],
+                0.0 | 1.0 => values[i],
+                _ if values[i].abs() > certain => values[i],
+                _ => return None,
+            };
+        }
+        let changes = |i: &usize| (values[*i] > 0.0) != (values[i + 1] > 0.0);
+        if (0..N - 1).filter(changes).count() != self.degree {
+            return None;
+        }
+        let mut found = Parameters::default();
+        for i in (0..N - 1).filter(changes) {
+            let (from, to, before, after) = (places[i], places[i + 1], values[i], values[i + 1]);
+            if from >= 0.0 && to <= 1.0 {
+                let crossed = from + (to - from) * (before / (before - after));
+                found.push(self.root_between([from, to], after > 0.0, crossed));
+            }
+        }
+        Some(found)
+    }
+
     /// Finds the changes of sign of a part of a polynomial, whose parameters lie between these.
     fn isolate(&self, [from, to]: [f64; 2], cuts: u32, found: &mut Parameters) {
         let changes = self.coefficient_changes();
@@ -307,55 +349,4 @@ impl Parameters {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn products_and_differences_are_those_of_the_values() {
-        let (p, q) = (
-            Polynomial::new(&[1.0, -2.0, 3.0, 0.5]),
-            Polynomial::new(&[0.5, 4.0]),
-        );
-        for i in 0..=10 {
-            let t = f64::from(i) / 10.0;
-            assert!((p.times(&q).at(t) - p.at(t) * q.at(t)).abs() < 1e-14);
-            assert!((p.minus(&q).at(t) - (p.at(t) - q.at(t))).abs() < 1e-14);
-        }
-    }
-
-    #[test]
-    fn roots_at_the_ends_and_in_the_middle_and_double_ones_are_told_apart() {
-        let product = |roots: &[f64]| {
-            roots.iter().fold(Polynomial::new(&[1.0]), |p, root| {
-                p.times(&Polynomial::new(&[-root, 1.0 - root]))
-            })
-        };
-        let found = |roots: &[f64]| product(roots).sign_changes().iter().collect::<Vec<_>>();
-        let near = |a: &[f64], b: &[f64], by: f64| {
-            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= by)
-        };
-        assert!(near(&found(&[0.0, 0.5, 1.0]), &[0.5], 1e-15));
-        assert!(near(&found(&[0.5, 0.5]), &[], 0.0));
-        assert!(near(&found(&[0.25, 0.25, 0.75]), &[0.75], 1e-15));
-        assert!(near(&found(&[0.5, 0.5, 0.5]), &[0.5], 1e-4));
-        assert!(near(&found(&[0.0, 0.0, 0.3, 1.0, 1.0]), &[0.3], 1e-15));
-        assert!(near(
-            &found(&[0.1, 0.101, 0.5, 0.9]),
-            &[0.1, 0.101, 0.5, 0.9],
-            1e-12
-        ));
-        assert!(near(&found(&[-0.1, 1.1]), &[], 0.0));
-    }
-
-    #[test]
-    fn all_six_roots_are_found() {
-        // T6(2t - 1), whose roots are known.
-        let chebyshev = Polynomial::new(&[1.0, -11.0, 33.0, -231.0 / 5.0, 33.0, -11.0, 1.0]);
-        let found: Vec<f64> = chebyshev.sign_changes().iter().collect();
-        assert_eq!(found.len(), 6);
-        for (k, t) in found.iter().rev().enumerate() {
-            let angle = core::f64::consts::PI * (2.0 * k as f64 + 1.0) / 12.0;
-            assert!((2.0 * t - 1.0 - angle.cos()).abs() < 1e-14);
-        }
-    }
-}
+mod tests;

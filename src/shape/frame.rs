@@ -197,14 +197,17 @@ impl Frame {
 }
 
 /// a - b without a rounding error.
+#[inline(always)]
 fn differences(a: Point, b: Point) -> Twice {
     [Double::difference(a.x, b.x), Double::difference(a.y, b.y)]
 }
 
+#[inline(always)]
 fn dot(u: Twice, v: Twice) -> Double {
     u[0].times(v[0]).plus(u[1].times(v[1]))
 }
 
+#[inline(always)]
 fn cross(u: Twice, v: Twice) -> Double {
     u[0].times(v[1]).plus(u[1].times(v[0]).scaled(-1.0))
 }
@@ -233,6 +236,7 @@ impl Inverse {
         }
     }
 
+    #[inline(always)]
     fn point(&self, p: Point) -> Twice {
         let less = |x: f64, by: Double| Double::of(x).plus(by.scaled(-1.0));
         let v = [less(p.x, self.moved[0]), less(p.y, self.moved[1])];
@@ -265,6 +269,7 @@ pub(crate) struct Exact {
 
 impl Exact {
     /// A point of the plane in the frame.
+    #[inline(always)]
     pub(crate) fn point(&self, p: Point) -> Twice {
         match &self.back {
             None => self.unmapped(differences(p, self.origin)),
@@ -277,6 +282,7 @@ impl Exact {
     }
 
     /// The same for a vector before the map.
+    #[inline(always)]
     fn unmapped(&self, v: Twice) -> Twice {
         let [x, y] = match self.axis {
             Some(axis) => [dot(axis, v), cross(axis, v)],
@@ -289,6 +295,7 @@ impl Exact {
     }
 
     /// What is added to a dot product at a point of the frame.
+    #[inline(always)]
     pub(crate) fn level(&self, q: Twice) -> Double {
         match self.level {
             Level::Radius(level) => level,
@@ -300,6 +307,7 @@ impl Exact {
     }
 
     /// The centre in the frame.
+    #[inline(always)]
     pub(crate) fn center(&self) -> Twice {
         match self.level {
             Level::Radius(_) => [Double::of(0.0); 2],

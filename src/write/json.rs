@@ -1,5 +1,6 @@
 //! JSON, with the one formatter of numbers.
 
+mod equation;
 #[cfg(feature = "batch")]
 mod line;
 
@@ -14,12 +15,12 @@ use crate::continuity::Continuity;
 use crate::curve::control_points;
 use crate::error::{Error, Result};
 use crate::method::{Quadrature, Rule};
-use crate::number::{decimals_of, push_shortest, round};
+use crate::number::push_shortest;
 use crate::path;
-use crate::power;
 use crate::radial_error::RadialError;
 use crate::shape::Shape;
 
+use equation::{Term, equations};
 #[cfg(feature = "batch")]
 pub(crate) use line::push_drawing;
 
@@ -236,47 +237,16 @@ pub fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
 #[must_use]
 pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentDocument {
     let points = control_points(segment);
-    let [(x, xs), (y, ys)] = equations(&points);
+    let [x, y] = equations(&points);
     SegmentDocument {
-        power: PowerDocument { x, y },
-        derivatives: [0, 1].map(|end| [xs[end], ys[end]]),
+        power: PowerDocument {
+            x: x.power.map(Term::value),
+            y: y.power.map(Term::value),
+        },
+        derivatives: [0, 1].map(|end| [x.slopes[end].value(), y.slopes[end].value()]),
         points: points.into_iter().map(pair).collect(),
         angles,
     }
-}
-
-/// The power coefficients of x and of y, and the derivatives at both ends.
-fn equations(points: &[Point]) -> [([f64; 4], [f64; 2]); 2] {
-    [|p: &Point| p.x, |p: &Point| p.y].map(|coordinate| {
-        let mut coordinates = [0.0; 4];
-        let coordinates = &mut coordinates[..points.len()];
-        for (own, point) in coordinates.iter_mut().zip(points) {
-            *own = coordinate(point);
-        }
-        equation(coordinates)
-    })
-}
-
-/// The power coefficients of one coordinate, and its derivatives at both ends.
-fn equation(coordinates: &[f64]) -> ([f64; 4], [f64; 2]) {
-    /// With more decimals than this noise in the last digits is no concern.
-    const MOST_DECIMALS: u8 = 12;
-    // Whole multiples of decimals are decimals: no noise in the last digits.
-    let decimals = coordinates.iter().try_fold(0, |most: u8, &x| {
-        let decimals = (round(x, MOST_DECIMALS) == x).then(|| decimals_of(x));
-        decimals
-            .filter(|&own| own <= MOST_DECIMALS)
-            .map(|own| most.max(own))
-    });
-    let tidy = |c| decimals.map_or(c, |decimals| round(c, decimals));
-    let degree = coordinates.len().saturating_sub(1);
-    let slope = |i: usize| tidy(degree as f64 * (coordinates[i + 1] - coordinates[i]));
-    let slopes = if degree == 0 {
-        [0.0; 2]
-    } else {
-        [slope(0), slope(degree - 1)]
-    };
-    (power::coefficients(coordinates).map(tidy), slopes)
 }
 
 /// Any value as JSON for people and programs: the outermost object a line a key, the objects of an array a line each.

@@ -17,6 +17,9 @@ const LOBES: [f64; 3] = [0.18, 0.5, 0.82];
 /// no longer grows with the length of a segment alone.
 const FIRST_ORDER: f64 = 1e-4;
 
+/// Flatter ellipses have sharp ends.
+const SHARP: f64 = 0.03;
+
 /// A method on an ellipse. Angles count from an end of its short axis.
 #[derive(Clone, Copy)]
 pub(super) struct Errors {
@@ -48,6 +51,11 @@ impl Errors {
                 )
             ),
         }
+    }
+
+    /// Whether the ellipse is that flat.
+    pub(super) fn is_sharp(&self) -> bool {
+        self.short < SHARP
     }
 
     /// Whether a piece costs no search.

@@ -98,17 +98,32 @@ impl Lobes {
         peak.map_or(f64::INFINITY, |lobe| lobe.distance)
     }
 
-    /// Whether that is within `allowed`.
-    pub(super) fn is_within(&self, from: f64, size: f64, allowed: f64) -> bool {
-        Segment::new(self, from, size).is_some_and(|segment| {
-            let (starts, count) = segment.starts();
-            starts[..count].iter().all(|&v| {
-                let lobe = segment.at(v);
-                // Most segments that are too long are already so before a step.
-                lobe.distance <= allowed
-                    && (lobe.top() <= allowed || segment.climbed(lobe).distance <= allowed)
-            })
-        })
+    /// The same up to an error: beyond it, that of the first lobe found there.
+    pub(super) fn size_up_to(&self, from: f64, size: f64, allowed: f64) -> f64 {
+        let Some(segment) = Segment::new(self, from, size) else {
+            return f64::INFINITY;
+        };
+        let (starts, count) = segment.starts();
+        let mut most = 0.0_f64;
+        for &v in &starts[..count] {
+            let lobe = segment.at(v);
+            // Most segments that are too long are already so before a step.
+            let reached = if lobe.distance > allowed || lobe.top() <= allowed {
+                lobe.distance
+            } else {
+                segment.climbed(lobe).distance
+            };
+            // What cannot be told is not within.
+            most = if reached.is_nan() {
+                f64::INFINITY
+            } else {
+                most.max(reached)
+            };
+            if most > allowed {
+                break;
+            }
+        }
+        most
     }
 
     /// The sizes of the segments from here on that cross the ellipse at its next sharp end, ascending.

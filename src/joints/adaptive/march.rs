@@ -6,11 +6,48 @@ use super::{Balance, Joints, MOST, MOST_STEPS};
 use crate::angle::Angle;
 use crate::shape::UnitArc;
 
+/// How often joints are marched out for the error that equalises such segments, and by how much the last of them may be too short, as a
+/// part of it.
+const NARROWINGS: u32 = 7;
+const SHORT: f64 = 0.01;
+
 /// How many lengths are tried where a longer segment may err less, evenly by their ratio.
 const LONGER: u32 = 12;
 
 /// How well the longest of them is known then, as a part of it.
 const SETTLED: f64 = 3e-4;
+
+/// The largest such logarithm that counts.
+const MOST_BEYOND: f64 = 40.0;
+
+/// A segment that is within an error and a longer one that is beyond, with the logarithms of their errors over what is allowed.
+struct Bracket {
+    low: f64,
+    high: f64,
+    below: f64,
+    above: f64,
+}
+
+impl Bracket {
+    /// The longest segment within, by secants, to so little of that logarithm.
+    fn longest(mut self, settled: f64, beyond: impl Fn(f64) -> f64) -> f64 {
+        for _ in 0..MOST_STEPS {
+            let is_narrow = self.high - self.low <= SETTLED * self.low;
+            if is_narrow || self.below >= -settled {
+                break;
+            }
+            let part = (self.below + 0.5 * settled) / (self.below - self.above);
+            let size = self.low + (self.high - self.low) * part.clamp(0.05, 0.95);
+            let reached = beyond(size);
+            if reached <= 0.0 {
+                (self.low, self.below) = (size, reached);
+            } else {
+                (self.high, self.above) = (size, reached);
+            }
+        }
+        self.low
+    }
+}
 
 impl Balance {
     /// The longest segment from `way`, up to `most`, whose error is `allowed`, starting the search from `guess`; where a longer
@@ -31,28 +68,41 @@ impl Balance {
         let from = self.past_axis(way);
         let least = safe.min(most);
         let step = libm::pow(most / least, 1.0 / f64::from(LONGER));
-        let within = |size: f64| size <= most && self.lobes.is_within(from, size, allowed);
-        let (mut low, mut high) = (most, most);
+        // How far beyond what is allowed, by its logarithm.
+        let beyond = |size: f64| {
+            let reached = self.lobes.size_up_to(from, size, allowed);
+            libm::log(reached / allowed).clamp(-MOST_BEYOND, MOST_BEYOND)
+        };
+        let mut bracket = Bracket {
+            low: most,
+            high: most,
+            below: beyond(most),
+            above: 0.0,
+        };
         for _ in 0..LONGER {
-            if within(low) {
+            if bracket.below <= 0.0 {
                 break;
             }
-            (low, high) = ((low / step).max(least), low);
+            (bracket.high, bracket.above) = (bracket.low, bracket.below);
+            bracket.low = (bracket.low / step).max(least);
+            bracket.below = beyond(bracket.low);
         }
         // A sharp end where the curve crosses the ellipse is harmless too.
         for size in self.lobes.crossing_sharp_end(from) {
-            if size > low && within(size) {
-                (low, high) = (size, (size * step).min(most));
+            if size > bracket.low && size <= most {
+                let below = beyond(size);
+                if below <= 0.0 {
+                    bracket = Bracket {
+                        low: size,
+                        high: (size * step).min(most),
+                        below,
+                        above: self.order * (step - 1.0),
+                    };
+                }
             }
         }
-        while high - low > SETTLED * low {
-            let middle = f64::midpoint(low, high);
-            if within(middle) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
+        let low = bracket.longest(self.order * SETTLED, beyond);
+        let within = |size: f64| size <= most && beyond(size) <= 0.0;
         let quarters = (from + low) / 90.0;
         let to_axis = low + 90.0 * (quarters.ceil() - quarters);
         let axes = [to_axis, to_axis + 90.0].into_iter();
@@ -155,6 +205,38 @@ impl Balance {
             size = next;
         }
         None
+    }
+
+    /// Joints of this many segments of equal error where longer ones may err less: the error is narrowed down from that of equal angles on,
+    /// by what the order makes of the count that it takes, and evenly where a sharp end makes that leap.
+    pub(super) fn narrowed(&self, whole: f64, pieces: usize) -> Option<Vec<f64>> {
+        let (count, size) = (pieces as f64, whole / pieces as f64);
+        let equal = (0..pieces).map(|i| self.error(i as f64 * size, size));
+        let mut high = equal.fold(0.0, f64::max);
+        let (mut low, mut allowed) = (high / 1000.0, high);
+        let (mut found, mut joints) = (None, Vec::new());
+        for _ in 0..NARROWINGS {
+            let taken = self.march(whole, allowed, pieces, &mut joints);
+            if taken > count {
+                low = allowed;
+            } else {
+                high = allowed;
+                joints.push(whole);
+                found = (joints.len() == pieces + 1).then(|| joints.clone());
+                if taken > count - SHORT && !self.is_sharp() {
+                    break;
+                }
+            }
+            // The last segment is to be a little too short rather than one too many.
+            let next = allowed * libm::pow((taken + 0.5 * SHORT) / count, self.order);
+            let is_between = next > low && next < high && !self.is_sharp();
+            allowed = if is_between {
+                next
+            } else {
+                (low * high).sqrt()
+            };
+        }
+        found
     }
 
     /// The segments that are as long as `allowed` lets them be, over the larger radius, from the start or from the end on; the

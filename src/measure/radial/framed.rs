@@ -16,6 +16,7 @@ pub(super) struct FramedPoints {
 }
 
 impl FramedPoints {
+    #[inline(always)]
     pub(super) fn new(segment: &PathSeg, exact: &Exact) -> Self {
         let (points, count) = match *segment {
             PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
@@ -33,6 +34,7 @@ impl FramedPoints {
     }
 
     /// The same as a cubic.
+    #[inline(always)]
     pub(super) fn raised(self, exact: &Exact) -> Self {
         let [a, b, c, _] = self.points;
         // (u + n v) / (n + 1)
@@ -48,6 +50,7 @@ impl FramedPoints {
         Self::of(points, 4, exact)
     }
 
+    #[inline(always)]
     fn of(points: [Twice; 4], count: usize, exact: &Exact) -> Self {
         let [a, b, c, d] = &points;
         let levels = [
@@ -69,6 +72,7 @@ impl FramedPoints {
     }
 
     /// |p(t)|² - radius² about the centre; each coefficient is rounded once.
+    #[inline(always)]
     pub(super) fn excess(&self) -> Polynomial {
         let term = |i: usize, j: usize| {
             let level = self.levels[i].near(self.levels[j]);

@@ -262,33 +262,27 @@ impl<const N: usize> Samples<N> {
     /// A bound on the distance.
     fn bound(&self, frame: &Frame) -> f64 {
         let step = PI / (N - 1) as f64;
-        let most = self.excess.iter().fold(0.0_f64, |most, x| {
-            let size = x.abs();
-            if size > most { size } else { most }
-        });
-        let largest = most / unit_vector(DEGREE * step / 2.0).x;
-        if !self.turns || largest > 0.5 {
+        let sizes = self.excess.map(f64::abs);
+        let most = largest(&sizes);
+        let bound = most / unit_vector(DEGREE * step / 2.0).x;
+        if !self.turns || bound > 0.5 {
             return f64::INFINITY;
         }
-        let between = largest * (DEGREE * DEGREE * step * step / 8.0);
+        let between = bound * (DEGREE * DEGREE * step * step / 8.0);
         let [a, b] = frame.squares;
-        let larger = |a: f64, b: f64| if a > b { a } else { b };
-        // |F| and 1/G.
-        let (mut sizes, mut slack) = ([0.0; N], [0.0; N]);
-        for i in 0..N {
-            sizes[i] = self.excess[i].abs();
-            slack[i] = (1.0 + self.excess[i]) * self.steepness[i];
-        }
-        let (mut square, mut ratio) = (0.0_f64, 0.0_f64);
+        let flat = a.max(b);
+        // 1/G.
+        let slack: [f64; N] = core::array::from_fn(|i| (1.0 + self.excess[i]) * self.steepness[i]);
+        let [mut parts, mut squares] = [[0.0; N]; 2];
         for i in 0..N - 1 {
             let excess = larger(sizes[i], sizes[i + 1]) + between;
+            let aside = larger(slack[i], slack[i + 1]);
             let is_aside = self.long[i] * self.long[i + 1] > 0.0;
-            let slack = larger(slack[i], slack[i + 1]);
-            let part = excess * if is_aside { slack } else { a.max(b) };
-            ratio = larger(part, ratio);
-            square = larger(part * excess, square);
+            parts[i] = excess * if is_aside { aside } else { flat };
+            squares[i] = parts[i] * excess;
         }
-        let inner = 1.0 - largest;
+        let (ratio, square) = (largest(&parts), largest(&squares));
+        let inner = 1.0 - bound;
         let root = (1.0 - ratio / (a.min(b) * inner)).sqrt();
         let most = (square / inner).sqrt() / (1.0 + root);
         if most.is_finite() {
@@ -297,6 +291,24 @@ impl<const N: usize> Samples<N> {
             f64::INFINITY
         }
     }
+}
+
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// The largest of these numbers, none of which is negative, in lanes.
+#[inline]
+fn largest<const N: usize>(numbers: &[f64; N]) -> f64 {
+    let mut lanes = [0.0; 4];
+    for some in numbers.chunks(4) {
+        for (lane, &x) in lanes.iter_mut().zip(some) {
+            *lane = larger(x, *lane);
+        }
+    }
+    let [a, b, c, d] = lanes;
+    larger(larger(a, b), larger(c, d))
 }
 
 /// Where the largest of these numbers stands, the first of them.

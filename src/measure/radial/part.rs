@@ -32,6 +32,17 @@ pub(super) struct Motion<T> {
     pub(super) bending: T,
 }
 
+/// The largest sizes along a part, rounding included.
+pub(super) struct Sizes {
+    pub(super) place: [f64; 2],
+    pub(super) velocity: [f64; 2],
+    pub(super) acceleration: [f64; 2],
+    /// Between what F'' lies, the largest |F'|, and how far F' may be off in the middle.
+    pub(super) bending: [f64; 2],
+    pub(super) rising: f64,
+    pub(super) rising_off: f64,
+}
+
 impl Part {
     /// The part between two parameters, all of it rounded once. Where the points were `turned`, the direction was rounded too.
     pub(super) fn new(
@@ -104,13 +115,19 @@ impl Part {
     }
 
     pub(super) fn halves(&self) -> [Self; 2] {
-        let width = self.width / 2.0;
-        // One rounding in each step.
-        let rounding = self.rounding + 3.0 * f64::EPSILON * self.largest;
-        let moved = |i: usize| self.moved[i] + 1.5 * f64::EPSILON * self.reach[i];
-        let half = |from: f64, excess: [f64; 7], points: [[f64; 4]; 2]| Self {
+        self.cut(self.from + self.width / 2.0)
+    }
+
+    /// The parts before and after a parameter.
+    pub(super) fn cut(&self, place: f64) -> [Self; 2] {
+        let t = (place - self.from) / self.width;
+        // One rounding in each step to the middle, three elsewhere.
+        let steps = if t == 0.5 { 1.0 } else { 3.0 };
+        let rounding = self.rounding + steps * 3.0 * f64::EPSILON * self.largest;
+        let moved = |i: usize| self.moved[i] + steps * 1.5 * f64::EPSILON * self.reach[i];
+        let part = |[from, to]: [f64; 2], excess: [f64; 7], points: [[f64; 4]; 2]| Self {
             from,
-            width,
+            width: to - from,
             largest: largest(&excess),
             excess,
             rounding,
@@ -121,10 +138,10 @@ impl Part {
         };
         let [x, y] = &self.points;
         let ([before, after], [x, x_after], [y, y_after]) =
-            (halves(self.excess), halves(*x), halves(*y));
+            (cut(self.excess, t), cut(*x, t), cut(*y, t));
         [
-            half(self.from, before, [x, y]),
-            half(self.from + width, after, [x_after, y_after]),
+            part([self.from, place], before, [x, y]),
+            part([place, self.from + self.width], after, [x_after, y_after]),
         ]
     }
 
@@ -191,6 +208,46 @@ impl Part {
         }
     }
 
+    /// The largest sizes for all places, from the motion at the middle as in [`Self::spread`].
+    pub(super) fn sizes(&self, middle: &Motion<f64>) -> Sizes {
+        let [mut place, mut velocity, mut acceleration] = [[0.0; 2]; 3];
+        for i in 0..2 {
+            let [a, b, c, d] = self.points[i];
+            let third = 3.0 * ((d - a) - 3.0 * (c - b)).abs();
+            let size = f64::EPSILON * self.reach[i];
+            acceleration[i] =
+                middle.acceleration[i].abs() + third + 24.0 * self.moved[i] + 128.0 * size;
+            velocity[i] = middle.velocity[i].abs()
+                + acceleration[i] / 2.0
+                + 6.0 * self.moved[i]
+                + 32.0 * size;
+            place[i] = middle.place[i].abs() * (1.0 + f64::EPSILON)
+                + velocity[i] / 2.0
+                + self.moved[i]
+                + 4.5 * size;
+        }
+        let e = &self.excess;
+        let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
+        for i in 0..5 {
+            let second = 30.0 * ((e[i] - e[i + 1]) - (e[i + 1] - e[i + 2]));
+            low = if second < low { second } else { low };
+            high = if second > high { second } else { high };
+        }
+        let size = f64::EPSILON * self.largest;
+        let off = 120.0 * self.rounding + 1024.0 * size;
+        let bending = [low - off, high + off];
+        let rising_off = 12.0 * self.rounding + 128.0 * size;
+        let rising = middle.rising.abs() + rising_off + bending[1].max(-bending[0]) / 2.0;
+        Sizes {
+            place,
+            velocity,
+            acceleration,
+            bending,
+            rising,
+            rising_off,
+        }
+    }
+
     /// The same for all places, the middles of the balls being those at the middle of the part: each derivative differs from there by
     /// half the largest of the next.
     pub(super) fn spread(&self, middle: &Motion<Ball>) -> Motion<Ball> {
@@ -226,13 +283,13 @@ fn largest<const N: usize>(numbers: &[f64; N]) -> f64 {
     numbers.iter().fold(0.0, larger)
 }
 
-/// The coefficients of both halves, by de Casteljau's algorithm.
+/// The coefficients before and after t, by de Casteljau's algorithm.
 #[inline]
-fn halves<const N: usize>(mut after: [f64; N]) -> [[f64; N]; 2] {
-    let mut before = after;
+fn cut<const N: usize>(mut after: [f64; N], t: f64) -> [[f64; N]; 2] {
+    let (mut before, rest) = (after, 1.0 - t);
     for (k, last) in before.iter_mut().enumerate().skip(1) {
         for i in 0..N - k {
-            after[i] = 0.5 * (after[i] + after[i + 1]);
+            after[i] = rest * after[i] + t * after[i + 1];
         }
         *last = after[0];
     }

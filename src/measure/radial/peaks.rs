@@ -22,8 +22,9 @@ const NEAR: f64 = 0.1;
 /// A bound that is above a known distance by so little is stated, as a share of the distance.
 const CLOSE: f64 = 1e-11;
 
-/// How often a segment is halved at first: its parts then mostly have one extreme at most.
-const FIRST_CUTS: u32 = 3;
+/// Where a segment is cut at first, in 64ths: of a curve near the shape the second, fourth and sixth part have one extreme each, and
+/// little lies as far between them.
+const FIRST_CUTS: [f64; 6] = [9.0, 15.0, 27.0, 37.0, 49.0, 55.0];
 
 /// How often it is halved at most, and how many parts are halved: what is left then is stated by its bound.
 const MOST_CUTS: u32 = 48;
@@ -54,6 +55,16 @@ pub(crate) struct Known {
     stated: [f64; 2],
 }
 
+impl Known {
+    /// What makes all pass that is at most so large, over the larger radius.
+    pub(crate) const fn within(limit: f64) -> Self {
+        Self {
+            least: [limit; 2],
+            stated: [limit; 2],
+        }
+    }
+}
+
 /// Visits places of a segment as (t, what the distance there lies between). What all of them lie between, and what was known before,
 /// holds for the whole segment.
 pub(super) fn visit(profile: &Profile, known: &mut Known, visit: impl FnMut(f64, [f64; 2])) {
@@ -75,8 +86,18 @@ pub(super) fn visit(profile: &Profile, known: &mut Known, visit: impl FnMut(f64,
         last_place: 0.5 * f64::EPSILON * (profile.largest_coordinate / unit).min(1.0),
     };
     let (whole, points) = profile.part([0.0, 1.0], &turn);
-    let mut parts = Vec::with_capacity(1 << FIRST_CUTS);
-    search.cut(&whole, FIRST_CUTS, &mut parts);
+    let mut rest = whole;
+    let parts: [(f64, Part); FIRST_CUTS.len() + 1] = core::array::from_fn(|i| {
+        let part = match FIRST_CUTS.get(i) {
+            Some(place) => {
+                let [part, after] = rest.cut(place / 64.0);
+                rest = after;
+                part
+            }
+            None => rest,
+        };
+        (search.learn(&part), part)
+    });
     // Those that seem the farthest come first: their extremes leave little to be found of the others.
     let farthest = |sign: f64| {
         (1..parts.len()).fold(0, |far, place| {
@@ -125,15 +146,8 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         self.profile.part(part.parameters(), &self.turn)
     }
 
-    /// Cuts a part, and learns from the middle of each piece what the largest distances are at least; the pieces with the distance there,
-    /// nearly.
-    fn cut(&mut self, part: &Part, cuts: u32, parts: &mut Vec<(f64, Part)>) {
-        if cuts > 0 {
-            for half in &part.halves() {
-                self.cut(half, cuts - 1, parts);
-            }
-            return;
-        }
+    /// The distance in the middle of a part, nearly, from which it is learnt what the largest distances are at least.
+    fn learn(&mut self, part: &Part) -> f64 {
         let (q, excess) = part.middle(self.center);
         let gradient = self.alpha[0] * q.x * q.x + self.alpha[1] * q.y * q.y;
         let x = self.nearness(excess, gradient);
@@ -143,7 +157,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             let least = least / (2.0 * gradient.sqrt());
             self.known.least[side] = self.known.least[side].max(least);
         }
-        parts.push((excess / gradient.sqrt(), *part));
+        excess / gradient.sqrt()
     }
 
     /// Visits an end of the segment, where F is one coefficient and the point is known in twice the digits.
@@ -175,6 +189,18 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             return;
         }
         let middle = part.motion_at(0.5, self.center);
+        if let Some(near) = self.bounds(excess, gradient) {
+            if self.is_found_quickly(part, &middle, excess, gradient, near) {
+                return;
+            }
+            // Mostly sizes tell of the halves, which cost less than what follows.
+            if cuts == MOST_CUTS {
+                for half in part.halves() {
+                    self.bound(&half, cuts - 1);
+                }
+                return;
+            }
+        }
         let rounded = part.rounded(&middle);
         let motion = part.spread(&rounded);
         let gradients = self.gradients(&motion);
@@ -242,7 +268,9 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             }
             let curving = all.bend.middle.abs() - all.bend.radius;
             let side = usize::from(all.bend.middle > 0.0);
-            if curving > 0.0 && (!open[side] || self.settle(part, &at, curving)) {
+            if curving > 0.0
+                && (!open[side] || self.settle(part, 0.5 - at.slope / at.bend, curving))
+            {
                 return None;
             }
             // What s is at the middle and how fast it changes says more than F and G do where the part is short.

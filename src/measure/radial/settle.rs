@@ -13,10 +13,9 @@ const LEFT: f64 = 1e-12;
 const MOST_STEPS: usize = 8;
 
 impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
-    /// Finds the extreme of a part on which |N'| is at least `curving`, from what they are at its middle; whether it did. From a place on, the
-    /// distance grows by N² / (2 √g curving) at most.
-    pub(super) fn settle(&mut self, part: &Part, at: &Slopes<f64>, curving: f64) -> bool {
-        let mut t = 0.5 - at.slope / at.bend;
+    /// Finds the extreme of a part on which |N'| is at least `curving`, by steps from t on; whether it did. From a place on, the distance
+    /// grows by N² / (2 √g curving) at most.
+    pub(super) fn settle(&mut self, part: &Part, mut t: f64, curving: f64) -> bool {
         for steps in 0..MOST_STEPS {
             t = t.clamp(0.0, 1.0);
             let motion = part.motion_at(t, self.center);

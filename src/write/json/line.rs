@@ -2,11 +2,13 @@
 
 use kurbo::PathSeg;
 
-use super::{DrawingDocument, RoundDocument, ShapeDocument, equations, push_line, shape_document};
+use super::equation::{Term, equations};
+use super::{DrawingDocument, RoundDocument, ShapeDocument, push_line, shape_document};
 use crate::approximate::Drawing;
 use crate::curve::{Curve, control_points};
 use crate::error::Result;
 use crate::method::Rule;
+use crate::number::decimal::{After, Form};
 use crate::number::memo::Memo;
 use crate::path;
 
@@ -79,6 +81,19 @@ impl Line<'_> {
         self.out.push(b']');
     }
 
+    fn terms(&mut self, terms: &[Term]) {
+        for (i, &term) in terms.iter().enumerate() {
+            self.out.push(if i == 0 { b'[' } else { b',' });
+            match term {
+                Term::Decimal(decimal) => {
+                    decimal.write(self.out, After::Letter, Form::Plain);
+                }
+                Term::Float(x) => self.number(x),
+            }
+        }
+        self.out.push(b']');
+    }
+
     /// What stands before the segments.
     fn head(&mut self, kind: &str, round: &RoundDocument, rule: Rule) {
         self.text("\"version\":1,\"shape\":{\"kind\":\"");
@@ -116,7 +131,7 @@ impl Line<'_> {
 
     fn segment(&mut self, segment: &PathSeg, angles: Option<&[f64]>) {
         let points = control_points(segment);
-        let [(x, xs), (y, ys)] = equations(&points);
+        let [x, y] = equations(&points);
         self.text("{\"points\":");
         for (i, p) in points.iter().enumerate() {
             self.out.push(if i == 0 { b'[' } else { b',' });
@@ -128,13 +143,13 @@ impl Line<'_> {
             self.numbers(angles);
         }
         self.text(",\"power\":{\"x\":");
-        self.numbers(&x);
+        self.terms(&x.power);
         self.text(",\"y\":");
-        self.numbers(&y);
+        self.terms(&y.power);
         self.text("},\"derivatives\":[");
-        self.numbers(&[xs[0], ys[0]]);
+        self.terms(&[x.slopes[0], y.slopes[0]]);
         self.out.push(b',');
-        self.numbers(&[xs[1], ys[1]]);
+        self.terms(&[x.slopes[1], y.slopes[1]]);
         self.text("]}");
     }
 
