@@ -5,6 +5,7 @@ pub(crate) mod bernstein;
 pub(crate) mod double;
 pub(crate) mod foot;
 pub(crate) mod functions;
+pub(crate) mod instructions;
 pub(crate) mod linear;
 pub(crate) mod tridiagonal;
 

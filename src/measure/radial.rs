@@ -31,8 +31,9 @@ use super::curvature;
 use crate::curve::{control_points, largest_coordinate};
 use crate::numeric::adaptive_integral;
 use crate::numeric::bernstein::{Parameters, Polynomial};
-use crate::numeric::double::{Double, by_fused_products};
+use crate::numeric::double::Double;
 use crate::numeric::foot::{Foot, foot};
+use crate::numeric::instructions::by_the_best;
 use crate::radial_error::RadialError;
 use crate::shape::{Exact, Truth};
 
@@ -118,7 +119,7 @@ impl Profile {
 
     /// The same where the frame of the true shape is at hand.
     fn within(segment: &PathSeg, truth: &Truth, exact: &Exact) -> Self {
-        let (framed, excess) = by_fused_products(
+        let (framed, excess) = by_the_best(
             #[inline(always)]
             || {
                 let mut framed = FramedPoints::new(segment, exact);

@@ -1,15 +1,5 @@
 //! Twice the digits of `f64`, for the one difference that needs them: |p|² - r² of points that lie almost on the circle.
 
-/// Runs what forms many products by the fused ones of the processor, where it has them: the same bits in less time than by calls.
-#[inline(always)]
-pub(crate) fn by_fused_products<T>(run: impl FnOnce() -> T) -> T {
-    #[cfg(all(feature = "simd", target_arch = "x86_64"))]
-    if let Some(level) = fearless_simd::Level::new().as_avx2() {
-        return fearless_simd::Simd::vectorize(level, run);
-    }
-    run()
-}
-
 /// A vector in twice the digits.
 pub(crate) type Twice = [Double; 2];
 

@@ -20,6 +20,7 @@ use kurbo::{CubicBez, PathSeg, Point, Vec2};
 use super::distance;
 use crate::numeric;
 use crate::numeric::functions::unit_vector;
+use crate::numeric::instructions::by_the_best;
 use crate::shape::Truth;
 
 /// The samples: one more than there are steps between them, few and many.
@@ -122,8 +123,12 @@ fn bound_by<const N: usize>(
     let mut frame = Frame::new(truth);
     let mut most = 0.0_f64;
     for segment in segments {
-        let samples = frame.samples(&segment.to_cubic(), weights);
-        most = most.max(samples.bound(&frame));
+        let cubic = segment.to_cubic();
+        let bound = by_the_best(
+            #[inline(always)]
+            || frame.samples(&cubic, weights).bound(&frame),
+        );
+        most = most.max(bound);
     }
     most + frame.rounding()
 }
@@ -172,6 +177,7 @@ impl Frame {
         ROUNDING * self.reach * (a.max(b) / a.min(b)).sqrt()
     }
 
+    #[inline(always)]
     fn samples<const N: usize>(&mut self, cubic: &CubicBez, weights: &Weights<N>) -> Samples<N> {
         let CubicBez { p0, p1, p2, p3 } = *cubic;
         for p in [p1, p2, p3] {
@@ -199,7 +205,7 @@ impl Frame {
 }
 
 /// A coordinate at the samples. This loop and those below run over places, not over iterators of them: the compiler makes vectors of such.
-#[inline]
+#[inline(always)]
 fn along<const N: usize>(points: &[[f64; 2]; 4], axis: usize, weights: &Weights<N>) -> [f64; N] {
     let [a, b, c, d] = points.map(|p| p[axis]);
     let mut along = [0.0; N];
@@ -211,6 +217,7 @@ fn along<const N: usize>(points: &[[f64; 2]; 4], axis: usize, weights: &Weights<
 }
 
 /// Whether points turn about the origin one after the other, by less than half a turn.
+#[inline(always)]
 fn turns(points: &[[f64; 2]; 4]) -> bool {
     let cross = |i: usize, j: usize| points[i][0] * points[j][1] - points[i][1] * points[j][0];
     let sense = cross(0, 3);
@@ -260,6 +267,7 @@ impl<const N: usize> Samples<N> {
     }
 
     /// A bound on the distance.
+    #[inline(always)]
     fn bound(&self, frame: &Frame) -> f64 {
         let step = PI / (N - 1) as f64;
         let sizes = self.excess.map(f64::abs);
@@ -299,7 +307,7 @@ fn larger(a: f64, b: f64) -> f64 {
 }
 
 /// The largest of these numbers, none of which is negative, in lanes.
-#[inline]
+#[inline(always)]
 fn largest<const N: usize>(numbers: &[f64; N]) -> f64 {
     let mut lanes = [0.0; 4];
     for some in numbers.chunks(4) {
