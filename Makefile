@@ -143,13 +143,21 @@ lint: ## Check formatting, lints, each feature alone, and the documentation of t
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --no-default-features
 	if command -v cargo-deny >/dev/null; then $(CARGO) deny --offline check licenses bans sources; fi
 
-MUTANTS = src/shape src/joints src/joints.rs src/method src/measure src/approximate src/document src/batch src/batch.rs src/cli/output.rs src/cli/convert
-
 coverage: ## List the lines that no test runs (cargo install cargo-llvm-cov)
 	$(CARGO) llvm-cov --locked --all-features --ignore-filename-regex '(tests|benches)/' --show-missing-lines
 
-mutants: ## Change the source in every small way and see whether a test notices (cargo install cargo-mutants; takes days)
-	$(CARGO) mutants $(foreach file,$(MUTANTS),-f '$(file)$(if $(filter %.rs,$(file)),,/**)')
+# In parts: make mutants FILES='src/shape src/joints.rs' SHARD=0/20 TESTS='shape:: bites:: golden::'
+FILES ?= src/shape src/shape.rs src/joints src/joints.rs src/method src/method.rs src/measure src/measure.rs src/approximate \
+	src/approximate.rs src/document src/document.rs src/batch src/batch.rs src/cli/output.rs src/cli/convert src/cli/convert.rs
+SHARD ?= 0/1
+TESTS ?=
+
+mutants: ## Change the source in every small way and see whether a test notices (takes days; in parts by FILES, SHARD=0/20, TESTS)
+	command -v cargo-mutants > /dev/null || $(CARGO) install --locked cargo-mutants
+	mkdir -p target
+	CARGO_PROFILE_TEST_DEBUG=0 $(CARGO) mutants --output target --timeout 900 --shard $(SHARD) --sharding round-robin \
+		$(foreach file,$(FILES),-f '$(file)$(if $(filter %.rs,$(file)),,/**)') \
+		-- --locked $(if $(TESTS),--lib --test all -- $(TESTS))
 
 # ---- Golden files and pictures
 
