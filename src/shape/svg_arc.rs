@@ -164,16 +164,14 @@ impl Half {
     #[inline(always)]
     pub(crate) fn chord(&self, arc: &SvgArc) -> Chord {
         // (6.2), (6.3): radii too small are scaled up, and the centre is the middle of the chord.
-        let too_small = self.depth == 0.0;
-        let (within, scale) = if too_small {
+        let (within, scale) = if self.depth == 0.0 {
             (1.0, self.size)
         } else {
             (self.size, 1.0)
         };
         // (5.5), (5.6): twice the angle whose sine is half the chord.
         let short = 2.0 * quadrant_degrees(within, self.depth);
-        let long = if too_small { 180.0 } else { 360.0 - short };
-        let size = if arc.large_arc { long } else { short };
+        let size = if arc.large_arc { 360.0 - short } else { short };
         let side = if arc.large_arc == arc.sweep {
             -1.0
         } else {

@@ -2,10 +2,13 @@
 
 use curveto::document::{Options, convert};
 use curveto::joints::{Joints, MOST_SEGMENTS};
+use curveto::measure::radial::distance;
+use curveto::measure::{self, Reference};
+use curveto::number::Precision;
 use curveto::shape::UnitArc;
 use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
-use curveto::{Angle, Circle, Shape};
-use kurbo::Point;
+use curveto::{Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Shape, Tolerance, approximate};
+use kurbo::{ParamCurve, Point};
 
 use crate::judges::program::run;
 
@@ -71,6 +74,27 @@ fn the_centre_of_a_chord_that_is_nearly_the_diameter_keeps_its_digits() {
 }
 
 #[test]
+fn the_centre_of_a_chord_that_is_long_keeps_its_digits() {
+    for i in 0..1000_u32 {
+        let half = 0.9 + 0.09 * f64::from(i) / 1000.0;
+        let arc = parse_svg_arc(&format!("M0 0A1 1 0 0 1 {} 0", 2.0 * half)).unwrap();
+        let center = arc.shape().unwrap().outline().unwrap().truth.center;
+        // 1 - half², rounded once.
+        let true_distance = (-half.mul_add(half, -1.0)).sqrt();
+        let off = center.y.abs() / true_distance - 1.0;
+        assert!(off.abs() < 6e-16, "{half}: {off:e}");
+    }
+}
+
+#[test]
+fn a_centre_that_is_too_far_is_refused() {
+    let (from, to) = (Point::new(9e149, 0.0), Point::new(9e149, 1e149));
+    // Radii of 2.5e149, and the centre at 6.5e149 or beyond 1e150.
+    assert!(from_bulge(from, to, 0.1).is_ok());
+    assert!(from_bulge(from, to, -0.1).is_err());
+}
+
+#[test]
 fn three_points_on_a_line_but_for_their_rounding_are_a_line() {
     let points = [(0.0, 0.0), (0.1, 0.3), (0.3, 0.9)].map(Point::from);
     let shape = through(points[0], points[1], points[2]).unwrap();
@@ -89,6 +113,98 @@ fn entities_may_stand_in_entities() {
     let text =
         "<!DOCTYPE svg [<!ENTITY a '<g/>'><!ENTITY b '&a;&a;'><!ENTITY c '&b;'>]><svg>&c;</svg>";
     assert_eq!(convert(text, &Options::default()).unwrap().text, text);
+    let text = "<!DOCTYPE svg [<!ENTITY a '5'><!ENTITY b '&a;'><!ENTITY c '&b;'>]><svg><circle r='&c;'/></svg>";
+    let converted = convert(text, &Options::default()).unwrap();
+    assert!(converted.text.contains("d='M5 0C5 "), "{}", converted.text);
+}
+
+#[test]
+fn both_ends_of_an_axis_keep_the_digits_of_the_radius() {
+    let text = "<svg><ellipse rx='12.3456789' ry='3.123456789'/></svg>";
+    let converted = convert(text, &Options::default()).unwrap().text;
+    for end in [
+        "12.3456789 0",
+        "-12.3456789 0",
+        "0 3.123456789",
+        "0-3.123456789",
+    ] {
+        assert!(converted.contains(end), "{end}: {converted}");
+    }
+}
+
+#[test]
+fn coordinates_are_not_given_more_decimals_than_they_have() {
+    assert_eq!(Precision::moving_at_most(1e-9, 1e12), Precision::Full);
+    assert_eq!(Precision::moving_at_most(1e-3, 1e12), Precision::Fixed(3));
+}
+
+/// The drawing of this cut, by a method.
+fn drawn(shape: &Shape, method: Method, cut: Cut) -> Drawing {
+    let options = curveto::Options {
+        rule: method.into(),
+        cut,
+        ..curveto::Options::default()
+    };
+    approximate(shape, &options).unwrap()
+}
+
+#[test]
+fn a_count_that_only_rounding_brings_within_is_found() {
+    for radius in (1..60).map(|i| 7.3 * f64::from(i)) {
+        let shape = Shape::Circle(Circle::new((0.0, 0.0), radius).unwrap());
+        for (method, count) in [
+            (Method::Midpoint, 4),
+            (Method::Midpoint, 6),
+            (Method::Curvature, 5),
+        ] {
+            let written = drawn(&shape, method, Cut::Count(count));
+            let tolerance = Tolerance::Absolute(written.error.peak());
+            let ours = drawn(&shape, method, Cut::Tolerance(tolerance));
+            assert!(ours.curve.segments.len() <= count, "{method:?} {radius}");
+        }
+    }
+}
+
+#[test]
+fn the_mean_error_has_its_digits_where_a_tip_lies_between_joints() {
+    let (start, sweep) = (Angle::from_degrees(20.0), Angle::from_degrees(180.0));
+    let arc = Arc::new((0.0, 0.0), (1.0, 0.001), Angle::ZERO, start, sweep);
+    let drawing = drawn(&Shape::Arc(arc.unwrap()), Method::Minimax, Cut::Count(4));
+    let outline = drawing.outline.unwrap();
+    let found = measure::report(&drawing.curve, &Reference::from(&outline), None).unwrap();
+    let count = 50_000;
+    let sum: f64 = (drawing.curve.segments.iter())
+        .flat_map(|segment| {
+            let middles = (0..count).map(move |i| (f64::from(i) + 0.5) / f64::from(count));
+            middles.map(|t| distance(&outline.truth, segment.eval(t)).abs())
+        })
+        .sum();
+    let mean = sum / (4.0 * f64::from(count));
+    assert!((found.error.mean / mean - 1.0).abs() < 1e-4, "{mean}");
+}
+
+#[test]
+fn a_flat_ellipse_by_chens_equal_pieces_takes_the_fewest() {
+    for (flat, tolerance) in [(0.1, 1.0), (0.1, 0.1), (0.5, 1e-2), (0.02, 0.5)] {
+        let radii = (100.0, 100.0 * flat);
+        let shape = Shape::Ellipse(Ellipse::new((0.0, 0.0), radii, Angle::ZERO).unwrap());
+        let ours = drawn(
+            &shape,
+            Method::Chen1,
+            Cut::Tolerance(Tolerance::Absolute(tolerance)),
+        );
+        let within = |count: &usize| {
+            drawn(&shape, Method::Chen1, Cut::Count(*count))
+                .error
+                .peak()
+                <= tolerance
+        };
+        assert_eq!(
+            Some(ours.curve.segments.len()),
+            (3..400).find(within),
+            "{flat} {tolerance}"
+        );
+    }
 }
 
 #[test]
@@ -111,6 +227,9 @@ fn a_length_that_is_infinite_is_left() {
     ] {
         let converted = convert(text, &Options::default()).unwrap();
         assert_eq!(converted.text, text);
-        assert_eq!(converted.notes.len(), 1, "{text}");
+        let notes = converted.notes.iter().map(|note| note.reason.to_string());
+        let said: Vec<String> = notes.collect();
+        assert!(said.len() == 1, "{said:?}");
+        assert!(said[0].contains("is not a number"), "{said:?}");
     }
 }

@@ -255,11 +255,12 @@ fn two_files_that_lead_to_one_are_refused_and_one_file_by_two_names_is_converted
 
 #[test]
 fn links_to_folders_are_not_walked() {
+    // What follows the links stays below the folder all the same.
     let outer = folder();
-    fs::create_dir_all(outer.path().join("in")).unwrap();
-    symlink("..", outer.path().join("in/up")).unwrap();
-    symlink("../..", outer.path().join("in/up.svg")).unwrap();
-    let output = run_in(outer.path(), &["convert", "--in-place", "in"]);
+    fs::create_dir_all(outer.path().join("a/in")).unwrap();
+    symlink("..", outer.path().join("a/in/up")).unwrap();
+    symlink("../..", outer.path().join("a/in/up.svg")).unwrap();
+    let output = run_in(outer.path(), &["convert", "--in-place", "a/in"]);
     assert!(output.status.success(), "{}", said(&output));
     // A link to a folder is no drawing, whatever its name.
     assert!(!said(&output).contains("up.svg"), "{}", said(&output));

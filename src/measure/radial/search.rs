@@ -96,3 +96,30 @@ pub(super) fn derivative(segment: &PathSeg, t: f64) -> Vec2 {
         PathSeg::Cubic(cubic) => cubic.deriv().eval(t).to_vec2(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use kurbo::{Point, QuadBez};
+
+    use super::*;
+    use crate::numeric::foot::foot;
+
+    #[test]
+    fn a_peak_at_a_sharp_tip_is_found_between_two_valleys() {
+        // Round the tip (1, 0): x = 1.001 - 3.6 (t - at)², y = -0.0015 (t - at). The farthest point lies before the tip.
+        let radii = Vec2::new(1.0, 1e-4);
+        for at in [0.51, 0.515, 0.52, 0.53, 0.535, 0.54] {
+            let x = |t: f64| 1.001 - 3.6 * (t - at) * (t - at);
+            let y = |t: f64| -0.0015 * (t - at);
+            let ends = [0.0, 1.0].map(|t| Point::new(x(t), y(t)));
+            let middle = Point::new(2.0 * x(0.5) - f64::midpoint(x(0.0), x(1.0)), y(0.5));
+            let segment = QuadBez::new(ends[0], middle, ends[1]);
+            let mut farthest = 0.0_f64;
+            let foot = |t: f64| foot(radii, segment.eval(t).to_vec2());
+            visit_between(&PathSeg::Quad(segment), &[], foot, |_, distance| {
+                farthest = farthest.max(distance);
+            });
+            assert!((farthest - 1e-3).abs() < 1e-9, "{at}: {farthest}");
+        }
+    }
+}
