@@ -9,6 +9,7 @@
 
 use super::lobes::{Lobes, Peak};
 use super::{Balance, MOST};
+use crate::numeric::functions::power;
 
 /// The most steps, and the ratio of the largest to the least error that ends them.
 const MOST_STEPS: usize = 12;
@@ -144,11 +145,13 @@ impl Balance {
                 beyond = count;
                 count = by_law(count, level.least);
             } else {
-                if count > beyond + 1 {
-                    let fewer = libm::pow(count as f64 / (count - 1) as f64, self.order);
-                    if level.least * fewer > BEYOND * allowed {
-                        beyond = count - 1;
-                    }
+                // By the order, which mostly says enough of one segment less.
+                let fewer = power(count as f64 / (count - 1).max(1) as f64, self.order as i32);
+                if level.least * fewer > BEYOND * allowed {
+                    beyond = count - 1;
+                }
+                if count == beyond + 1 {
+                    return Some(Least { count, level });
                 }
                 let next = by_law(count, level.most).min(count - 1);
                 within = Some(Least { count, level });
