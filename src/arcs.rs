@@ -5,8 +5,11 @@ mod bows;
 mod builder;
 mod chain;
 mod chords;
+mod diameters;
 mod fit;
+mod form;
 mod near;
+mod oval;
 mod piece;
 pub(crate) mod recognize;
 

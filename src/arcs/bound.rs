@@ -9,60 +9,111 @@ use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
 use super::near::to_unit;
 use super::piece::{away, cubic_from_chord, height_and_overshoot, longer};
-use crate::Angle;
 use crate::measure::radial;
 use crate::shape::{Arc, Given, Truth};
 
-/// How far the map to where an ellipse is the unit circle may move a point, as a part of its distance from the arc's start: the map's
-/// and the point's roundings, and what they do to the centre of a long arc.
-const MAPPED: f64 = 64.0 * f64::EPSILON;
+/// The part of the least radius of curvature of an ellipse within which its normals do not meet.
+const NORMALS: f64 = 0.5;
 
-/// The bound; infinite where the cubics do not run about the arc's centre. On an ellipse it is that in the plane where this is the unit
-/// circle, times the larger radius, which is the most that the map from there stretches anything.
-pub(crate) fn from_arc(parts: &[CubicBez], arc: &Arc) -> f64 {
-    let Some([from, to]) = arc.ends else {
-        return f64::INFINITY;
+/// The bound; infinite where the cubics do not run about the arc's centre.
+///
+/// On an ellipse the angles are those in the plane where it is the unit circle, and the distance is that along its normals: cubics that run
+/// from one end to the other so near to it that these do not meet cross each of them.
+pub(super) fn from_arc(parts: &[CubicBez], arc: &Arc) -> f64 {
+    let rough = roughly_from_arc(parts, arc);
+    let (Some(ends), false) = (arc.ends, is_circle(arc)) else {
+        return rough;
+    };
+    let Some(past) = past_ends_of_ellipse(parts, ends, arc) else {
+        return rough;
     };
     let (larger, smaller) = (arc.radii.x.max(arc.radii.y), arc.radii.x.min(arc.radii.y));
-    if larger == smaller {
-        return from_circle(parts, [from, to], arc);
+    let peak = farthest(parts, arc.truth(), ends, arc);
+    if peak <= NORMALS * smaller * (smaller / larger) {
+        rough.min(peak + past)
+    } else {
+        rough
     }
-    // About the arc's start: nothing of that grows with the radii.
+}
+
+/// The same in less time: on an ellipse the distance where it is the unit circle, times the larger radius, which is the most that the map
+/// from there stretches anything.
+pub(crate) fn roughly_from_arc(parts: &[CubicBez], arc: &Arc) -> f64 {
+    let Some(ends) = arc.ends else {
+        return f64::INFINITY;
+    };
+    let bound = |parts: &[CubicBez], ends: [Point; 2], arc: &Arc| {
+        let past = past_ends(parts, ends, arc).filter(|past| past.is_finite())?;
+        let circle = Truth::circle(arc.center, arc.radii.x);
+        Some(past + farthest(parts, circle, ends, arc))
+    };
+    let bound = if is_circle(arc) {
+        bound(parts, ends, arc)
+    } else {
+        let (mapped, ends, unit) = mapped(parts, ends, arc);
+        let larger = arc.radii.x.max(arc.radii.y);
+        bound(&mapped, ends, &unit).map(|bound| larger * bound + margin(parts, arc))
+    };
+    bound
+        .filter(|bound| bound.is_finite())
+        .unwrap_or(f64::INFINITY)
+}
+
+fn is_circle(arc: &Arc) -> bool {
+    arc.radii.x == arc.radii.y
+}
+
+/// How far cubics lie from the shape that an arc is a part of.
+fn farthest(parts: &[CubicBez], truth: Truth, ends: [Point; 2], arc: &Arc) -> f64 {
+    let truth = match arc.given {
+        Given::Sweep => truth,
+        // What was given of the arc says more than its centre where this is far away.
+        given => truth.through(ends, arc.sweep, given),
+    };
+    let segments: Vec<PathSeg> = parts.iter().map(|&part| PathSeg::Cubic(part)).collect();
+    radial::error(&segments, &truth).peak()
+}
+
+/// Cubics, the ends of an arc, and the arc where its ellipse is the unit circle, about its start: nothing of that grows with the radii.
+fn mapped(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> (Vec<CubicBez>, [Point; 2], Arc) {
     let [a, b, c, d, ..] = to_unit(arc).as_coeffs();
     let linear = Affine::new([a, b, c, d, 0.0, 0.0]);
-    let map = |p: Point| linear * (p - from).to_point();
+    let map = |p: Point| linear * (p - ends[0]).to_point();
+    let parts = parts.iter().map(|part| {
+        let [p0, p1, p2, p3] = [part.p0, part.p1, part.p2, part.p3].map(map);
+        CubicBez { p0, p1, p2, p3 }
+    });
+    let one = Vec2::new(1.0, 1.0);
     let unit = Arc {
         center: map(arc.center),
-        radii: Vec2::new(1.0, 1.0),
-        rotation: Angle::ZERO,
+        radii: one,
         given: match arc.given {
-            Given::Enlarged(_) => Given::Enlarged(Vec2::new(1.0, 1.0)),
+            Given::Enlarged(_) => Given::Enlarged(one),
             given => given,
         },
         ..*arc
     };
-    let points = |part: &CubicBez| [part.p0, part.p1, part.p2, part.p3];
-    let far = parts
-        .iter()
-        .flat_map(points)
-        .map(|p| p.distance_squared(from));
-    let far = far.fold(0.0, f64::max).sqrt();
-    let mapped = parts.iter().map(|part| {
-        let [p0, p1, p2, p3] = points(part).map(map);
-        CubicBez { p0, p1, p2, p3 }
-    });
-    let mapped: Vec<CubicBez> = mapped.collect();
-    larger * (from_circle(&mapped, [from, to].map(map), &unit) + MAPPED / smaller * far)
+    (parts.collect(), ends.map(map), unit)
 }
 
-fn from_circle(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> f64 {
-    let (Some(first), Some(last)) = (parts.first(), parts.last()) else {
-        return f64::INFINITY;
-    };
+/// What the roundings of that map may have done to a distance.
+fn margin(parts: &[CubicBez], arc: &Arc) -> f64 {
+    const MAPPED: f64 = 64.0 * f64::EPSILON;
+    let start = arc.ends.map_or(arc.center, |[from, _]| from);
+    let points = parts
+        .iter()
+        .flat_map(|part| [part.p0, part.p1, part.p2, part.p3]);
+    let far = points
+        .map(|p| p.distance_squared(start))
+        .fold(0.0, f64::max);
+    let (x, y) = (arc.radii.x, arc.radii.y);
+    MAPPED * (x / y).max(y / x) * far.sqrt()
+}
+
+/// How far cubics may run past the ends of an arc of a circle, and these past theirs, along it.
+fn past_ends(parts: &[CubicBez], [from, to]: [Point; 2], arc: &Arc) -> Option<f64> {
     let (center, radius) = (arc.center, arc.radii.x);
-    let Some(over) = overshoot(parts, center, arc.sweep.radians()) else {
-        return f64::INFINITY;
-    };
+    let (first, last) = (parts.first()?, parts.last()?);
     // From the nearest point of the circle to an end that lies on it.
     let off = |p: Point, end: Point| {
         let (v, out) = (p - end, p - center);
@@ -70,22 +121,21 @@ fn from_circle(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> f64 {
         let height = v.dot((end - center) + out) / (distance + radius);
         (v - out * (height / distance)).hypot2().sqrt()
     };
-    let [from, to] = ends;
     let apart = off(first.p0, from).max(off(last.p3, to));
-    // What was given of the arc says more than its centre where this is far away.
-    let truth = Truth::circle(center, radius);
-    let truth = match arc.given {
-        Given::Sweep => truth,
-        given => truth.through(ends, arc.sweep, given),
-    };
-    let segments = parts.iter().map(|&part| PathSeg::Cubic(part));
-    let segments: Vec<PathSeg> = segments.collect();
-    let bound = radial::error(&segments, &truth).peak() + apart + radius * over;
-    if bound.is_finite() {
-        bound
-    } else {
-        f64::INFINITY
-    }
+    Some(apart + radius * overshoot(parts, center, arc.sweep.radians())?)
+}
+
+/// The same on an ellipse, to which the normals of both ends do not meet: the nearest point of it moves by no more than r/(r - d) times as far as
+/// one does that is r - d from where they do.
+fn past_ends_of_ellipse(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> Option<f64> {
+    let (larger, smaller) = (arc.radii.x.max(arc.radii.y), arc.radii.x.min(arc.radii.y));
+    let (bend, [from, to]) = (smaller * (smaller / larger), ends);
+    let shift = from
+        .distance(parts.first()?.p0)
+        .max(to.distance(parts.last()?.p3));
+    let (mapped, _, unit) = mapped(parts, ends, arc);
+    let over = larger * overshoot(&mapped, unit.center, arc.sweep.radians())?;
+    (shift <= NORMALS * bend).then(|| shift * bend / (bend - shift) + over)
 }
 
 /// By what angle, in radians, the cubics may run beyond the ends of a sweep about a centre; `None` where they turn over another one.

@@ -50,6 +50,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
             decimals,
             elliptic: options.elliptic,
             drawn_only: true,
+            longest_radius: usize::MAX,
         },
         options,
         course: Course {
@@ -202,9 +203,25 @@ impl Builder<'_> {
     }
 }
 
-/// What smooth cubics become: those that were drawn as arcs such, unless that makes more of them.
+/// What smooth cubics become: those that were drawn as arcs such, unless that makes more of them; arcs of ellipses, unless circular ones
+/// are fewer.
 fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
-    let mut search = Search::new(room);
+    let spans = spans_alike(chain, rules, room);
+    if rules.elliptic && spans.len() > 1 {
+        let rules = Rules {
+            elliptic: false,
+            ..*rules
+        };
+        let circular = spans_alike(chain, &rules, room);
+        if circular.len() < spans.len() {
+            return circular;
+        }
+    }
+    spans
+}
+
+fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
+    let mut search = Search::new(room, rules.elliptic);
     let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
     while at < chain.len() {
         let rest = &chain[at..];

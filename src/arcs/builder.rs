@@ -7,10 +7,12 @@ use kurbo::{CubicBez, Point, Vec2};
 
 use super::bound::{from_arc, from_chord};
 use super::chords;
-use super::fit::{Fit, Search, arc_of};
+use super::fit::Search;
+use super::form::Fit;
 use super::piece::Piece;
 use super::recognize::{Found, Rules};
 use super::{Options, Plan};
+use crate::Angle;
 use crate::contour::Subpath;
 use crate::course::{self, CircularArc, Course};
 use crate::curve::Curve;
@@ -23,6 +25,9 @@ use crate::shape::{Arc, Shape};
 
 /// How many decimals more a radius may have than the points, where these are not enough for it.
 const MORE_DECIMALS: u8 = 8;
+
+/// How many decimals more than lengths angles in degrees have.
+const DECIMALS_OF_ANGLES: u8 = 2;
 
 /// The parts of the tolerance within which shorter pieces are looked for.
 const FINER: [f64; 2] = [0.5, 0.2];
@@ -115,7 +120,7 @@ impl Builder<'_> {
             return true;
         };
         let to = self.rounded(last.p3, ends_given);
-        let Some(half) = fit.half.filter(|_| self.at != to) else {
+        let Some(arc) = fit.arc(self.at, to).filter(|_| self.at != to) else {
             let off = strayed + from_chord(&fit.parts);
             let moved = self.at.distance(first.p0).max(to.distance(last.p3));
             let fits = off + moved <= self.plan.tolerance;
@@ -132,7 +137,6 @@ impl Builder<'_> {
                 .collect(),
             precision => vec![precision],
         };
-        let arc = arc_of(self.at, to, half);
         self.arc(&fit.parts, &arc, to, &precisions, strayed)
     }
 
@@ -140,7 +144,7 @@ impl Builder<'_> {
     fn finer(&mut self, parts: &[CubicBez], ends_given: bool, strayed: f64) -> Result<()> {
         let (steps, at, error) = (self.course.steps.len(), self.at, self.error);
         for share in FINER {
-            let mut search = Search::new(share * (self.plan.room - strayed));
+            let mut search = Search::new(share * (self.plan.room - strayed), false);
             let fits = search.pieces(parts, MOST_SEGMENTS);
             let last = fits.len().saturating_sub(1);
             let mut fits = fits.iter().enumerate();
@@ -187,9 +191,14 @@ impl Builder<'_> {
         let mut best: Option<(SvgArc, Arc, f64)> = None;
         for precision in precisions {
             let round = |x| precision.round(x);
+            let turned = match *precision {
+                Precision::Fixed(decimals) => Precision::Fixed(decimals + DECIMALS_OF_ANGLES),
+                Precision::Full => Precision::Full,
+            };
             let given = SvgArc {
                 from: self.at,
                 radii: Vec2::new(round(like.radii.x), round(like.radii.y)),
+                rotation: Angle::from_degrees(turned.round(like.rotation.degrees())),
                 to,
                 ..*like
             };
@@ -204,7 +213,13 @@ impl Builder<'_> {
                 break;
             }
         }
-        let best = best.filter(|(_, _, off)| *off <= self.plan.tolerance);
+        // With the decimals that were asked for, G-code may move a centre, and with it what it draws.
+        let again = if self.options.rounds_again && self.plan.rounds_given {
+            4.0 * self.plan.precision.farthest_moved()
+        } else {
+            0.0
+        };
+        let best = best.filter(|(_, _, off)| *off + again <= self.plan.tolerance);
         if let Some((given, arc, off)) = &best {
             self.error = self.error.max(*off);
             self.push(given, arc);

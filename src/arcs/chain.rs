@@ -1,9 +1,9 @@
 //! Cubics that join smoothly, as one curve of a parameter of which each takes one.
 
-use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point};
+use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
 use super::near::LARGEST_TURN;
-use crate::curve::turn;
+use crate::curve::{first_direction, turn};
 
 /// The largest turn at a joint, in degrees, over which an arc may run, where rounding explains no larger one.
 const SMOOTH_TURN: f64 = 1.0;
@@ -49,6 +49,26 @@ impl<'a> Chain<'a> {
         } else {
             cubic.eval(t)
         }
+    }
+
+    /// A point, and the direction in which the chain leaves it.
+    pub(super) fn leaving(&self, at: f64) -> (Point, Vec2) {
+        let rest = self.between(at, (at + 1.0).floor());
+        let direction = |cubic: &CubicBez| first_direction(&PathSeg::Cubic(*cubic));
+        (
+            self.point(at),
+            rest.first().map(direction).unwrap_or_default(),
+        )
+    }
+
+    /// A point, and the direction in which the chain arrives there.
+    pub(super) fn arriving(&self, at: f64) -> (Point, Vec2) {
+        let rest = self.between((at - 1.0).ceil(), at);
+        let direction = |cubic: &CubicBez| -first_direction(&PathSeg::Cubic(*cubic).reverse());
+        (
+            self.point(at),
+            rest.last().map(direction).unwrap_or_default(),
+        )
     }
 
     /// Points between two parameters, at least so many, ends left out.

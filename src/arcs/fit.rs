@@ -1,4 +1,4 @@
-//! The fewest circular arcs and lines whose ends lie on a chain of cubics: each reaches as far as the tolerance lets it.
+//! The fewest arcs and lines whose ends lie on a chain of cubics: each reaches as far as the tolerance lets it.
 //!
 //! Let a chord of length L run along x. The circles through its ends are x² + y² - Lx + L y / tan h = 0, h half the sweep of the arc,
 //! positive to the left. To first order a point (x, y) lies
@@ -8,12 +8,11 @@
 //! from one: its distance, in the plane of (w, y), from the line through the origin in the direction h. Of all these lines the best is
 //! that to which the farthest points on both sides are equally near; it is found by exchange, as Remez does.
 
-use kurbo::{CubicBez, Point, Vec2};
+use kurbo::{CubicBez, Vec2};
 
-use super::bound::{from_arc, from_chord};
 use super::chain::Chain;
-use crate::shape::endpoint::SvgArc;
-use crate::shape::{Arc, Shape};
+use super::form::{Fit, Form};
+use super::oval;
 
 /// How often points are exchanged.
 const EXCHANGES: usize = 6;
@@ -39,33 +38,17 @@ const FIRST_STEP: f64 = 1e-3;
 /// The part of a stretch that is not looked for.
 const LEFT_OUT: f64 = 0.02;
 
+/// The part by which an arc of an ellipse has to reach farther than one of a circle, at first.
+const FARTHER: f64 = 0.05;
+
+/// The part of a stretch that is not looked for with arcs of ellipses.
+const ELLIPSE_LEFT_OUT: f64 = 0.005;
+
 /// A line is taken where an arc is no more than this many times nearer.
 const NEARER: f64 = 2.0;
 
 /// Half the largest sweep, in radians: with more the ends are close to each other.
 const LARGEST_HALF: f64 = 2.9;
-
-/// A line or an arc, and the cubics that it replaces.
-#[derive(Debug, Clone)]
-pub(super) struct Fit {
-    pub(super) parts: Vec<CubicBez>,
-    /// Half the sweep, in radians, positive to the left; without one it is a line.
-    pub(super) half: Option<f64>,
-    /// Whether it ends where a cubic does.
-    pub(super) ends_given: bool,
-}
-
-/// The arc between two points that turns as much on either side of its middle.
-pub(super) fn arc_of(from: Point, to: Point, half: f64) -> SvgArc {
-    SvgArc {
-        from,
-        radii: Vec2::splat(0.5 * from.distance(to) / libm::sin(half.abs())),
-        rotation: crate::Angle::ZERO,
-        large_arc: half.abs() > core::f64::consts::FRAC_PI_2,
-        sweep: half < 0.0,
-        to,
-    }
-}
 
 /// What the points between two ends say of the arc between these.
 #[derive(Debug, Clone, Copy)]
@@ -80,30 +63,85 @@ struct Nearest {
 /// Looks for the fewest pieces of chains.
 pub(super) struct Search {
     room: f64,
+    /// Whether arcs may be those of ellipses.
+    elliptic: bool,
     /// The points (w, y) of the last stretch.
     points: Vec<Vec2>,
 }
 
 impl Search {
-    pub(super) const fn new(room: f64) -> Self {
+    pub(super) const fn new(room: f64, elliptic: bool) -> Self {
         Self {
             room,
+            elliptic,
             points: Vec::new(),
         }
     }
 
-    /// The pieces of a chain, no more than one above `most`.
+    /// The pieces of a chain, no more than one above `most`; with arcs of ellipses where these make fewer.
     pub(super) fn pieces(&mut self, cubics: &[CubicBez], most: usize) -> Vec<Fit> {
+        let circular = self.walk(cubics, most, false);
+        if self.elliptic && circular.len() > 1 {
+            let mixed = self.walk(cubics, circular.len() - 1, true);
+            if mixed.len() < circular.len() {
+                return mixed;
+            }
+        }
+        circular
+    }
+
+    /// The pieces of a chain, each as long as the tolerance lets it be, no more than one above `most`.
+    fn walk(&mut self, cubics: &[CubicBez], most: usize, elliptic: bool) -> Vec<Fit> {
         let chain = Chain::new(cubics);
         let (mut fits, mut from, mut guess) = (Vec::new(), 0.0, 1.0);
         while from < chain.end() && fits.len() <= most {
             let to = self.farthest(&chain, from, guess);
-            let (to, fit) = self.piece(&chain, from, to);
+            let mut piece = self.piece(&chain, from, to);
+            if elliptic {
+                piece = self.farther(&chain, from, piece);
+            }
+            let (to, fit) = piece;
             guess = to - from;
             fits.push(fit);
             from = to;
         }
         fits
+    }
+
+    /// The piece up to where an arc of an ellipse reaches from here, or the one that there is.
+    fn farther(&self, chain: &Chain<'_>, from: f64, best: (f64, Fit)) -> (f64, Fit) {
+        let end = chain.end().min(from + chain.reach());
+        let ((mut to, mut fit), mut failed) = (best, f64::INFINITY);
+        let mut step = FARTHER * (to - from);
+        for _ in 0..MOVES {
+            let want = if failed.is_finite() {
+                0.5 * (to + failed)
+            } else {
+                (to + step).min(end)
+            };
+            if want <= to || failed - to <= ELLIPSE_LEFT_OUT * (to - from) {
+                break;
+            }
+            match self.elliptical(chain, from, want) {
+                Some(more) => (to, fit) = (want, more),
+                None => failed = want,
+            }
+            step *= 2.0;
+        }
+        (to, fit)
+    }
+
+    /// The arc of an ellipse between two parameters, where it is near enough.
+    fn elliptical(&self, chain: &Chain<'_>, from: f64, to: f64) -> Option<Fit> {
+        let (oval, off) = oval::nearest(chain, from, to)?;
+        let fit = || Fit {
+            parts: chain.between(from, to),
+            form: Form::Elliptical(oval),
+            ends_given: to.fract() == 0.0,
+        };
+        (off <= self.room)
+            .then(fit)
+            .filter(|fit| fit.bound() <= self.room)
     }
 
     /// The farthest end of an arc from here, as points of the chain have it.
@@ -157,7 +195,7 @@ impl Search {
         // Where not even the shortest fits, floats end: what is left is next to nothing.
         let line = Fit {
             parts: chain.between(from, failed),
-            half: None,
+            form: Form::Line,
             ends_given: failed.fract() == 0.0,
         };
         (failed, line)
@@ -190,7 +228,11 @@ impl Search {
             let nearest = self.nearest(chain, (from, to), points);
             let mut fit = Fit {
                 parts: parts.clone(),
-                half: (nearest.off_line > NEARER * nearest.off).then_some(nearest.half),
+                form: if nearest.off_line > NEARER * nearest.off {
+                    Form::Circular(nearest.half)
+                } else {
+                    Form::Line
+                },
                 ends_given: to.fract() == 0.0,
             };
             let bound = fit.bound();
@@ -199,7 +241,7 @@ impl Search {
             }
             least = least.min(bound);
             if nearest.off_line <= self.room {
-                fit.half = None;
+                fit.form = Form::Line;
                 if fit.bound() <= self.room {
                     return Ok(fit);
                 }
@@ -301,24 +343,5 @@ fn farthest_off(points: &[Vec2], unit: Vec2) -> Sides {
     Sides {
         left: (top(left).max(0.0), point(left)),
         right: (top(right).min(0.0), point(right)),
-    }
-}
-
-impl Fit {
-    /// The arc as it is before rounding.
-    fn arc(&self) -> Option<Arc> {
-        let (first, last) = (self.parts.first()?, self.parts.last()?);
-        match arc_of(first.p0, last.p3, self.half?).shape() {
-            Ok(Shape::Arc(arc)) => Some(arc),
-            _ => None,
-        }
-    }
-
-    fn bound(&self) -> f64 {
-        if self.half.is_none() {
-            return from_chord(&self.parts);
-        }
-        self.arc()
-            .map_or(f64::INFINITY, |arc| from_arc(&self.parts, &arc))
     }
 }

@@ -34,6 +34,8 @@ pub(crate) struct Rules {
     /// Whether cubics count as an arc only where their control points are those of one but for the rounding of the file, and not
     /// where they happen to lie near it.
     pub(crate) drawn_only: bool,
+    /// How many characters a radius may take where a single cubic becomes the arc of a circle: with more it would be the longer text.
+    pub(crate) longest_radius: usize,
 }
 
 impl Rules {
@@ -90,11 +92,15 @@ pub(super) fn larger(arc: &Arc) -> f64 {
 
 /// Whether cubics are drawn as an arc is: their control points lie where it has them, up to what rounding and other constants do.
 pub(super) fn is_drawn_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bool {
+    unlike(cubics, arc, rules) <= 0.0
+}
+
+/// How much farther than that control points lie from there at most; not positive where none does.
+fn unlike(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> f64 {
     let (to_unit, slack) = (to_unit(arc), rules.slack(size(cubics, larger(arc))));
     let from_unit = to_unit.inverse();
-    let on =
-        |p: Point| ((to_unit * p).to_vec2().hypot2().sqrt() - 1.0).abs() * larger(arc) <= slack;
-    let lies = |end: Point, control: Point, unit: Vec2, length: f64| {
+    let on = |p: Point| ((to_unit * p).to_vec2().hypot2().sqrt() - 1.0).abs() * larger(arc) - slack;
+    let control = |end: Point, control: Point, unit: Vec2, length: f64| {
         let tip = unit + length * Vec2::new(-unit.y, unit.x);
         let (own, ideal) = (
             control - end,
@@ -102,14 +108,100 @@ pub(super) fn is_drawn_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bo
         );
         let length = ideal.hypot2().sqrt();
         let (along, across) = (own.dot(ideal) / length, own.cross(ideal) / length);
-        across.abs() <= slack && (along - length).abs() <= slack + LENGTH_PART * length
+        larger_of(
+            across.abs() - slack,
+            (along - length).abs() - slack - LENGTH_PART * length,
+        )
     };
-    cubics.iter().all(|cubic| {
+    let worst = cubics.iter().map(|cubic| {
         let [u, v] = [cubic.p0, cubic.p3].map(|p| (to_unit * p).to_vec2());
         let length = 4.0 / 3.0 * libm::tan(libm::atan2(u.cross(v), u.dot(v)) / 4.0);
-        let joints = on(cubic.p0) && on(cubic.p3);
-        joints && lies(cubic.p0, cubic.p1, u, length) && lies(cubic.p3, cubic.p2, v, -length)
-    })
+        let joints = larger_of(on(cubic.p0), on(cubic.p3));
+        let controls = larger_of(
+            control(cubic.p0, cubic.p1, u, length),
+            control(cubic.p3, cubic.p2, v, -length),
+        );
+        larger_of(joints, controls)
+    });
+    worst.fold(f64::NEG_INFINITY, larger_of)
+}
+
+/// The larger of two numbers; infinite where one is none.
+fn larger_of(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::INFINITY
+    } else {
+        a.max(b)
+    }
+}
+
+/// How many times as far as the top of an arc what its control points are compared with moves, at most, where its ends stay: over a chord of 2
+/// a top at the height u has its control points at (1 - 2/3 (1 - u²), 4/3 u), and their direction turns by 2/(1 + u²) times as much as u grows.
+const CONTROLS: f64 = 6.0;
+
+/// The widest sweep of one cubic, in degrees, whose handles say whether it may be an arc.
+const WIDEST: f64 = 170.0;
+
+/// The circles through the ends of a run, of which one was found.
+pub(super) struct Pencil {
+    /// The middle of the chord, and the unit vector to where the centre of an arc of less than half a turn is.
+    base: Point,
+    across: Vec2,
+    /// The square of half the chord.
+    square: f64,
+    is_large: bool,
+    /// A point of the run on the circle that was found, and how far other ones may be from it.
+    on: Point,
+    explained: f64,
+    /// How high the arc is that was found, and how unlike it the cubics are.
+    height: f64,
+    unlike: f64,
+}
+
+impl Pencil {
+    /// `None` of an ellipse, and where one cubic turns by about half a turn, beyond which it is not compared with what it should be.
+    pub(super) fn new(
+        cubics: &[CubicBez],
+        found: &Arc,
+        rules: &Rules,
+        explained: f64,
+    ) -> Option<Self> {
+        let [from, on, to] = ends_and_middle(cubics)?;
+        let (chord, sweep) = (to - from, found.sweep.degrees());
+        if found.radii.x != found.radii.y || cubics.len() == 1 && sweep.abs() > WIDEST {
+            return None;
+        }
+        let mut pencil = Self {
+            base: from.midpoint(to),
+            across: Vec2::new(-chord.y, chord.x) * (sweep.signum() / chord.hypot2().sqrt()),
+            square: 0.25 * chord.hypot2(),
+            is_large: sweep.abs() > 180.0,
+            on,
+            explained,
+            height: 0.0,
+            unlike: unlike(cubics, found, rules),
+        };
+        pencil.height = pencil.height_and_off(found.radii.x)[0];
+        Some(pencil)
+    }
+
+    /// How high the arc of a radius is, and how far the point that was found on one lies from it.
+    fn height_and_off(&self, radius: f64) -> [f64; 2] {
+        let depth = (radius * radius - self.square).max(0.0).sqrt();
+        let radius = (self.square + depth * depth).sqrt();
+        let depth = if self.is_large { -depth } else { depth };
+        let center = self.base + self.across * depth;
+        let out = self.on.distance_squared(center).sqrt();
+        [radius - depth, (out - radius).abs()]
+    }
+
+    /// Whether the arc of a radius may be near enough, and the cubics be drawn like it: a look that lets none of these go.
+    pub(super) fn allows(&self, radius: f64) -> bool {
+        let [height, off] = self.height_and_off(radius);
+        let noise = 1e-12 * radius;
+        off <= self.explained + noise
+            && self.unlike <= CONTROLS * (height - self.height).abs() + noise
+    }
 }
 
 /// Whether the arc leaves its ends as the cubics do, so that a smooth joint stays one.
@@ -153,6 +245,11 @@ pub(super) fn swept(cubics: &[CubicBez], ellipse: &Truth) -> Option<Arc> {
 }
 
 pub(super) fn to_unit(arc: &Arc) -> Affine {
+    if arc.radii.x == arc.radii.y {
+        let scale = 1.0 / arc.radii.x;
+        let center = arc.center.to_vec2() * -scale;
+        return Affine::new([scale, 0.0, 0.0, scale, center.x, center.y]);
+    }
     arc.truth().placement().inverse()
 }
 

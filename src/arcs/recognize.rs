@@ -8,16 +8,18 @@
 //!
 //! are its centre and two conjugate half diameters. With A = (e₁ e₂) the eigenvalues of A Aᵀ are the squares of its radii.
 
-use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
+use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
-use super::bound::from_arc;
+use super::bound::roughly_from_arc;
+use super::diameters::Diameters;
 pub(crate) use super::near::Rules;
 use super::near::{
-    MARGIN, ends_and_middle, is_drawn_like, is_tangent, joins_smoothly, larger, size, strays, swept,
+    MARGIN, Pencil, ends_and_middle, is_drawn_like, is_tangent, joins_smoothly, larger, size,
+    strays, swept,
 };
 use crate::Angle;
 use crate::curve::first_direction;
-use crate::number::{Precision, round};
+use crate::number::{Precision, decimals_of, round};
 use crate::shape::endpoint::{SvgArc, through};
 use crate::shape::{Arc, Shape, Truth};
 
@@ -52,7 +54,7 @@ pub(crate) struct Found {
 }
 
 /// The longest run of the cubics, from the first, that is one arc; of a whole turn no more than 350 degrees.
-pub(crate) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
+fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
     let (first, _) = cubics.split_first()?;
     if circle_of(&cubics[..1], rules).is_some() {
         return longest(cubics, rules, |count| circle_of(&cubics[..count], rules));
@@ -85,7 +87,12 @@ pub(crate) fn halves(cubics: &[CubicBez], rules: &Rules) -> [Option<Found>; 2] {
     };
     let whole = &cubics[..=found.count + more];
     let (first, second) = whole.split_at(whole.len() / 2);
-    let half = |cubics: &[CubicBez]| run(cubics, rules).filter(|found| found.count == cubics.len());
+    let rules = Rules {
+        longest_radius: usize::MAX,
+        ..*rules
+    };
+    let half =
+        |cubics: &[CubicBez]| run(cubics, &rules).filter(|found| found.count == cubics.len());
     match (half(first), half(second)) {
         (Some(a), Some(b)) if a.given.radii == b.given.radii => [Some(a), Some(b)],
         _ => [Some(found), None],
@@ -148,55 +155,84 @@ pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<
     let fits = cubics.windows(2).all(joins_smoothly)
         && is_drawn_like(cubics, &arc, rules)
         && strays(cubics, &arc) <= rules.room(size(cubics, larger(&arc)));
-    fits.then(|| (arc.sweep.degrees(), from_arc(cubics, &arc)))
+    fits.then(|| (arc.sweep.degrees(), roughly_from_arc(cubics, &arc)))
 }
 
 /// The arc that is meant: of all radii with which the cubics are drawn like an arc those with the fewest decimals; else those with as
 /// many as the tolerance needs.
-pub(crate) fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<Found> {
-    let explained = MARGIN * strays(cubics, found) + rules.moved();
-    let attempt = |found: &Arc, decimals: u8, drawn_only: bool| {
-        let given = rounded(cubics, found, decimals)?;
-        let Ok(Shape::Arc(arc)) = given.shape() else {
-            return None;
-        };
-        let room = rules.room(size(cubics, larger(&arc)));
-        let off = strays(cubics, &arc);
-        let likely = off <= room
-            && is_tangent(cubics, &arc)
-            && (!drawn_only || off <= explained && is_drawn_like(cubics, &arc, rules));
-        let strayed = if likely {
-            from_arc(cubics, &arc)
-        } else {
-            f64::INFINITY
-        };
-        let count = cubics.len();
-        (strayed <= room).then_some(Found {
-            count,
-            given,
-            arc,
-            strayed,
-        })
-    };
+fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<Found> {
+    let limit = most_decimals(cubics, found, rules)?;
     let most = rules.decimals.saturating_add(MORE_DECIMALS);
+    let explained = MARGIN * strays(cubics, found) + rules.moved();
     // What the tangents say does not depend on the constant of the cubics; what the middle says, not on the rounding of handles.
     let guesses = [by_tangents(cubics, found), Some(*found)];
-    let drawn = (0..=most).find_map(|decimals| {
-        let mut guesses = guesses.iter().flatten();
-        guesses.find_map(|guess| attempt(guess, decimals, true))
+    let pencil = Pencil::new(cubics, found, rules, explained);
+    let mut tried = [0.0; 2];
+    let drawn = (0..=most.min(limit)).find_map(|decimals| {
+        let mut guesses = guesses.iter().flatten().zip(&mut tried);
+        guesses.find_map(|(guess, tried)| {
+            if let Some(pencil) = &pencil {
+                let radius = round(guess.radii.x, decimals);
+                if core::mem::replace(tried, radius) == radius || !pencil.allows(radius) {
+                    return None;
+                }
+            }
+            let given = rounded(cubics, guess, decimals)?;
+            near_enough(cubics, given, rules, Some(explained))
+        })
     });
+    if drawn.is_some() || rules.drawn_only {
+        return drawn;
+    }
     // Nobody meant a radius that is only near: it is rounded by little, however wide the tolerance is.
     let least = Precision::moving_at_most(
         NEAR_PART * rules.room(size(cubics, larger(found))),
         larger(found),
     );
-    let near = || match least {
-        Precision::Fixed(least) => {
-            (least..=most.max(least)).find_map(|decimals| attempt(found, decimals, false))
-        }
-        Precision::Full => None,
+    let Precision::Fixed(least) = least else {
+        return None;
     };
-    drawn.or_else(|| if rules.drawn_only { None } else { near() })
+    (least..=most.max(least)).find_map(|decimals| {
+        let given = rounded(cubics, found, decimals)?;
+        let has_room = limit == u8::MAX || decimals_of(given.radii.x) <= limit;
+        has_room.then(|| near_enough(cubics, given, rules, None))?
+    })
+}
+
+/// The arc, where it is near enough to the cubics, and, where that much is explained, these are drawn like it.
+fn near_enough(
+    cubics: &[CubicBez],
+    given: SvgArc,
+    rules: &Rules,
+    explained: Option<f64>,
+) -> Option<Found> {
+    let Ok(Shape::Arc(arc)) = given.shape() else {
+        return None;
+    };
+    let room = rules.room(size(cubics, larger(&arc)));
+    let off = strays(cubics, &arc);
+    let is_drawn = |explained| off <= explained && is_drawn_like(cubics, &arc, rules);
+    if !(off <= room && is_tangent(cubics, &arc) && explained.is_none_or(is_drawn)) {
+        return None;
+    }
+    let strayed = roughly_from_arc(cubics, &arc);
+    (strayed <= room).then_some(Found {
+        count: cubics.len(),
+        given,
+        arc,
+        strayed,
+    })
+}
+
+/// The most decimals that the text has room for; `None` where it has none for the radius.
+fn most_decimals(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<u8> {
+    if cubics.len() > 1 || found.radii.x != found.radii.y {
+        return Some(u8::MAX);
+    }
+    // The radius that is meant may be a bit smaller, and have a digit less.
+    let whole = (libm::log10(0.9 * found.radii.x).floor() + 1.0).max(0.0);
+    let rest = rules.longest_radius.checked_sub(whole as usize)?;
+    Some(u8::try_from(rest.saturating_sub(1)).unwrap_or(u8::MAX))
 }
 
 /// The arc of a circle with the radius that the directions at its ends give: half the chord over the sine of half the turn.
@@ -299,39 +335,19 @@ fn ellipse_of(cubic: &CubicBez, rules: &Rules) -> Option<Truth> {
     let (way, rise) = (tip - base, cubic.eval(0.5) - base);
     let part = rise.dot(way) / way.hypot2();
     let weight = part / (1.0 - part);
-    let square = (1.0 - weight) * (1.0 + weight);
-    if !(weight > 0.05 && square > 4e-3) {
+    let square = weight * weight;
+    if !(weight > 0.05 && 1.0 - square > 4e-3) {
         return None;
     }
-    let center = base - way * (weight * weight / square);
-    let (e, f) = (base + part * way - center, chord / (2.0 * square.sqrt()));
-    let frame = Affine::new([e.x, e.y, f.x, f.y, center.x, center.y]);
-    let to_unit = frame.inverse();
-    let [a, b, c] = [
-        e.x * e.x + f.x * f.x,
-        e.x * e.y + f.x * f.y,
-        e.y * e.y + f.y * f.y,
-    ];
-    let (mean, half) = (0.5 * (a + c), (0.25 * (a - c) * (a - c) + b * b).sqrt());
-    let radii = Vec2::new((mean + half).sqrt(), (mean - half).max(0.0).sqrt());
-    let room = rules.room(size(&[*cubic], radii.x.max(radii.y))) / radii.x.max(radii.y);
+    let diameters = Diameters::new(cubic.p0, tip, cubic.p3, square);
+    let to_unit = diameters.frame().inverse();
+    let larger = diameters.larger();
+    let room = rules.room(size(&[*cubic], larger)) / larger;
     let off = |t: f64| ((to_unit * cubic.eval(t)).to_vec2().hypot2().sqrt() - 1.0).abs();
-    if !(radii.y > 1e-3 * radii.x && off(0.25) <= room && off(0.75) <= room) {
+    if !(off(0.25) <= room && off(0.75) <= room) {
         return None;
     }
-    Some(upright(center, radii, 0.5 * libm::atan2(2.0 * b, a - c)))
-}
-
-/// The ellipse with its axis within an eighth of a turn of the x axis.
-fn upright(center: Point, radii: Vec2, rotation: f64) -> Truth {
-    let quarters = (rotation / core::f64::consts::FRAC_PI_2).round();
-    let rest = rotation - quarters * core::f64::consts::FRAC_PI_2;
-    let radii = if quarters % 2.0 == 0.0 {
-        radii
-    } else {
-        Vec2::new(radii.y, radii.x)
-    };
-    Truth::new(center, radii, Angle::from_radians(rest).direction())
+    diameters.ellipse()
 }
 
 /// The arc of an ellipse from the beginning of a run to its end, where it is long enough.

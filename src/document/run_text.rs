@@ -96,6 +96,12 @@ const fn text_start(link: &Link) -> usize {
     }
 }
 
+/// How many characters each radius of a circular arc may take, at most, in place of this Bézier: besides them it has at least a letter, a
+/// rotation and two flags, with what parts these.
+pub(super) const fn longest_radius(link: &Link) -> usize {
+    (link.segment.tail - text_start(link)).saturating_sub(7) / 2
+}
+
 fn arc(text: &str, links: &[Link], run: &Run) -> Option<Edit> {
     let run_links = &links[run.start..run.end()];
     let (first, last) = (run_links.first()?, run_links.last()?);

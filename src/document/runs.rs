@@ -66,6 +66,7 @@ pub(super) fn rules(tolerance: Option<Tolerance>, decimals: u8) -> Rules {
         decimals,
         elliptic: true,
         drawn_only: tolerance.is_none(),
+        longest_radius: usize::MAX,
     }
 }
 
@@ -218,7 +219,11 @@ impl Finder<'_> {
     fn runs(&mut self, rules: &Rules) -> Vec<Run> {
         let (mut runs, mut start) = (Vec::new(), 0);
         while start < self.cubics.len() {
-            let found = recognize::halves(&self.cubics[start..], rules);
+            let rules = Rules {
+                longest_radius: run_text::longest_radius(&self.links[start]),
+                ..*rules
+            };
+            let found = recognize::halves(&self.cubics[start..], &rules);
             let mut from = start;
             let taken: usize = found.iter().flatten().map(|found| found.count).sum();
             start += taken.max(1);

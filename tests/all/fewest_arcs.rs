@@ -8,6 +8,7 @@ use proptest::prelude::*;
 
 use crate::judges::independent::{P, Segment, segments};
 use crate::judges::program::{printed, run};
+use crate::judges::random::uniform;
 use crate::judges::way_back::apart;
 
 /// What rounding leaves of a tolerance, and the fewer ends that a grid has.
@@ -336,6 +337,16 @@ fn gcode_says_how_closely_it_follows_and_refuses_too_few_decimals() {
 }
 
 #[test]
+fn small_arcs_of_large_sweeps_leave_room_for_their_centres() {
+    let path = "M14.51 5.75Q4.62-25.66 52.4 88.94";
+    let words = [
+        "path", path, "--to", "arcs", "-f", "gcode", "-t", "0.05", "-p", "3",
+    ];
+    let off = apart(&segments(path), &segments(&of_gcode(&printed(&words)))).unwrap();
+    assert!(off <= 0.11, "{off}");
+}
+
+#[test]
 fn curves_that_stand_still_at_their_ends_are_not_refused() {
     let path = "M1 0C1 0 .85-.01 .475.304C.105.618 0 1.074 0 1.074";
     let (peak, new) = stated(path, &["--to", "arcs"], "0.01");
@@ -385,6 +396,40 @@ fn arcs_of_ellipses_are_found_and_kept_on_request() {
     }
     let words = ["path", given, "--elliptic"];
     assert_eq!(run(&words).status.code(), Some(2));
+}
+
+#[test]
+fn arcs_of_ellipses_take_the_place_of_several_of_circles() {
+    let quarter = ["path", "M1 0A1 .5 0 0 1 0 .5", "--to", "arcs", "-t", "1e-4"];
+    let found = printed(&[&quarter[..], &["--elliptic"]].concat());
+    assert_eq!(found, "M1 0A1 0.5 0 0 1 0 0.5\n");
+    let count = |path: &str| path.matches(['A', 'L']).count();
+    let (mut seed, mut circular, mut elliptic) = (7, 0, 0);
+    for _ in 0..40 {
+        let numbers = [0; 8].map(|_| (1e4 * uniform(&mut seed)).round() / 100.0);
+        let tolerance = 0.003 * 100.0_f64.powf(uniform(&mut seed));
+        let (data, words) = (data(numbers), tolerance.to_string());
+        let path = |more: &[&str]| {
+            let words = ["path", &data, "--to", "arcs", "-t", &words];
+            printed(&[&words[..], more].concat())
+        };
+        let (without, with) = (path(&[]), path(&["--elliptic"]));
+        assert!(
+            count(&with) <= count(&without),
+            "{data} {tolerance}: {with}"
+        );
+        circular += count(&without);
+        elliptic += count(&with);
+        let (stated, json) = stated(&data, &["--to", "arcs", "--elliptic"], &words);
+        assert!(stated <= tolerance, "{data}: {json}");
+        // The points of the judge stand on chords.
+        let off = apart(&segments(&data), &segments(&with)).unwrap();
+        assert!(
+            off <= stated + 0.05,
+            "{data} {tolerance}: {off} beyond {stated}"
+        );
+    }
+    assert!(10 * elliptic <= 7 * circular, "{elliptic} of {circular}");
 }
 
 #[test]

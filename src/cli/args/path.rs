@@ -29,9 +29,9 @@ pub(crate) struct PathArgs {
     /// What it becomes
     #[arg(long, value_enum, value_name = "KIND", default_value_t)]
     to: TargetArg,
-    /// With --to arcs: arcs of ellipses where there are some
+    /// With --to arcs: arcs of ellipses too
     ///
-    /// What was drawn as an arc of an ellipse becomes one, and one that was given stays; other curves become circular arcs.
+    /// They stand where circles alone would take more, and where one was drawn or given.
     #[arg(long)]
     elliptic: bool,
     /// Leave out the closing operators

@@ -509,6 +509,17 @@ pub(crate) struct Center {
 }
 
 impl Center {
+    /// How far a point is from its ellipse: the distance where that is the unit circle, times the larger radius.
+    pub(crate) fn off(&self, p: P) -> f64 {
+        let (d, (sin, cos)) = (
+            [p[0] - self.center[0], p[1] - self.center[1]],
+            self.rotation,
+        );
+        let x = (cos * d[0] + sin * d[1]) / self.radii[0];
+        let y = (cos * d[1] - sin * d[0]) / self.radii[1];
+        (x.hypot(y) - 1.0).abs() * self.radii[0].max(self.radii[1])
+    }
+
     /// SVG 2, B.2.4 and B.2.5.
     pub(crate) fn new(from: P, r: P, rotation: f64, large: bool, positive: bool, to: P) -> Self {
         let (sin, cos) = rotation.to_radians().sin_cos();
