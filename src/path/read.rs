@@ -77,7 +77,7 @@ fn syntax(data: &str, why: String) -> Error {
 /// The first words of a text that may be long, in one line.
 #[must_use]
 pub fn shortened(text: &str) -> String {
-    let in_line = |c: char| if c.is_control() { ' ' } else { c };
+    let in_line = |c: char| if matches!(c, '\n' | '\r') { ' ' } else { c };
     let mut characters = text.trim_end().chars().map(in_line);
     let first: String = characters.by_ref().take(40).collect();
     let more = if characters.next().is_some() {
