@@ -144,11 +144,7 @@ pub fn write(work: &impl Writable, format: Format, options: &Options) -> Result<
         Format::Path => crate::path::data(figure.curves(), options.relative) + "\n",
         Format::Ps => postscript::operators(figure.curves()),
         Format::Tikz => named(&figure, " % ", |layer| {
-            let text = tikz::commands(&layer.curves)?;
-            let dashed = layer
-                .dashed
-                .then(|| text.replace("\\draw ", "\\draw[dashed] "));
-            Ok(dashed.unwrap_or(text))
+            tikz::commands(&layer.curves, layer.dashed)
         })?,
         Format::Canvas => named(&figure, " // ", |layer| Ok(canvas::calls(&layer.curves)))?,
         Format::Glif => glif::glyph(&figure, options.glyph.as_deref()),

@@ -10,8 +10,8 @@ use crate::shape::{Shape, Truth};
 const MOST_PARTS: usize = 256;
 
 /// Draws a shape with joints at all of its horizontal and vertical extremes, as type wants them; `cut` tells into how many parts
-/// each piece between them is cut, one by default, or for which tolerance: then each into as few as it takes. `with_start`: a closed shape begins at its own start, which
-/// is a joint too, and not at the first extreme from there on.
+/// each piece between them is cut, one by default, or for which tolerance: then each into as few as it takes. `with_start`: a closed
+/// shape begins at its own start, which is a joint too, and not at the first extreme from there on.
 ///
 /// # Errors
 ///

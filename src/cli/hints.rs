@@ -212,6 +212,10 @@ fn of_measure(words: &[String]) -> Option<String> {
 
 /// What is told where a value is none of those that can be.
 fn of_choice(value: &str, argument: &str, command: &str) -> Option<String> {
+    if argument == "<SHELL>" {
+        // A name that looks like its own is no other's.
+        return Some("for example: curveto completions bash".to_owned());
+    }
     let is_picture = ["svg", "png", "eps", "pdf"].contains(&value);
     (command == "measure" && argument.starts_with("--format") && is_picture)
         .then(|| format!("a plot has a flag: --plot error.{value}"))

@@ -46,8 +46,7 @@ pub(crate) fn tell_of(mut error: clap::Error) -> ExitCode {
     }
     let text = error.render().to_string();
     // Where a value is refused with a hint of its own, that is the better one.
-    let hint = shell(&error).or_else(|| hints::hint(&error, &words));
-    let hint = hint.filter(|_| !text.contains("\nhint: "));
+    let hint = hints::hint(&error, &words).filter(|_| !text.contains("\nhint: "));
     tell(&message(&text, hint.as_deref()));
     ExitCode::from(2)
 }
@@ -69,13 +68,6 @@ fn usage(words: &[String]) -> clap::builder::StyledStr {
         }
     }
     command.render_usage()
-}
-
-/// What is told of a shell that has no script, below the list of those that have one: a name that looks like its own is no other's.
-fn shell(error: &clap::Error) -> Option<String> {
-    let argument = error.get(ContextKind::InvalidArg)?;
-    let is_shell = argument.to_string() == "<SHELL>" && error.kind() == ErrorKind::InvalidValue;
-    is_shell.then(|| "for example: curveto completions bash".to_owned())
 }
 
 /// The parser's message with its tips, or our hint in their place, directly below what is wrong. Its tip how to pass a flag as a value

@@ -14,20 +14,21 @@ const LARGEST: f64 = 16_383.0;
 /// How many segments stand on a line: TeX reads no line of any length.
 const ON_A_LINE: usize = 4;
 
-/// The commands that draw the curves, in units of TikZ's x and y (centimetres where nothing else was said).
+/// The commands that draw the curves, `dashed` or not, in units of TikZ's x and y (centimetres where nothing else was said).
 ///
 /// # Errors
 ///
 /// Where a coordinate is larger than TeX takes.
-pub fn commands<'a>(curves: impl IntoIterator<Item = &'a Curve>) -> Result<String> {
+pub fn commands<'a>(curves: impl IntoIterator<Item = &'a Curve>, dashed: bool) -> Result<String> {
+    let draw = if dashed { "\\draw[dashed]" } else { "\\draw" };
     let mut out = String::new();
     for curve in curves {
-        push_curve(&mut out, curve)?;
+        push_curve(&mut out, draw, curve)?;
     }
     Ok(out)
 }
 
-fn push_curve(out: &mut String, curve: &Curve) -> Result<()> {
+fn push_curve(out: &mut String, draw: &str, curve: &Curve) -> Result<()> {
     let Some(start) = curve.start() else {
         return Ok(());
     };
@@ -40,7 +41,7 @@ fn push_curve(out: &mut String, curve: &Curve) -> Result<()> {
         });
     }
     // Writing to a string cannot fail.
-    let _ = write!(out, "\\draw {}", pair(start));
+    let _ = write!(out, "{draw} {}", pair(start));
     for (i, segment) in curve.segments.iter().enumerate() {
         out.push_str(if i > 0 && i % ON_A_LINE == 0 {
             "\n  "
