@@ -313,3 +313,6 @@ pub(crate) fn nearest(truth: &Truth, p: Point) -> Foot {
         ..own
     }
 }
+
+#[cfg(test)]
+mod checks;

@@ -141,3 +141,6 @@ fn peak(samples: &[f64]) -> f64 {
     };
     numeric::top([*before, top, *after])
 }
+
+#[cfg(test)]
+mod tests;

@@ -199,3 +199,6 @@ fn step(ways: &mut [f64], peaks: &[Peak]) -> Option<Step> {
     }
     change.is_finite().then_some(Step { change, level })
 }
+
+#[cfg(test)]
+mod tests;

@@ -335,3 +335,6 @@ impl Lobe {
         self.distance * (1.0 + self.gain.min(1.0))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -276,20 +276,4 @@ impl Balance {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Ellipse, Rule, Shape};
-
-    #[test]
-    fn a_settled_segment_errs_as_much_as_is_allowed() {
-        let ellipse = Ellipse::new((0.0, 0.0), (100.0, 40.0), Angle::ZERO).unwrap();
-        let outline = Shape::Ellipse(ellipse).outline().unwrap();
-        let balance = Balance::new(&outline, Rule::default()).unwrap();
-        for way in [0.0, 17.0, 60.0, 89.0] {
-            let allowed = 3e-7;
-            let size = balance.settled(way, allowed, 30.0);
-            let error = balance.error(way, size);
-            assert!((error / allowed - 1.0).abs() < 1e-10, "{way}");
-        }
-    }
-}
+mod tests;

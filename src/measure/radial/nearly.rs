@@ -370,3 +370,6 @@ mod tests {
         assert!(told > 5000, "{told}");
     }
 }
+
+#[cfg(test)]
+mod checks;

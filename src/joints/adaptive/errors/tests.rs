@@ -1,0 +1,100 @@
+//! Errors by the distance itself.
+
+use kurbo::Vec2;
+
+use super::*;
+use crate::numeric::foot::foot;
+
+fn errors(method: Method, short: f64) -> Errors {
+    Errors::new(Rule::Method(method), short)
+}
+
+#[test]
+fn the_error_is_the_largest_distance_of_many_places() {
+    let methods = [Method::Minimax, Method::Curvature, Method::QuadraticMinimax];
+    for method in methods {
+        for (short, sizes) in [(0.9, [80.0, 30.0]), (0.5, [40.0, 20.0]), (0.1, [12.0, 7.0])] {
+            let errors = errors(method, short);
+            for from in [-100.0, -20.0, 0.0, 33.0, 84.0, 140.0] {
+                for size in sizes {
+                    let piece = errors.rule.piece(&Span::from_degrees(size)).unwrap();
+                    let ends = [from, from + size].map(|d| Angle::from_degrees(d).direction());
+                    let segment = piece.between(ends);
+                    let strays = |t: f64| {
+                        let p = segment.eval(t);
+                        foot(Vec2::new(short, 1.0), Vec2::new(short * p.x, p.y))
+                            .distance
+                            .abs()
+                    };
+                    let most = (0..=500)
+                        .map(|i| strays(f64::from(i) / 500.0))
+                        .fold(0.0, f64::max);
+                    let found = errors.of(from, size);
+                    let off = (found / most - 1.0).abs();
+                    assert!(off < 0.07, "{method:?} {short} {from} {size}: {off}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_formula_tells_errors_that_drown_in_samples() {
+    // Along so short a segment the weight hardly varies: it is that of its middle.
+    for short in [0.8, 0.3] {
+        for from in [0.0, 20.0, 70.0, 90.0, 130.0] {
+            let errors = errors(Method::Minimax, short);
+            let size = 3.0;
+            let radial = errors.on_circle(size);
+            assert!(radial < NOISE);
+            let angle = f64::to_radians(from + size / 2.0);
+            let weight = 1.0 / (libm::cos(angle) / short).hypot(libm::sin(angle));
+            let off = errors.of(from, size) / (radial * weight) - 1.0;
+            assert!(off.abs() < 0.1, "{short} {from}: {off}");
+            // The best of both lobes and the middle.
+            let lobes = LOBES.map(|part| errors.weight(from + part * size));
+            let most = lobes.into_iter().fold(0.0, f64::max);
+            assert!((errors.of(from, size) / (radial * most) - 1.0).abs() < 1e-12);
+        }
+    }
+    let errors = errors(Method::Minimax, 0.25);
+    assert!((errors.weight(0.0) - 0.25).abs() < 1e-15);
+    assert!((errors.weight(90.0) - 1.0).abs() < 1e-15);
+    assert!((errors.weight(45.0) - 1.0 / 8.5_f64.sqrt()).abs() < 1e-15);
+}
+
+#[test]
+fn a_point_beside_the_ellipse_strays_by_its_distance() {
+    for short in [0.9, 0.4] {
+        let errors = errors(Method::Minimax, short);
+        for angle in [0.0, 0.3, 1.1, 1.57, 2.5, 4.0] {
+            for excess in [1e-5, -1e-5] {
+                let p = Vec2::new(libm::cos(angle), libm::sin(angle)) * (1.0 + excess);
+                let distance = foot(Vec2::new(short, 1.0), Vec2::new(short * p.x, p.y)).distance;
+                let off = errors.strays(p.to_point()) / distance.abs() - 1.0;
+                assert!(off.abs() < 1e-4, "{short} {angle}: {off}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rough_and_sharp_are_told_by_their_edges() {
+    for (short, is_sharp) in [(0.029, true), (0.031, false)] {
+        assert_eq!(errors(Method::Minimax, short).is_sharp(), is_sharp);
+        for (part, is_rough) in [(0.99, false), (1.01, true)] {
+            let error = part * 1e-4 * short * short;
+            assert_eq!(errors(Method::Minimax, short).is_rough(error), is_rough);
+            assert!(!errors(Method::MinimaxG0, short).is_rough(error));
+        }
+    }
+}
+
+#[test]
+fn the_peak_of_samples_is_that_of_a_parabola() {
+    assert_eq!(peak(&[]), 0.0);
+    assert_eq!(peak(&[3.0, 1.0]), 3.0);
+    assert_eq!(peak(&[1.0, 3.0]), 3.0);
+    // 5 - (t - 1.25)² at 0, 1, 2 and 3.
+    assert_eq!(peak(&[3.4375, 4.9375, 4.4375, 1.9375]), 5.0);
+}

@@ -1,0 +1,215 @@
+//! Marching by known answers and by trial.
+
+use super::*;
+use core::cell::Cell;
+
+use crate::{Arc, Ellipse, Method, Rule, Shape};
+
+#[test]
+fn a_settled_segment_errs_as_much_as_is_allowed() {
+    let ellipse = Ellipse::new((0.0, 0.0), (100.0, 40.0), Angle::ZERO).unwrap();
+    let outline = Shape::Ellipse(ellipse).outline().unwrap();
+    let balance = Balance::new(&outline, Rule::default()).unwrap();
+    for way in [0.0, 17.0, 60.0, 89.0] {
+        let allowed = 3e-7;
+        let size = balance.settled(way, allowed, 30.0);
+        let error = balance.error(way, size);
+        assert!((error / allowed - 1.0).abs() < 1e-10, "{way}");
+    }
+}
+fn balance(rule: Method, flatness: f64, start: f64, sweep: f64) -> Balance {
+    let degrees = Angle::from_degrees;
+    let arc = Arc::new(
+        (0.0, 0.0),
+        (100.0, 100.0 * flatness),
+        degrees(0.0),
+        degrees(start),
+        degrees(sweep),
+    );
+    let outline = Shape::Arc(arc.unwrap()).outline().unwrap();
+    Balance::new(&outline, Rule::Method(rule)).unwrap()
+}
+
+#[test]
+fn a_bracket_narrows_to_the_longest_within() {
+    for edge in [1.01, 1.4, 1.99] {
+        let tries = Cell::new(0);
+        let beyond = |size: f64| {
+            tries.set(tries.get() + 1);
+            6.0 * libm::log(size / edge)
+        };
+        let bracket = Bracket {
+            low: 1.0,
+            high: 2.0,
+            below: beyond(1.0),
+            above: beyond(2.0),
+        };
+        let found = bracket.longest(6.0 * SETTLED, beyond);
+        assert!(
+            found <= edge && found > edge * (1.0 - 2.0 * SETTLED),
+            "{edge}: {found}"
+        );
+        assert!(tries.get() <= 9, "{edge}: {}", tries.get());
+    }
+    // A leap: the error is nothing up to an edge, and far beyond it afterwards.
+    let bracket = Bracket {
+        low: 1.0,
+        high: 2.0,
+        below: -40.0,
+        above: 40.0,
+    };
+    let found = bracket.longest(1e-3, |size| if size <= 1.7 { -40.0 } else { 40.0 });
+    assert!(
+        found <= 1.7 && found > 1.7 * (1.0 - 2.0 * SETTLED),
+        "{found}"
+    );
+}
+
+#[test]
+fn a_safe_segment_errs_as_much_on_the_circle() {
+    let balance = balance(Method::Minimax, 0.1, 0.0, 360.0);
+    for allowed in [1e-2, 1e-3, 1e-5, 1e-8] {
+        let error = balance.errors.on_circle(balance.safe(allowed));
+        assert!(
+            error <= allowed && error > 0.9 * allowed,
+            "{allowed}: {error}"
+        );
+    }
+    assert_eq!(balance.safe(1.0), 180.0);
+    // The sixth root of 64 is 2.
+    assert!((balance.resized(10.0, 64.0) - 20.0).abs() < 1e-12);
+    assert!((balance.resized(10.0, 1.0 / 64.0) - 5.0).abs() < 1e-12);
+    assert_eq!(balance.resized(10.0, 1e9), 40.0);
+    assert_eq!(balance.resized(10.0, 1e-9), 2.5);
+    assert_eq!(balance.resized(100.0, 64.0), 180.0);
+}
+
+#[test]
+fn the_longest_segment_is_found_by_its_lobes() {
+    let balance = balance(Method::Minimax, 0.3, 20.0, 300.0);
+    for way in [0.0, 10.0, 77.0, 200.0] {
+        for allowed in [1e-4, 1e-6, 1e-9] {
+            let size = balance.longest_by_lobes(way, allowed, 5.0, 180.0).unwrap();
+            let error = balance.error(way, size);
+            assert!((error / allowed - 1.0).abs() < 1e-4, "{way} {allowed}");
+            let least = balance.longest_by_lobes(way, allowed, 5.0, 0.5 * size);
+            assert_eq!(least, Some(0.5 * size));
+            let settled = balance.settled(way, allowed, 1.0);
+            assert!((settled / size - 1.0).abs() < 1e-3, "{way} {allowed}");
+        }
+    }
+}
+
+/// The longest of many sizes, evenly by their ratio, whose error is within.
+fn by_trial(balance: &Balance, way: f64, allowed: f64, most: f64) -> f64 {
+    let from = balance.past_axis(way);
+    (0..6000)
+        .map(|i| most * libm::exp(-1e-3 * f64::from(i)))
+        .find(|&size| balance.lobes.size(from, size) <= allowed)
+        .unwrap_or(0.0)
+}
+
+#[test]
+fn where_longer_segments_may_err_less_the_longest_is_looked_for() {
+    let (mut all, mut over, mut missed, mut longer) = (0, 0, 0, 0);
+    for flatness in [0.3, 0.1, 0.02] {
+        let balance = balance(Method::Minimax, flatness, 0.0, 350.0);
+        for exponent in 0..5 {
+            let allowed = flatness * flatness * libm::pow(10.0, -0.7 * f64::from(exponent) - 0.5);
+            assert!(balance.errors.is_rough(allowed));
+            let safe = balance.safe(allowed);
+            for way in (0..35).map(|i| f64::from(i) * 9.7) {
+                let most = f64::min(180.0, 350.0 - way);
+                let size = balance.longest(way, allowed, 30.0, most, Some(safe));
+                let from = balance.past_axis(way);
+                assert!(size <= most * (1.0 + 1e-12));
+                let error = balance.lobes.size(from, size);
+                assert!(
+                    error <= 1.2 * allowed,
+                    "{flatness} {way}: {error} of {allowed}"
+                );
+                over += usize::from(error > 1.001 * allowed);
+                let trial = by_trial(&balance, way, allowed, most);
+                all += 1;
+                missed += usize::from(size < 0.995 * trial);
+                longer += usize::from(size > 1.005 * trial);
+            }
+        }
+    }
+    // Lobes that are not climbed say a little less, and lengths between those that are tried may serve.
+    assert!(
+        over < 65 && missed < 20 && longer < 10,
+        "{over} {missed} {longer} of {all}"
+    );
+}
+
+#[test]
+fn a_march_takes_segments_of_the_error_to_the_end() {
+    for (flatness, allowed, near) in [(0.5, 1e-7, 1e-3), (0.2, 1e-4, 5e-3), (0.1, 1e-8, 1e-3)] {
+        for sweep in [300.0, -300.0] {
+            let balance = balance(Method::Minimax, flatness, 15.0, sweep);
+            let mut joints = Vec::new();
+            let taken = balance.march(300.0, allowed, 1000, &mut joints);
+            assert_eq!(joints[0], 0.0);
+            let part = taken - (joints.len() - 1) as f64;
+            assert!(part > 0.0 && part <= 1.0, "{taken}");
+            for pair in joints.windows(2) {
+                let error = balance.error(pair[0], pair[1] - pair[0]);
+                assert!(
+                    error < allowed * (1.0 + 1e-4),
+                    "{flatness} {sweep}: {error}"
+                );
+                assert!(
+                    error > allowed * (1.0 - near),
+                    "{flatness} {sweep}: {error}"
+                );
+            }
+            // The last one is counted by its part.
+            let last = joints[joints.len() - 1];
+            let size = (300.0 - last) / part;
+            let error = balance.error(last, size);
+            let is_rough = balance.errors.is_rough(allowed);
+            assert!(is_rough || (error / allowed - 1.0).abs() < 1e-3, "{error}");
+            let few = balance.march(300.0, allowed, 3, &mut joints);
+            assert!(joints.len() == 4 && few > 3.0, "{few}");
+        }
+    }
+}
+
+#[test]
+fn greedy_joints_run_from_either_end() {
+    let forth = balance(Method::Minimax, 0.2, 10.0, 200.0);
+    let all: Vec<Joints> = forth.greedy(1e-4).collect();
+    assert_eq!(all.len(), 2);
+    let other = balance(Method::Minimax, 0.2, 210.0, -200.0);
+    let reversed: Vec<Joints> = other.greedy(1e-4).collect();
+    for (one, two) in [(&all[0], &reversed[1]), (&all[1], &reversed[0])] {
+        let two: Vec<f64> = two.angles.iter().rev().copied().collect();
+        assert_eq!(one.angles.len(), two.len());
+        for (a, b) in one.angles.iter().zip(&two) {
+            assert!((a - b).abs() < 1e-9, "{a} {b}");
+        }
+    }
+    assert_ne!(all[0].angles, all[1].angles);
+    let closed = balance(Method::Minimax, 0.2, 10.0, 360.0);
+    assert_eq!(closed.greedy(1e-4).count(), 1);
+}
+
+#[test]
+fn narrowed_joints_err_less_than_equal_ones() {
+    for (flatness, pieces, part) in [(0.02, 4, 0.13), (0.04, 4, 0.2), (0.05, 3, 1.01)] {
+        let balance = balance(Method::Minimax, flatness, 10.0, 180.0);
+        let ways = balance.narrowed(180.0, pieces).unwrap();
+        assert_eq!(ways.len(), pieces + 1);
+        assert_eq!([ways[0], ways[pieces]], [0.0, 180.0]);
+        let most = |ways: &[f64]| {
+            let errors = ways.windows(2).map(|w| balance.error(w[0], w[1] - w[0]));
+            errors.fold(0.0, f64::max)
+        };
+        let equal: Vec<f64> = (0..=pieces)
+            .map(|i| 180.0 * i as f64 / pieces as f64)
+            .collect();
+        let found = most(&ways) / most(&equal);
+        assert!(found < part, "{flatness} {pieces}: {found}");
+    }
+}
