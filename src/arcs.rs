@@ -8,10 +8,13 @@ mod chords;
 mod diameters;
 mod fit;
 mod form;
+mod glance;
 mod near;
 mod oval;
 mod piece;
 pub(crate) mod recognize;
+#[cfg(test)]
+mod tests;
 
 use kurbo::{Affine, Line, PathSeg, Point, Rect};
 

@@ -50,13 +50,73 @@ pub(crate) fn roughly_from_arc(parts: &[CubicBez], arc: &Arc) -> f64 {
     let bound = if is_circle(arc) {
         bound(parts, ends, arc)
     } else {
-        let (mapped, ends, unit) = mapped(parts, ends, arc);
+        let (mapped, ends, unit) = all_mapped(parts, ends, arc);
         let larger = arc.radii.x.max(arc.radii.y);
         bound(&mapped, ends, &unit).map(|bound| larger * bound + margin(parts, arc))
     };
     bound
         .filter(|bound| bound.is_finite())
         .unwrap_or(f64::INFINITY)
+}
+
+/// Whether that is within a limit, which mostly a look at the sizes of a few coefficients says.
+pub(super) fn is_within(parts: &[CubicBez], arc: &Arc, limit: f64) -> bool {
+    let ([cubic], Some(ends)) = (parts, arc.ends) else {
+        return roughly_from_arc(parts, arc) <= limit;
+    };
+    let surely = if is_circle(arc) {
+        is_surely_within(cubic, ends, arc, limit)
+    } else {
+        let (cubic, ends, unit) = mapped(*cubic, ends, arc);
+        let limit = (limit - margin(parts, arc)) / arc.radii.x.max(arc.radii.y);
+        is_surely_within(&cubic, ends, &unit, limit)
+    };
+    surely || roughly_from_arc(parts, arc) <= limit
+}
+
+/// One cubic between the ends of the arc of a circle, about its centre all the way: the Bernstein coefficients of |q - c|² - r² over four
+/// parts of it bound how far it strays.
+fn is_surely_within(cubic: &CubicBez, ends: [Point; 2], arc: &Arc, limit: f64) -> bool {
+    /// What rounding may do, as a part of the radius.
+    const NOISE: f64 = 1e-13;
+    let (center, radius) = (arc.center, arc.radii.x);
+    let sign = arc.sweep.degrees().signum();
+    if ends != [cubic.p0, cubic.p3] || !runs_about(cubic, center, sign) {
+        return false;
+    }
+    let p = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(|p| p - center);
+    let square = radius * radius;
+    let coefficients = [
+        p[0].hypot2() - square,
+        p[0].dot(p[1]) - square,
+        (2.0 * p[0].dot(p[2]) + 3.0 * p[1].hypot2()) / 5.0 - square,
+        (p[0].dot(p[3]) + 9.0 * p[1].dot(p[2])) / 10.0 - square,
+        (2.0 * p[1].dot(p[3]) + 3.0 * p[2].hypot2()) / 5.0 - square,
+        p[2].dot(p[3]) - square,
+        p[3].hypot2() - square,
+    ];
+    let halves = halved(coefficients);
+    let quarters = halves.map(halved);
+    let largest = quarters
+        .iter()
+        .flatten()
+        .flatten()
+        .fold(0.0_f64, |most, c| most.max(c.abs()));
+    // From inside, r - sqrt(r² - e) = e / (r + sqrt(r² - e)).
+    let inner = (square - largest).max(0.0).sqrt();
+    largest / (radius + inner) + NOISE * radius < limit
+}
+
+/// Both halves of a polynomial of degree 6 by its Bernstein coefficients.
+fn halved(mut rest: [f64; 7]) -> [[f64; 7]; 2] {
+    let (mut first, mut last) = ([0.0; 7], [0.0; 7]);
+    for i in 0..7 {
+        (first[i], last[6 - i]) = (rest[0], rest[6 - i]);
+        for j in 0..6 - i {
+            rest[j] = 0.5 * (rest[j] + rest[j + 1]);
+        }
+    }
+    [first, last]
 }
 
 fn is_circle(arc: &Arc) -> bool {
@@ -74,15 +134,12 @@ fn farthest(parts: &[CubicBez], truth: Truth, ends: [Point; 2], arc: &Arc) -> f6
     radial::error(&segments, &truth).peak()
 }
 
-/// Cubics, the ends of an arc, and the arc where its ellipse is the unit circle, about its start: nothing of that grows with the radii.
-fn mapped(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> (Vec<CubicBez>, [Point; 2], Arc) {
+/// A cubic, the ends of an arc, and the arc where its ellipse is the unit circle, about its start: nothing of that grows with the radii.
+fn mapped(part: CubicBez, ends: [Point; 2], arc: &Arc) -> (CubicBez, [Point; 2], Arc) {
     let [a, b, c, d, ..] = to_unit(arc).as_coeffs();
     let linear = Affine::new([a, b, c, d, 0.0, 0.0]);
     let map = |p: Point| linear * (p - ends[0]).to_point();
-    let parts = parts.iter().map(|part| {
-        let [p0, p1, p2, p3] = [part.p0, part.p1, part.p2, part.p3].map(map);
-        CubicBez { p0, p1, p2, p3 }
-    });
+    let [p0, p1, p2, p3] = [part.p0, part.p1, part.p2, part.p3].map(map);
     let one = Vec2::new(1.0, 1.0);
     let unit = Arc {
         center: map(arc.center),
@@ -93,7 +150,19 @@ fn mapped(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> (Vec<CubicBez>, [P
         },
         ..*arc
     };
-    (parts.collect(), ends.map(map), unit)
+    (CubicBez { p0, p1, p2, p3 }, ends.map(map), unit)
+}
+
+/// The same of several cubics.
+fn all_mapped(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> (Vec<CubicBez>, [Point; 2], Arc) {
+    let mapped = |part: &CubicBez| mapped(*part, ends, arc);
+    let first = parts
+        .first()
+        .copied()
+        .unwrap_or(CubicBez::new(ends[0], ends[0], ends[1], ends[1]));
+    let (_, unit_ends, unit) = mapped(&first);
+    let parts = parts.iter().map(|part| mapped(part).0).collect();
+    (parts, unit_ends, unit)
 }
 
 /// What the roundings of that map may have done to a distance.
@@ -133,7 +202,7 @@ fn past_ends_of_ellipse(parts: &[CubicBez], ends: [Point; 2], arc: &Arc) -> Opti
     let shift = from
         .distance(parts.first()?.p0)
         .max(to.distance(parts.last()?.p3));
-    let (mapped, _, unit) = mapped(parts, ends, arc);
+    let (mapped, _, unit) = all_mapped(parts, ends, arc);
     let over = larger * overshoot(&mapped, unit.center, arc.sweep.radians())?;
     (shift <= NORMALS * bend).then(|| shift * bend / (bend - shift) + over)
 }

@@ -50,7 +50,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
             decimals,
             elliptic: options.elliptic,
             drawn_only: true,
-            longest_radius: usize::MAX,
+            longest: usize::MAX,
         },
         options,
         course: Course {

@@ -1,7 +1,8 @@
 //! Ellipses by conjugate half diameters.
 
-use kurbo::{Affine, Point, Vec2};
+use kurbo::{Affine, CubicBez, ParamCurve as _, Point, Vec2};
 
+use super::near::{Rules, size};
 use crate::Angle;
 use crate::shape::Truth;
 
@@ -65,4 +66,36 @@ impl Diameters {
             Truth::new(self.center, radii, Angle::from_radians(rest).direction())
         })
     }
+}
+
+/// The ellipse of which a cubic is an arc.
+pub(super) fn ellipse_of(cubic: &CubicBez, rules: &Rules) -> Option<Truth> {
+    let (u, v, chord) = (
+        cubic.p1 - cubic.p0,
+        cubic.p2 - cubic.p3,
+        cubic.p3 - cubic.p0,
+    );
+    let cross = u.cross(v);
+    // Where the tangents meet, in lengths of the handles: alike for the arc of an ellipse, and longer than they.
+    let [along, back] = [chord.cross(v) / cross, chord.cross(u) / cross];
+    if !(along > 1.0 && (along - back).abs() <= 0.1 * along) {
+        return None;
+    }
+    let (tip, base) = (cubic.p0 + along * u, cubic.p0.midpoint(cubic.p3));
+    let (way, rise) = (tip - base, cubic.eval(0.5) - base);
+    let part = rise.dot(way) / way.hypot2();
+    let weight = part / (1.0 - part);
+    let square = weight * weight;
+    if !(weight > 0.05 && 1.0 - square > 4e-3) {
+        return None;
+    }
+    let diameters = Diameters::new(cubic.p0, tip, cubic.p3, square);
+    let to_unit = diameters.frame().inverse();
+    let larger = diameters.larger();
+    let room = rules.room(size(&[*cubic], larger)) / larger;
+    let off = |t: f64| ((to_unit * cubic.eval(t)).to_vec2().hypot2().sqrt() - 1.0).abs();
+    if !(off(0.25) <= room && off(0.75) <= room) {
+        return None;
+    }
+    diameters.ellipse()
 }

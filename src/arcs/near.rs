@@ -3,8 +3,9 @@
 use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
 
 use crate::Angle;
-use crate::curve::{first_direction, turn};
-use crate::number::Precision;
+use crate::curve::first_direction;
+use crate::number::digits::EXACT_POWERS;
+use crate::number::{Precision, decimals_of};
 use crate::shape::{Arc, Given, Truth};
 
 /// What a rough constant, such as 0.55, may have done to a point, as a part of the radius.
@@ -20,6 +21,16 @@ pub(super) const MARGIN: f64 = 1.2;
 /// The largest turn at a joint that rounding explains, in degrees: anything beyond is a corner, which stays.
 pub(super) const LARGEST_TURN: f64 = 8.0;
 
+/// How many decimals more than the file radii may have.
+pub(super) const MORE_DECIMALS: u8 = 3;
+
+/// How many times the tolerance one cubic may lie from the circle through its ends and its middle: from the circle that was meant, which
+/// is looked for next, a balanced one lies half as far.
+pub(super) const THROUGH_MIDDLE: f64 = 2.0;
+
+/// tan 8 degrees.
+const TANGENT_OF_TURN: f64 = 0.140_540_834_702_391_45;
+
 /// What a run is to keep to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rules {
@@ -34,14 +45,37 @@ pub(crate) struct Rules {
     /// Whether cubics count as an arc only where their control points are those of one but for the rounding of the file, and not
     /// where they happen to lie near it.
     pub(crate) drawn_only: bool,
-    /// How many characters a radius may take where a single cubic becomes the arc of a circle: with more it would be the longer text.
-    pub(crate) longest_radius: usize,
+    /// How many characters the command of an arc may take without its end point in place of a single cubic: with more it would be the longer
+    /// text.
+    pub(crate) longest: usize,
 }
 
 impl Rules {
     /// How far an arc of this size may lie from its cubics.
     pub(crate) fn room(&self, size: f64) -> f64 {
         self.part * size + self.absolute
+    }
+
+    /// How many characters each radius of a circle may take: besides them an arc has at least a letter, a rotation and two flags, with
+    /// what parts these.
+    pub(super) const fn longest_radius(&self) -> usize {
+        self.longest.saturating_sub(7) / 2
+    }
+
+    /// The most decimals that the text has room for in place of so many cubics; `None` where it has none for the radius.
+    pub(super) fn most_decimals(&self, count: usize, radius: f64) -> Option<u8> {
+        if count > 1 {
+            return Some(u8::MAX);
+        }
+        // The radius that is meant may be a bit smaller, and have a digit less.
+        let whole = (libm::log10(0.9 * radius).floor() + 1.0).max(0.0);
+        let rest = self.longest_radius().checked_sub(whole as usize)?;
+        Some(u8::try_from(rest.saturating_sub(1)).unwrap_or(u8::MAX))
+    }
+
+    /// Whether there may be room for these numbers.
+    pub(super) fn has_room(&self, numbers: [f64; 3]) -> bool {
+        5 + numbers.map(characters).into_iter().sum::<usize>() <= self.longest
     }
 
     /// How far the rounding of the file moves a point.
@@ -55,12 +89,26 @@ impl Rules {
     }
 }
 
+/// How many characters a number takes at least.
+fn characters(number: f64) -> usize {
+    let (size, decimals) = (number.abs(), usize::from(decimals_of(number)));
+    let whole = EXACT_POWERS.iter().take_while(|power| **power <= size);
+    let point = usize::from(decimals > 0);
+    (whole.count() + point + decimals).max(1) + usize::from(number < 0.0)
+}
+
 /// What the distance of an arc from its cubics is compared with: the larger radius, or the length of the run where that is less. From
 /// a sweep of 60 degrees on it is the radius; a flat arc of a huge radius is no larger than it looks.
 pub(super) fn size(cubics: &[CubicBez], radius: f64) -> f64 {
     let Some([from, on, to]) = ends_and_middle(cubics) else {
         return radius;
     };
+    size_of([from, on, to], radius)
+}
+
+/// The same by the ends of the run and its middle.
+#[inline]
+pub(super) fn size_of([from, on, to]: [Point; 3], radius: f64) -> f64 {
     let sides = [
         from.distance_squared(to),
         from.distance_squared(on),
@@ -83,7 +131,8 @@ pub(super) fn ends_and_middle(cubics: &[CubicBez]) -> Option<[Point; 3]> {
 /// Whether two cubics join without a corner.
 pub(super) fn joins_smoothly(pair: &[CubicBez]) -> bool {
     let [a, b] = [pair[0], pair[1]].map(PathSeg::Cubic);
-    turn(&a, &b).abs() <= LARGEST_TURN
+    let (u, v) = (-first_direction(&a.reverse()), first_direction(&b));
+    u.cross(v).abs() <= TANGENT_OF_TURN * u.dot(v)
 }
 
 pub(super) fn larger(arc: &Arc) -> f64 {
@@ -108,10 +157,7 @@ fn unlike(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> f64 {
         );
         let length = ideal.hypot2().sqrt();
         let (along, across) = (own.dot(ideal) / length, own.cross(ideal) / length);
-        larger_of(
-            across.abs() - slack,
-            (along - length).abs() - slack - LENGTH_PART * length,
-        )
+        unlike_by(along - length, across, length, slack)
     };
     let worst = cubics.iter().map(|cubic| {
         let [u, v] = [cubic.p0, cubic.p3].map(|p| (to_unit * p).to_vec2());
@@ -124,6 +170,15 @@ fn unlike(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> f64 {
         larger_of(joints, controls)
     });
     worst.fold(f64::NEG_INFINITY, larger_of)
+}
+
+/// How much farther off a handle is than it may be that is longer by so much, and so far across the tangent.
+#[inline]
+pub(super) fn unlike_by(longer: f64, across: f64, length: f64, slack: f64) -> f64 {
+    larger_of(
+        across.abs() - slack,
+        longer.abs() - slack - LENGTH_PART * length,
+    )
 }
 
 /// The larger of two numbers; infinite where one is none.

@@ -8,14 +8,15 @@
 //!
 //! are its centre and two conjugate half diameters. With A = (e₁ e₂) the eigenvalues of A Aᵀ are the squares of its radii.
 
-use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Vec2};
+use kurbo::{CubicBez, PathSeg, Point, Vec2};
 
-use super::bound::roughly_from_arc;
-use super::diameters::Diameters;
+use super::bound::{is_within, roughly_from_arc};
+use super::diameters::ellipse_of;
+use super::glance::{finds_none, is_askew, strays_from};
 pub(crate) use super::near::Rules;
 use super::near::{
-    MARGIN, Pencil, ends_and_middle, is_drawn_like, is_tangent, joins_smoothly, larger, size,
-    strays, swept,
+    MARGIN, MORE_DECIMALS, Pencil, THROUGH_MIDDLE, ends_and_middle, is_drawn_like, is_tangent,
+    joins_smoothly, larger, size, strays, swept,
 };
 use crate::Angle;
 use crate::curve::first_direction;
@@ -27,18 +28,11 @@ use crate::shape::{Arc, Shape, Truth};
 /// that the last bits of a renderer move its centre.
 const SWEEPS: [f64; 2] = [4.0, 350.0];
 
-/// How many decimals more than the file radii may have.
-const MORE_DECIMALS: u8 = 3;
-
 /// Half a turn and the noise of a computed sweep, in degrees.
 const HALF_TURN: f64 = 180.0 + 1e-9;
 
 /// The part of the tolerance by which a radius is rounded that nobody meant.
 const NEAR_PART: f64 = 0.1;
-
-/// How many times the tolerance one cubic may lie from the circle through its ends and its middle: from the circle that was meant, which
-/// is looked for next, a balanced one lies half as far.
-const THROUGH_MIDDLE: f64 = 2.0;
 
 /// A run of cubics that is one arc.
 #[derive(Debug, Clone, Copy)]
@@ -49,12 +43,25 @@ pub(crate) struct Found {
     pub(crate) given: SvgArc,
     /// The same arc by its centre.
     pub(crate) arc: Arc,
+}
+
+impl Found {
     /// A bound, both ways, of its distance from the cubics.
-    pub(crate) strayed: f64,
+    pub(crate) fn strayed(&self, cubics: &[CubicBez]) -> f64 {
+        roughly_from_arc(cubics, &self.arc)
+    }
 }
 
 /// The longest run of the cubics, from the first, that is one arc; of a whole turn no more than 350 degrees.
 fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
+    if finds_none(cubics, rules) {
+        return None;
+    }
+    closer(cubics, rules)
+}
+
+/// The same without a first look.
+pub(super) fn closer(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
     let (first, _) = cubics.split_first()?;
     if circle_of(&cubics[..1], rules).is_some() {
         return longest(cubics, rules, |count| circle_of(&cubics[..count], rules));
@@ -64,7 +71,8 @@ fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
     }
     let rough = ellipse_of(first, rules)?;
     // What one cubic says of its ellipse is too little for those after it, unless it is known by its round numbers.
-    let alone = meant(&cubics[..1], &placed(&cubics[..1], &rough)?, rules)?;
+    let only = &cubics[..1];
+    let alone = meant(only, &placed(only, &rough)?, rules, false)?;
     let ellipse = alone.arc.truth();
     longest(cubics, rules, |count| {
         let run = &cubics[..count];
@@ -88,7 +96,7 @@ pub(crate) fn halves(cubics: &[CubicBez], rules: &Rules) -> [Option<Found>; 2] {
     let whole = &cubics[..=found.count + more];
     let (first, second) = whole.split_at(whole.len() / 2);
     let rules = Rules {
-        longest_radius: usize::MAX,
+        longest: usize::MAX,
         ..*rules
     };
     let half =
@@ -124,7 +132,12 @@ fn longest(
     let fewer = [best, best.div_ceil(2), 1];
     fewer
         .into_iter()
-        .find_map(|count| meant(&cubics[..count], &arc_of(count)?, rules))
+        .find_map(|count| meant(&cubics[..count], &arc_of(count)?, rules, is_alone(cubics)))
+}
+
+/// Whether no run goes on after the first of the cubics.
+fn is_alone(cubics: &[CubicBez]) -> bool {
+    cubics.get(..2).is_none_or(|pair| !joins_smoothly(pair))
 }
 
 /// An upright ellipse.
@@ -159,10 +172,16 @@ pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<
 }
 
 /// The arc that is meant: of all radii with which the cubics are drawn like an arc those with the fewest decimals; else those with as
-/// many as the tolerance needs.
-fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<Found> {
-    let limit = most_decimals(cubics, found, rules)?;
+/// many as the tolerance needs. What has to be `short` is none where there is no room for its text.
+fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules, short: bool) -> Option<Found> {
+    let limit = if found.radii.x == found.radii.y {
+        rules.most_decimals(cubics.len(), found.radii.x)?
+    } else {
+        u8::MAX
+    };
     let most = rules.decimals.saturating_add(MORE_DECIMALS);
+    // One of more decimals would be longer still; one that is only near may be shorter.
+    let short = short && rules.drawn_only;
     let explained = MARGIN * strays(cubics, found) + rules.moved();
     // What the tangents say does not depend on the constant of the cubics; what the middle says, not on the rounding of handles.
     let guesses = [by_tangents(cubics, found), Some(*found)];
@@ -178,6 +197,9 @@ fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<Found> {
                 }
             }
             let given = rounded(cubics, guess, decimals)?;
+            if short && !rules.has_room([given.radii.x, given.radii.y, given.rotation.degrees()]) {
+                return None;
+            }
             near_enough(cubics, given, rules, Some(explained))
         })
     });
@@ -206,6 +228,11 @@ fn near_enough(
     rules: &Rules,
     explained: Option<f64>,
 ) -> Option<Found> {
+    if let [cubic] = cubics
+        && strays_from(cubic, &given) > explained.unwrap_or(f64::INFINITY)
+    {
+        return None;
+    }
     let Ok(Shape::Arc(arc)) = given.shape() else {
         return None;
     };
@@ -215,24 +242,8 @@ fn near_enough(
     if !(off <= room && is_tangent(cubics, &arc) && explained.is_none_or(is_drawn)) {
         return None;
     }
-    let strayed = roughly_from_arc(cubics, &arc);
-    (strayed <= room).then_some(Found {
-        count: cubics.len(),
-        given,
-        arc,
-        strayed,
-    })
-}
-
-/// The most decimals that the text has room for; `None` where it has none for the radius.
-fn most_decimals(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<u8> {
-    if cubics.len() > 1 || found.radii.x != found.radii.y {
-        return Some(u8::MAX);
-    }
-    // The radius that is meant may be a bit smaller, and have a digit less.
-    let whole = (libm::log10(0.9 * found.radii.x).floor() + 1.0).max(0.0);
-    let rest = rules.longest_radius.checked_sub(whole as usize)?;
-    Some(u8::try_from(rest.saturating_sub(1)).unwrap_or(u8::MAX))
+    let count = cubics.len();
+    is_within(cubics, &arc, room).then_some(Found { count, given, arc })
 }
 
 /// The arc of a circle with the radius that the directions at its ends give: half the chord over the sine of half the turn.
@@ -277,7 +288,7 @@ fn circle_of(cubics: &[CubicBez], rules: &Rules) -> Option<Arc> {
         1.0
     };
     let room = |radius: f64| times * rules.room(size(cubics, radius));
-    if from == to || is_askew(cubics, from, on, to, room) {
+    if from == to || is_askew(cubics, |size| times * rules.room(size)) {
         return None;
     }
     let Ok(Shape::Arc(arc)) = through(from, on, to) else {
@@ -287,67 +298,9 @@ fn circle_of(cubics: &[CubicBez], rules: &Rules) -> Option<Arc> {
     fits.then_some(arc)
 }
 
-/// Whether a single cubic cannot be the arc of a circle through these points, as one look at two more of its points says: nearly
-/// every free curve ends here.
-fn is_askew(
-    cubics: &[CubicBez],
-    from: Point,
-    on: Point,
-    to: Point,
-    room: impl Fn(f64) -> f64,
-) -> bool {
-    let [cubic] = cubics else {
-        return false;
-    };
-    let (u, v) = (on - from, to - from);
-    let cross = 2.0 * u.cross(v);
-    let center = from
-        + Vec2::new(
-            v.y * u.hypot2() - u.y * v.hypot2(),
-            u.x * v.hypot2() - v.x * u.hypot2(),
-        ) / cross;
-    let radius = center.distance_squared(from).sqrt();
-    let off = |t: f64| (center.distance_squared(cubic.eval(t)).sqrt() - radius).abs();
-    let room = room(radius);
-    // Written so that what is not a number goes on to the closer look.
-    off(0.25) > room || off(0.75) > room
-}
-
 fn within(sweep: Angle) -> bool {
     let [least, most] = SWEEPS;
     (least..=most).contains(&sweep.degrees().abs())
-}
-
-/// The ellipse of which a cubic is an arc.
-fn ellipse_of(cubic: &CubicBez, rules: &Rules) -> Option<Truth> {
-    let (u, v, chord) = (
-        cubic.p1 - cubic.p0,
-        cubic.p2 - cubic.p3,
-        cubic.p3 - cubic.p0,
-    );
-    let cross = u.cross(v);
-    // Where the tangents meet, in lengths of the handles: alike for the arc of an ellipse, and longer than they.
-    let [along, back] = [chord.cross(v) / cross, chord.cross(u) / cross];
-    if !(along > 1.0 && (along - back).abs() <= 0.1 * along) {
-        return None;
-    }
-    let (tip, base) = (cubic.p0 + along * u, cubic.p0.midpoint(cubic.p3));
-    let (way, rise) = (tip - base, cubic.eval(0.5) - base);
-    let part = rise.dot(way) / way.hypot2();
-    let weight = part / (1.0 - part);
-    let square = weight * weight;
-    if !(weight > 0.05 && 1.0 - square > 4e-3) {
-        return None;
-    }
-    let diameters = Diameters::new(cubic.p0, tip, cubic.p3, square);
-    let to_unit = diameters.frame().inverse();
-    let larger = diameters.larger();
-    let room = rules.room(size(&[*cubic], larger)) / larger;
-    let off = |t: f64| ((to_unit * cubic.eval(t)).to_vec2().hypot2().sqrt() - 1.0).abs();
-    if !(off(0.25) <= room && off(0.75) <= room) {
-        return None;
-    }
-    diameters.ellipse()
 }
 
 /// The arc of an ellipse from the beginning of a run to its end, where it is long enough.

@@ -56,21 +56,6 @@ impl Segment {
         })
     }
 
-    /// The values of the control points before its end point.
-    pub(super) fn controls(&self, text: &str) -> Option<[Vec2; 2]> {
-        let bytes = text.as_bytes();
-        let (mut points, mut at) = ([Vec2::ZERO; 2], self.arguments);
-        for point in &mut points {
-            if at >= self.tail {
-                break;
-            }
-            (point.x, at) = number::read(bytes, at)?;
-            (point.y, at) = number::read(bytes, after_separator(bytes, at))?;
-            at = after_separator(bytes, at);
-        }
-        Some(points)
-    }
-
     /// The arguments of an arc, flags as 0 or 1.
     pub(super) fn arc_values(&self, text: &str) -> Option<[f64; 7]> {
         let bytes = text.as_bytes();
@@ -89,6 +74,15 @@ impl Segment {
     }
 }
 
+/// What a Bézier has before its end point, and how its numbers are spelled.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Handles {
+    /// Its control points, as many as it spells.
+    pub(super) points: [Vec2; 2],
+    /// The most decimals of its numbers; [`WITH_EXPONENT`](number::WITH_EXPONENT) where one has an exponent.
+    pub(super) decimals: u8,
+}
+
 /// Reads path data up to its end or its first error.
 #[derive(Debug, Clone)]
 pub(super) struct Segments<'a> {
@@ -97,6 +91,8 @@ pub(super) struct Segments<'a> {
     end: usize,
     /// Whether the numbers of end points are wanted.
     wants_ends: bool,
+    /// Those of the last Bézier, where they are wanted.
+    handles: Option<Handles>,
     /// The letter that a further set of arguments repeats.
     repeated: Option<u8>,
     /// Whether a command has been read: the first has to be a `moveto`.
@@ -113,6 +109,7 @@ impl<'a> Segments<'a> {
             at: span.start,
             end: span.end,
             wants_ends: false,
+            handles: None,
             repeated: None,
             begun: false,
             error: None,
@@ -122,6 +119,23 @@ impl<'a> Segments<'a> {
     /// The segments with the numbers of their end points.
     pub(super) const fn with_ends(self, wants_ends: bool) -> Self {
         Self { wants_ends, ..self }
+    }
+
+    /// The same with the numbers of control points.
+    pub(super) const fn with_handles(self) -> Self {
+        Self {
+            wants_ends: true,
+            handles: Some(Handles {
+                points: [Vec2::ZERO; 2],
+                decimals: 0,
+            }),
+            ..self
+        }
+    }
+
+    /// What the last segment has, a Bézier, before its end point, where that is wanted.
+    pub(super) const fn handles(&self) -> Option<Handles> {
+        self.handles
     }
 
     /// The index at which the data stop being path data; what stands after it is not drawn.
@@ -194,6 +208,11 @@ impl<'a> Segments<'a> {
         };
         let (bytes, at) = (self.bytes, self.at);
         segment.tail = match segment.kind() {
+            _ if self.handles.is_some() && is_bezier(letter) => {
+                self.bezier(&mut segment)?;
+                self.at = segment.end;
+                return Some(segment);
+            }
             b'm' | b'l' | b't' | b'h' | b'v' => at,
             b's' | b'q' => after_numbers::<2>(bytes, at)?,
             b'c' => after_numbers::<4>(bytes, at)?,
@@ -216,6 +235,37 @@ impl<'a> Segments<'a> {
         }
         self.at = segment.end;
         Some(segment)
+    }
+
+    /// Reads all numbers of a Bézier.
+    #[inline]
+    fn bezier(&mut self, segment: &mut Segment) -> Option<()> {
+        let (bytes, mut at) = (self.bytes, self.at);
+        let inner = match segment.kind() {
+            b't' => 0,
+            b'c' => 4,
+            _ => 2,
+        };
+        let (mut values, mut most) = ([0.0; 6], 0);
+        for (index, value) in values[..inner + 2].iter_mut().enumerate() {
+            if index > 0 {
+                at = after_separator(bytes, at);
+            }
+            if index == inner {
+                segment.tail = at;
+            }
+            let decimals;
+            (*value, at, decimals) = number::read_counted(bytes, at)?;
+            most = most.max(decimals);
+        }
+        segment.end = at;
+        segment.to = [values[inner], values[inner + 1]];
+        let [a, b, c, d, ..] = values;
+        self.handles = Some(Handles {
+            points: [Vec2::new(a, b), Vec2::new(c, d)],
+            decimals: most,
+        });
+        Some(())
     }
 
     /// A segment that begins with its letter.
@@ -254,6 +304,10 @@ impl<'a> Segments<'a> {
         self.repeated = None;
         None
     }
+}
+
+const fn is_bezier(letter: u8) -> bool {
+    matches!(letter | 0x20, b'c' | b's' | b'q' | b't')
 }
 
 impl Iterator for Segments<'_> {

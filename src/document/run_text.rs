@@ -96,10 +96,17 @@ const fn text_start(link: &Link) -> usize {
     }
 }
 
-/// How many characters each radius of a circular arc may take, at most, in place of this Bézier: besides them it has at least a letter, a
-/// rotation and two flags, with what parts these.
-pub(super) const fn longest_radius(link: &Link) -> usize {
-    (link.segment.tail - text_start(link)).saturating_sub(7) / 2
+/// How many characters an arc may take, at most, without its end point in place of the first of these Béziers; a letter for the next one may
+/// stand where several characters parted them.
+pub(super) fn longest(links: &[Link]) -> usize {
+    let [link, rest @ ..] = links else {
+        return 0;
+    };
+    let parted = match rest {
+        [next, ..] if !next.segment.explicit => next.segment.arguments - next.previous,
+        _ => 0,
+    };
+    link.segment.tail - text_start(link) + parted.saturating_sub(1)
 }
 
 fn arc(text: &str, links: &[Link], run: &Run) -> Option<Edit> {

@@ -9,13 +9,14 @@ use core::ops::Range;
 use kurbo::{CubicBez, QuadBez, Vec2};
 
 use super::arcs::Sink;
-use super::path_data::{Segment, Segments};
+use super::path_data::{Handles, Segment, Segments};
 use super::position::Position;
 use super::reason::Reason;
 use super::run_text::{self, Edit, Link, Run, family};
 use crate::arcs::recognize::{self, Rules};
 use crate::joints::Tolerance;
 use crate::number::Precision;
+use crate::number::read::{WITH_EXPONENT, decimals_spelled};
 
 /// The tolerance where none is asked for, as a part of the radius.
 const DEFAULT_PART: f64 = 1e-3;
@@ -66,24 +67,13 @@ pub(super) fn rules(tolerance: Option<Tolerance>, decimals: u8) -> Rules {
         decimals,
         elliptic: true,
         drawn_only: tolerance.is_none(),
-        longest_radius: usize::MAX,
+        longest: usize::MAX,
     }
 }
 
-/// The most decimals of the numbers in a text; `None` where one has an exponent.
+/// The most decimals of the numbers in a text that are believed; `None` where one has an exponent.
 pub(super) fn decimals(text: &[u8]) -> Option<u8> {
-    let (mut most, mut after, mut point) = (0_u8, 0_u8, false);
-    for byte in text {
-        match byte {
-            b'0'..=b'9' => {
-                after = after.saturating_add(u8::from(point));
-                most = most.max(after);
-            }
-            b'e' | b'E' => return None,
-            byte => (after, point) = (0, *byte == b'.'),
-        }
-    }
-    Some(most.min(MOST_DECIMALS))
+    Some(decimals_spelled(text)?.min(MOST_DECIMALS))
 }
 
 /// Finds the runs of the path data in `text[span]`, after which the text ends or goes on with a quote.
@@ -101,13 +91,14 @@ pub(super) fn find(
         control: Vec2::ZERO,
         family: 0,
         end: span.start,
+        decimals: 0,
         links: Vec::new(),
         cubics: Vec::new(),
         outcome: Outcome::default(),
     };
-    let mut segments = Segments::new(text, span).with_ends(true);
-    for segment in segments.by_ref() {
-        finder.segment(&segment);
+    let mut segments = Segments::new(text, span).with_handles();
+    while let Some(segment) = segments.next() {
+        finder.segment(&segment, segments.handles().unwrap_or_default());
     }
     finder.flush();
     if let Some(at) = segments.error()
@@ -133,6 +124,8 @@ struct Finder<'a> {
     family: u8,
     /// The index of the byte after the last segment.
     end: usize,
+    /// The most decimals of the numbers of the chain.
+    decimals: u8,
     /// The Béziers since anything else.
     links: Vec<Link>,
     cubics: Vec<CubicBez>,
@@ -140,9 +133,9 @@ struct Finder<'a> {
 }
 
 impl Finder<'_> {
-    fn segment(&mut self, segment: &Segment) {
+    fn segment(&mut self, segment: &Segment, handles: Handles) {
         let family = family(segment.kind());
-        let cubic = (family != 0).then(|| self.cubic(segment, family)).flatten();
+        let cubic = (family != 0).then(|| self.cubic(segment, family, handles.points));
         let from = self.at.point;
         self.at.advance(segment);
         match cubic {
@@ -154,6 +147,7 @@ impl Finder<'_> {
                     let points = [from, self.control, self.at.point].map(Vec2::to_point);
                     cubic = QuadBez::new(points[0], points[1], points[2]).raise();
                 }
+                self.decimals = self.decimals.max(handles.decimals);
                 self.links.push(Link {
                     segment: *segment,
                     previous: self.end,
@@ -167,14 +161,14 @@ impl Finder<'_> {
     }
 
     /// The control points of a Bézier, the end point aside.
-    fn cubic(&self, segment: &Segment, family: u8) -> Option<CubicBez> {
+    fn cubic(&self, segment: &Segment, family: u8, handles: [Vec2; 2]) -> CubicBez {
         let from = self.at.point;
         let base = if segment.is_relative() {
             from
         } else {
             Vec2::ZERO
         };
-        let [a, b] = segment.controls(self.text)?.map(|p| base + p);
+        let [a, b] = handles.map(|p| base + p);
         let mirrored = if self.family == family {
             2.0 * from - self.control
         } else {
@@ -187,19 +181,19 @@ impl Finder<'_> {
             _ => (mirrored, mirrored),
         };
         let [p0, p1, p2] = [from, p1, p2].map(Vec2::to_point);
-        Some(CubicBez::new(p0, p1, p2, p0))
+        CubicBez::new(p0, p1, p2, p0)
     }
 
     /// Ends a chain of Béziers.
     fn flush(&mut self) {
-        if let (Some(first), Some(last)) = (self.links.first(), self.links.last()) {
-            let (start, end) = (first.segment.start, last.segment.end);
-            if let Some(decimals) = decimals(&self.text.as_bytes()[start..end]) {
-                self.chain(&rules(self.tolerance, decimals));
+        if !self.links.is_empty() {
+            if self.decimals != WITH_EXPONENT {
+                self.chain(&rules(self.tolerance, self.decimals.min(MOST_DECIMALS)));
             }
             self.links.clear();
             self.cubics.clear();
         }
+        self.decimals = 0;
     }
 
     /// Makes arcs of the runs of a chain.
@@ -210,7 +204,8 @@ impl Finder<'_> {
         }
         let (edits, taken) = run_text::edits(self.text, &self.links, &runs);
         for run in &taken {
-            self.outcome.strayed = self.outcome.strayed.max(run.found.strayed);
+            let strayed = run.found.strayed(&self.cubics[run.start..run.end()]);
+            self.outcome.strayed = self.outcome.strayed.max(strayed);
         }
         self.outcome.arcs += taken.len();
         self.outcome.edits.extend(edits);
@@ -220,7 +215,7 @@ impl Finder<'_> {
         let (mut runs, mut start) = (Vec::new(), 0);
         while start < self.cubics.len() {
             let rules = Rules {
-                longest_radius: run_text::longest_radius(&self.links[start]),
+                longest: run_text::longest(&self.links[start..]),
                 ..*rules
             };
             let found = recognize::halves(&self.cubics[start..], &rules);

@@ -28,6 +28,42 @@ pub(crate) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((value, whole + short.length()))
 }
 
+/// [`read`], and with how many decimals the number is spelled; [`WITH_EXPONENT`] where it has an exponent.
+#[cfg(feature = "document")]
+#[inline]
+pub(crate) fn read_counted(bytes: &[u8], at: usize) -> Option<(f64, usize, u8)> {
+    let whole = after_sign(bytes, at);
+    let Some(short) = Short::at(bytes, whole) else {
+        let (value, end) = read_long(bytes, at)?;
+        let decimals = decimals_spelled(&bytes[at..end]).unwrap_or(WITH_EXPONENT);
+        return Some((value, end, decimals));
+    };
+    let sign = u64::from(bytes.get(at) == Some(&b'-')) << 63;
+    let value = f64::from_bits(short.value().to_bits() | sign);
+    Some((value, whole + short.length(), short.decimals() as u8))
+}
+
+/// What stands for the decimals of a number with an exponent.
+#[cfg(feature = "document")]
+pub(crate) const WITH_EXPONENT: u8 = u8::MAX;
+
+/// The most decimals of the numbers in a text, below [`WITH_EXPONENT`]; `None` where one has an exponent.
+#[cfg(feature = "document")]
+pub(crate) fn decimals_spelled(text: &[u8]) -> Option<u8> {
+    let (mut most, mut after, mut point) = (0_u8, 0_u8, false);
+    for byte in text {
+        match byte {
+            b'0'..=b'9' => {
+                after = after.saturating_add(u8::from(point));
+                most = most.max(after);
+            }
+            b'e' | b'E' => return None,
+            byte => (after, point) = (0, *byte == b'.'),
+        }
+    }
+    Some(most.min(WITH_EXPONENT - 1))
+}
+
 #[inline]
 fn after_sign(bytes: &[u8], at: usize) -> usize {
     at + usize::from(matches!(bytes.get(at), Some(b'-' | b'+')))
@@ -79,6 +115,13 @@ impl Short {
         (self.end / 8) as usize
     }
 
+    /// How many digits stand after the point.
+    #[inline]
+    const fn decimals(self) -> u32 {
+        let bits = self.end - (self.has_point as u32 & 8);
+        (bits - self.whole) / 8
+    }
+
     /// The value: a mantissa below 2^53 by an exact power of ten is the correctly rounded quotient.
     #[inline]
     fn value(self) -> f64 {
@@ -88,8 +131,7 @@ impl Short {
         let bits = self.end - (self.has_point as u32 & 8);
         // The last digit comes to the highest byte, what is after it falls off, and zeros come before the first.
         let digits = (text ^ ZEROS) << (64 - bits);
-        let decimals = (bits - self.whole) / 8;
-        eight_digits(digits) as f64 / EXACT_POWERS[decimals as usize & 7]
+        eight_digits(digits) as f64 / EXACT_POWERS[self.decimals() as usize & 7]
     }
 }
 
@@ -174,6 +216,12 @@ mod tests {
             let followed = format!("{text}\" fill=\"none\"/>");
             assert_eq!(read(followed.as_bytes(), 0), Some((value, end)), "{text}");
             assert_eq!(skip(followed.as_bytes(), 0), Some(end), "{text}");
+            #[cfg(feature = "document")]
+            for spelled in [text, &followed] {
+                let decimals = decimals_spelled(&text.as_bytes()[..end]).unwrap_or(WITH_EXPONENT);
+                let counted = read_counted(spelled.as_bytes(), 0);
+                assert_eq!(counted, Some((value, end, decimals)), "{text}");
+            }
         }
         for text in ["", ".", "-", "e5", ".e5", "--1"] {
             assert_eq!(read(text.as_bytes(), 0), None, "{text}");

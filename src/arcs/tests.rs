@@ -1,0 +1,103 @@
+//! What is decided in less time is what a closer look decides.
+
+use kurbo::{CubicBez, Point, Vec2};
+
+use super::bound::{is_within, roughly_from_arc};
+use super::glance::{finds_none, strays_from};
+use super::recognize::{Rules, closer};
+use crate::number::{Precision, round};
+
+/// Numbers from 0 to 1.
+fn random(state: &mut u64) -> f64 {
+    *state = state
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1);
+    (*state >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// A part of a circle or an ellipse as one cubic or two, spelled with few decimals, and often bent a bit.
+fn drawn(state: &mut u64, decimals: u8) -> Vec<CubicBez> {
+    let radius = libm::exp(6.0 * random(state) - 2.0);
+    let radius = round(radius, (3.0 * random(state)) as u8).max(0.1);
+    let flat = if random(state) < 0.5 {
+        1.0
+    } else {
+        0.3 + random(state)
+    };
+    let step = 0.05 + 1.7 * random(state);
+    let handle = 4.0 / 3.0 * libm::tan(step / 4.0) * (1.0 + 0.02 * (random(state) - 0.5));
+    let (bend, start) = (0.02 * random(state) * random(state), 6.0 * random(state));
+    let on = |angle: f64, along: f64| {
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let p = Vec2::new(cos - along * sin, flat * (sin + along * cos)) * radius;
+        Point::new(round(p.x + 3.0, decimals), round(p.y, decimals))
+    };
+    let mut cubic = |from: f64| {
+        let bent = 1.0 + bend * (random(state) - 0.5);
+        let [p0, p1] = [0.0, handle * bent].map(|along| on(from, along));
+        let [p2, p3] = [-handle, 0.0].map(|along| on(from + step, along));
+        CubicBez { p0, p1, p2, p3 }
+    };
+    vec![cubic(start), cubic(start + step)]
+}
+
+#[test]
+fn a_first_look_lets_nothing_go_that_a_closer_one_finds() {
+    let (mut state, mut gone, mut found) = (7, 0, 0);
+    for round in 0..20_000 {
+        let decimals = (round % 5) as u8;
+        let cubics = drawn(&mut state, decimals);
+        let moved = Precision::Fixed(decimals).farthest_moved();
+        let rules = Rules {
+            part: 1e-3,
+            absolute: if round % 7 == 0 { 0.0 } else { moved },
+            decimals,
+            elliptic: round % 3 > 0,
+            drawn_only: round % 11 > 0,
+            longest: if round % 2 == 0 { 16 } else { usize::MAX },
+        };
+        for cubics in [&cubics[..1], &cubics] {
+            let none = finds_none(cubics, &rules);
+            let run = closer(cubics, &rules);
+            assert!(!none || run.is_none(), "{cubics:?} {rules:?} {run:?}");
+            gone += usize::from(none);
+            found += usize::from(run.is_some());
+        }
+    }
+    assert!(gone > 5_000 && found > 2_000, "{gone} {found}");
+}
+
+#[test]
+fn the_sizes_of_coefficients_tell_what_the_bound_tells() {
+    let (mut state, mut within) = (3, 0);
+    for round in 0..20_000 {
+        let decimals = (round % 5) as u8;
+        let cubics = drawn(&mut state, decimals);
+        let rules = Rules {
+            part: 0.02,
+            absolute: 0.0,
+            decimals,
+            elliptic: true,
+            drawn_only: false,
+            longest: usize::MAX,
+        };
+        let Some(found) = closer(&cubics[..1], &rules) else {
+            continue;
+        };
+        let bound = roughly_from_arc(&cubics[..1], &found.arc);
+        for (limit, fits) in [
+            (0.999 * bound, false),
+            (1.001 * bound, true),
+            (2.0 * bound, true),
+        ] {
+            assert_eq!(
+                is_within(&cubics[..1], &found.arc, limit),
+                fits,
+                "{cubics:?}"
+            );
+        }
+        assert!(strays_from(&cubics[0], &found.given) <= bound, "{cubics:?}");
+        within += 1;
+    }
+    assert!(within > 5_000, "{within}");
+}
