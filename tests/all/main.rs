@@ -24,6 +24,7 @@ mod determinism;
 mod diff;
 mod documented_commands;
 mod documents;
+mod edges;
 mod ellipse_methods;
 mod every_method;
 mod everyday;

@@ -1,0 +1,476 @@
+//! Right answers where a request meets its limits, and laws that every size obeys.
+
+use curveto::approximate::approximate_at_extremes;
+use curveto::curve::control_points;
+use curveto::joints::Joints;
+use curveto::measure::radial::error;
+use curveto::method::Span;
+use curveto::number::Precision;
+use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
+use curveto::shape::machine::{about_center, from_radius};
+use curveto::{
+    Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, Tolerance, approximate,
+};
+use kurbo::{Affine, ParamCurve, PathSeg, Point};
+
+use crate::judges::program::{run, words};
+
+fn degrees(degrees: f64) -> Angle {
+    Angle::from_degrees(degrees)
+}
+
+fn drawn(shape: &Shape, rule: impl Into<Rule>, cut: Cut, precision: Option<Precision>) -> Drawing {
+    let options = Options {
+        rule: rule.into(),
+        cut,
+        precision,
+        transform: Affine::IDENTITY,
+    };
+    approximate(shape, &options).unwrap()
+}
+
+fn circle(radius: f64) -> Shape {
+    Shape::Circle(Circle::new((0.0, 0.0), radius).unwrap())
+}
+
+fn within(tolerance: f64) -> Cut {
+    Cut::Tolerance(Tolerance::Absolute(tolerance))
+}
+
+/// What the program says, errors too, in one line.
+fn said(arguments: &str) -> String {
+    let output = run(&words(arguments));
+    let both = [output.stdout, output.stderr].concat();
+    String::from_utf8(both).unwrap().replace('\n', " ")
+}
+
+#[test]
+fn the_joints_of_a_hint_are_the_given_ones_and_even_ones_between() {
+    for (request, joints) in [
+        ("circle 5 --joints 10,200.5", "--joints 10,105.25,200.5"),
+        (
+            "circle 5 --joints 0,300 -m apprich",
+            "--joints 0,100,200,300",
+        ),
+        ("arc 5 --start 0 --sweep 250 --joints 30", "--joints 30,140"),
+        (
+            "arc 5 --start 0 --sweep -250 --joints -30",
+            "--joints -30,-140",
+        ),
+    ] {
+        let hint = said(request);
+        assert!(hint.trim_end().ends_with(joints), "{hint}");
+        let (before, _) = request.split_once("--joints").unwrap();
+        let rest = request.split_once("-m").map_or("", |(_, rest)| rest);
+        let method = if rest.is_empty() {
+            String::new()
+        } else {
+            format!("-m {rest}")
+        };
+        let followed = format!("{before} {} {method}", joints.replace(' ', "="));
+        assert!(said(&followed).starts_with('M'), "{followed}");
+    }
+}
+
+#[test]
+fn a_joint_outside_the_sweep_is_told_the_sweep() {
+    for joint in ["100", "10", "90"] {
+        let said = said(&format!("arc 5 --start 10 --sweep 80 --joints {joint}"));
+        let expected = format!("{joint} degrees is not inside the sweep from 10 to 90 degrees");
+        assert!(said.contains(&expected), "{said}");
+    }
+}
+
+#[test]
+fn an_extreme_beside_an_end_is_no_joint() {
+    let count = |start: f64, sweep: f64| {
+        let arc = Arc::new(
+            (0.0, 0.0),
+            (5.0, 5.0),
+            Angle::ZERO,
+            degrees(start),
+            degrees(sweep),
+        );
+        let shape = Shape::Arc(arc.unwrap());
+        let options = Options::default();
+        let drawing = approximate_at_extremes(&shape, false, &options).unwrap();
+        drawing.curve.segments.len()
+    };
+    for off in [1e-7, -1e-7] {
+        assert_eq!(count(10.0, 80.0 + off), 1);
+        assert_eq!(count(off, 80.0), 1);
+        assert_eq!(count(10.0, 80.0 + 100.0 * off.abs()), 2);
+        assert_eq!(count(-100.0 * off.abs(), 80.0), 2);
+    }
+}
+
+#[test]
+fn tolerances_are_positive_and_finite() {
+    for text in ["inf", "-1", "0", "-0", "nan", "-inf%", "0%", "%", ""] {
+        assert!(text.parse::<Tolerance>().is_err(), "{text}");
+    }
+    assert_eq!("0.5 %".parse(), Ok(Tolerance::Relative(0.005)));
+    assert_eq!("1e-3".parse(), Ok(Tolerance::Absolute(1e-3)));
+}
+
+#[test]
+fn a_start_is_kept_up_to_a_billion_degrees() {
+    for start in [370.0, -725.5, 999_999_999.0, -999_999_999.0] {
+        let shape = Shape::Circle(Circle {
+            start: degrees(start),
+            ..Circle::new((0.0, 0.0), 1.0).unwrap()
+        });
+        assert_eq!(
+            drawn(&shape, Method::Minimax, Cut::Quarters, None).angles[0],
+            start
+        );
+    }
+}
+
+#[test]
+fn an_arc_of_one_segment_has_no_corner() {
+    let quarter = Arc::new(
+        (0.0, 0.0),
+        (5.0, 5.0),
+        Angle::ZERO,
+        degrees(0.0),
+        degrees(90.0),
+    );
+    let quarter = Shape::Arc(quarter.unwrap());
+    let corner =
+        |shape: &Shape| drawn(shape, Method::Minimax, Cut::Count(1), None).largest_corner();
+    assert_eq!(corner(&quarter), 0.0);
+    assert_eq!(corner(&Shape::Empty), 0.0);
+    // Three pieces without tangents in common turn alike at each of three joints, the first point too.
+    let three = drawn(
+        &circle(5.0),
+        Method::QuadraticMinimax,
+        Cut::Count(3),
+        Some(Precision::Full),
+    );
+    let all = three.largest_corner();
+    let open = Drawing {
+        outline: None,
+        ..three
+    };
+    assert!(all > 1.0 && (all - open.largest_corner()).abs() < 1e-9);
+}
+
+#[test]
+fn a_tolerance_beyond_the_radius_takes_what_the_method_serves() {
+    for method in [Method::Minimax, Method::QuadraticMinimax, Method::Midpoint] {
+        let drawing = drawn(&circle(1.0), method, within(5.0), None);
+        assert_eq!(drawing.curve.segments.len(), 2, "{method:?}");
+    }
+    let drawing = drawn(&circle(1.0), Method::Apprich, within(5.0), None);
+    assert_eq!(drawing.curve.segments.len(), 3);
+}
+
+#[test]
+fn a_tolerance_is_as_fine_as_the_digits_of_the_largest_coordinate() {
+    let said_at =
+        |x: &str, tolerance: &str| said(&format!("circle 1 --center {x},0 -t {tolerance}"));
+    // Eight roundings of a million and one.
+    assert!(said_at("1e6", "1.7e-9").contains("finest tolerance at this size is about 1.8e-9"));
+    assert!(said_at("1e6", "1.8e-9").starts_with('M'));
+    assert!(said_at("0", "1.7e-15").contains("finest"));
+    assert!(said_at("0", "1.8e-15").starts_with('M'));
+    // Of an arc by its ends they and the way along it are what counts.
+    assert!(said("arc --svg M1e6,0A1,1,0,0,1,1000001,1 -t 1e-9").contains("finest"));
+    assert!(said("arc --svg M0,0A1e9,1e9,0,0,1,1,1 -t 1e-9").starts_with('M'));
+}
+
+#[test]
+fn a_fixed_precision_asks_for_no_more_segments_than_all_digits() {
+    for (method, tolerance) in [(Method::QuadraticMinimax, 3e-5), (Method::Curvature, 1e-5)] {
+        let count = |precision| {
+            drawn(&circle(1000.0), method, within(tolerance), precision)
+                .curve
+                .segments
+                .len()
+        };
+        let least = count(Some(Precision::Full));
+        assert!(least > 70 || method == Method::Curvature, "{least}");
+        for decimals in [8, 9, 12] {
+            assert_eq!(count(Some(Precision::Fixed(decimals))), least, "{decimals}");
+        }
+    }
+}
+
+#[test]
+fn a_literal_handle_takes_the_fewest_segments_that_serve() {
+    for angle in [90.0, 60.0, 45.0, 20.0, 7.2_f64] {
+        let rule = Rule::Handle(4.0 / 3.0 * (angle.to_radians() / 4.0).tan());
+        let error = rule
+            .radial_error(&Span::from_degrees(angle))
+            .unwrap()
+            .peak();
+        let tolerance = 1.2 * error;
+        let full = Some(Precision::Full);
+        let drawing = drawn(&circle(1.0), rule, within(tolerance), full);
+        let serves = |count: &usize| {
+            let options = Options {
+                rule,
+                cut: Cut::Count(*count),
+                precision: full,
+                ..Options::default()
+            };
+            approximate(&circle(1.0), &options).is_ok_and(|d| d.error.peak() <= tolerance)
+        };
+        let fewest = (1..400).find(serves);
+        assert_eq!(Some(drawing.curve.segments.len()), fewest, "{angle}");
+    }
+}
+
+#[test]
+fn a_line_that_rounding_moves_farther_than_the_tolerance_is_refused() {
+    let said_of = |tolerance: &str| {
+        said(&format!(
+            "arc --svg M0,0A0,0,0,0,1,1.4,0 --precision 0 -t {tolerance}"
+        ))
+    };
+    assert!(said_of("0.1").contains("so few decimals take it 0.4 away"));
+    assert!(said_of("0.5").starts_with("M0 0L1 0"));
+    let moved = said("arc 10 --start 10 --sweep 80 -t 0.01 --precision 0");
+    assert!(
+        moved.contains("so few decimals take it 0.305 away"),
+        "{moved}"
+    );
+}
+
+#[test]
+fn a_small_arc_may_become_level_and_a_shape_may_not() {
+    assert!(said("arc --from 0,0 --to 1,0 --bulge 0.1 --precision 0").starts_with('M'));
+    assert!(
+        said("arc --from 0,0 --to 0.3,0 --bulge 0.1 --precision 0")
+            .contains("no more than a point")
+    );
+    assert!(said("ellipse 3 0.2 --precision 0").contains("no more than a point"));
+    assert!(said("ellipse 0.2 3 --precision 0").contains("no more than a point"));
+    assert!(said("ellipse 3 0.6 --precision 0").starts_with('M'));
+}
+
+#[test]
+fn rounds_of_chords_are_those_of_each_angle() {
+    let joints = [0.0, 30.0, 90.0, 150.0, 270.0].map(degrees).to_vec();
+    let drawing = drawn(&circle(10.0), Rule::CHEN_2_GAUSS_2, Cut::At(joints), None);
+    let rounds = drawing.lengths().unwrap();
+    let chord = |angle: f64| 20.0 * (angle.to_radians() / 2.0).sin();
+    let arc = |angle: f64| 10.0 * angle.to_radians();
+    let sizes = [30.0, 60.0, 60.0, 120.0, 90.0];
+    for (i, size) in sizes.into_iter().enumerate() {
+        assert!((rounds[0][i] - chord(size)).abs() < 1e-12, "{size}");
+        // The last one nearly that of the arc, and longer than the chord.
+        let last = rounds[rounds.len() - 1][i];
+        assert!((last / arc(size) - 1.0).abs() < 0.05, "{size}: {last}");
+    }
+    assert!(rounds.iter().all(|row| row.len() == 5 && row[1] == row[2]));
+    let other = drawn(&circle(10.0), Method::Minimax, Cut::Quarters, None);
+    assert_eq!(other.lengths(), None);
+    let many = drawn(&circle(10.0), Rule::CHEN_2_GAUSS_2, Cut::Count(1001), None);
+    assert_eq!(many.lengths(), None);
+    let most = drawn(&circle(10.0), Rule::CHEN_2_GAUSS_2, Cut::Count(1000), None);
+    let rounds = most.lengths().unwrap();
+    assert!(
+        rounds
+            .iter()
+            .all(|row| row.iter().all(|&length| length == row[0]))
+    );
+}
+
+/// The start and the sweep of a circular arc.
+fn course(shape: &Shape) -> [f64; 2] {
+    let Shape::Arc(arc) = shape else {
+        panic!("{shape:?}");
+    };
+    [arc.start.degrees(), arc.sweep.degrees()]
+}
+
+#[test]
+fn machines_arcs_run_as_they_are_told() {
+    let (origin, right) = (Point::ORIGIN, Point::new(10.0, 0.0));
+    for (to, sweep) in [
+        ((0.0, 10.0), 90.0),
+        ((-10.0, 0.0), 180.0),
+        ((0.0, -10.0), 270.0),
+    ] {
+        for (reverse, expected) in [(false, sweep), (true, sweep - 360.0)] {
+            let [start, found] = course(&about_center(right, to.into(), origin, reverse).unwrap());
+            assert!(
+                start.abs() < 1e-12 && (found - expected).abs() < 1e-12,
+                "{to:?} {found}"
+            );
+        }
+    }
+    for (reverse, expected) in [(false, 360.0), (true, -360.0)] {
+        for (from, start) in [(right, 0.0), (Point::new(0.0, -10.0), -90.0)] {
+            let found = course(&about_center(from, from, origin, reverse).unwrap());
+            assert_eq!(found, [start, expected]);
+        }
+    }
+    // Half a chord of 6 is a radius of 6 and of what rounding makes of it, and no less.
+    let (from, to) = (Point::new(-6.0, 0.0), Point::new(6.0, 0.0));
+    for radius in [6.0, 5.9995, 5.9941] {
+        for large in [false, true] {
+            let [_, sweep] = course(&from_radius(from, to, radius, large, false).unwrap());
+            assert!((sweep - 180.0).abs() < 1e-6, "{radius}");
+        }
+    }
+    assert!(from_radius(from, to, 5.993, false, false).is_err());
+    // A thousandth of large radii, 0.0015 of small ones, and a tenth of the least.
+    let radii = |half: f64, radius: f64| {
+        from_radius(
+            Point::new(-half, 0.0),
+            Point::new(half, 0.0),
+            radius,
+            false,
+            false,
+        )
+        .is_ok()
+    };
+    for (half, served, refused) in [
+        (1000.0, 999.01, 998.9),
+        (1.0, 0.9986, 0.9984),
+        (0.01, 0.0091, 0.0089),
+    ] {
+        assert!(radii(half, served) && !radii(half, refused), "{half}");
+    }
+}
+
+#[test]
+fn three_points_on_a_circle_give_it() {
+    for (start, on, end) in [
+        (10.0, 50.0, 120.0),
+        (10.0, 200.0, 350.0),
+        (80.0, 20.0, -130.0),
+    ] {
+        let at = |angle: f64| {
+            let (sin, cos) = f64::to_radians(angle).sin_cos();
+            Point::new(1000.0 + 7.0 * cos, -50.0 + 7.0 * sin)
+        };
+        let shape = through(at(start), at(on), at(end)).unwrap();
+        let truth = shape.outline().unwrap().truth;
+        let [from, sweep] = course(&shape);
+        assert!((truth.radii.x - 7.0).abs() < 1e-9, "{truth:?}");
+        assert!(truth.center.distance(Point::new(1000.0, -50.0)) < 1e-9);
+        assert!(
+            (from - start).abs() < 1e-9 && (sweep - (end - start)).abs() < 1e-9,
+            "{sweep}"
+        );
+    }
+    let found = course(&through((3.0, 1.0).into(), (1.0, 1.0).into(), (3.0, 1.0).into()).unwrap());
+    assert_eq!(found, [0.0, 360.0]);
+}
+
+/// Shapes whose lengths are multiplied by a factor.
+fn shapes(factor: f64) -> Vec<Shape> {
+    let p = |x: f64, y: f64| Point::new(factor * x, factor * y);
+    let svg = |text: &str| {
+        let mut arc = parse_svg_arc(text).unwrap();
+        (arc.from, arc.to, arc.radii) = (
+            p(arc.from.x, arc.from.y),
+            p(arc.to.x, arc.to.y),
+            arc.radii * factor,
+        );
+        arc.shape().unwrap()
+    };
+    let radii = (50.0 * factor, 20.0 * factor);
+    let arc = Arc::new(
+        p(-7.0, 9.0),
+        radii,
+        degrees(30.0),
+        degrees(40.0),
+        degrees(-170.0),
+    );
+    vec![
+        Shape::Circle(Circle::new(p(3.0, 4.0), 50.0 * factor).unwrap()),
+        Shape::Ellipse(Ellipse::new(p(0.0, 0.0), radii, degrees(0.0)).unwrap()),
+        Shape::Ellipse(Ellipse::new(p(3.0, 4.0), (factor, 30.0 * factor), degrees(25.0)).unwrap()),
+        Shape::Arc(arc.unwrap()),
+        svg("M10 20A30 30 0 0 1 50 60"),
+        svg("M10 20A30 30 0 1 0 50 60"),
+        svg("M10 20A5 5 0 0 1 50 60"),
+        svg("M10 20A90 40 20 1 1 50 60"),
+        through(p(1.0, 2.0), p(5.0, 7.0), p(11.0, 3.0)).unwrap(),
+        from_bulge(p(1.0, 2.0), p(5.0, 7.0), 0.3).unwrap(),
+        about_center(p(10.0, 0.0), p(10.0, 0.0), p(3.0, 0.0), false).unwrap(),
+    ]
+}
+
+#[test]
+fn lengths_multiplied_by_a_power_of_two_are_multiplied_to_the_last_bit() {
+    let near = Affine::new([1.001, 0.002, -0.003, 0.999, 0.01, -0.02]);
+    for factor in [f64::powi(2.0, 20), f64::powi(2.0, -20)] {
+        for (shape, scaled) in shapes(1.0).iter().zip(&shapes(factor)) {
+            for (method, cut) in [
+                (Method::Minimax, 4),
+                (Method::Curvature, 3),
+                (Method::QuadraticMinimax, 7),
+            ] {
+                let full = Some(Precision::Full);
+                let one = drawn(shape, method, Cut::Count(cut), full);
+                let other = drawn(scaled, method, Cut::Count(cut), full);
+                let what = format!("{shape:?} {method:?} {factor}");
+                for (a, b) in one.curve.segments.iter().zip(&other.curve.segments) {
+                    for (p, q) in control_points(a).iter().zip(control_points(b)) {
+                        assert_eq!([p.x * factor, p.y * factor], [q.x, q.y], "{what}");
+                    }
+                }
+                let tolerance = |factor| within(factor * 1.3 * one.error.peak());
+                let cut = [
+                    drawn(shape, method, tolerance(1.0), full),
+                    drawn(scaled, method, tolerance(factor), full),
+                ];
+                assert_eq!(cut[0].angles, cut[1].angles, "{what}");
+                // As it was drawn, and as others draw.
+                for map in [
+                    Affine::IDENTITY,
+                    near,
+                    Affine::scale(1.5),
+                    Affine::scale(0.01),
+                ] {
+                    let [a, b] = [(&one, 1.0), (&other, factor)].map(|(drawing, factor)| {
+                        let map = Affine::scale(factor) * map * Affine::scale(1.0 / factor);
+                        let segments: Vec<PathSeg> =
+                            drawing.curve.segments.iter().map(|s| map * *s).collect();
+                        error(&segments, &drawing.outline.unwrap().truth)
+                    });
+                    assert_eq!(
+                        [a.outward * factor, a.inward * factor],
+                        [b.outward, b.inward],
+                        "{what} {map:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_quadratic_is_measured_as_the_cubic_that_it_is() {
+    let truth = shapes(1.0)[1].outline().unwrap().truth;
+    let whole = drawn(
+        &shapes(1.0)[1],
+        Method::QuadraticMinimax,
+        Cut::Count(6),
+        Some(Precision::Full),
+    );
+    for segment in &whole.curve.segments {
+        let line = PathSeg::Line(kurbo::Line::new(segment.start(), segment.end()));
+        for segment in [*segment, line] {
+            let [a, b] = [segment, PathSeg::Cubic(segment.to_cubic())].map(|s| error(&[s], &truth));
+            assert!((a.peak() / b.peak() - 1.0).abs() < 1e-9, "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn joints_that_are_given_are_those_of_the_drawing() {
+    let arc = shapes(1.0)[3].outline().unwrap().unit;
+    let joints = Joints::at(&arc, &[degrees(0.0), degrees(-100.0)]).unwrap();
+    assert_eq!(joints.angles, [40.0, 0.0, -100.0, -130.0]);
+    assert_eq!(joints.sign, -1.0);
+    let closed = shapes(1.0)[0].outline().unwrap().unit;
+    let joints = Joints::at(&closed, &[degrees(30.0), degrees(200.0), degrees(10.0)]).unwrap();
+    assert_eq!(joints.angles, [30.0, 200.0, 370.0, 390.0]);
+}
