@@ -199,12 +199,7 @@ impl Outline {
     #[must_use]
     pub fn extremes(&self) -> [Angle; 4] {
         let [a, b, c, d, _, _] = self.placement.as_coeffs();
-        let angle = |cos: f64, sin: f64| match (cos == 0.0, sin == 0.0) {
-            // Exact where the axes are level.
-            (_, true) => 0.0,
-            (true, false) => 90.0,
-            _ => libm::atan2(sin, cos).to_degrees(),
-        };
+        let angle = |cos: f64, sin: f64| libm::atan2(sin, cos).to_degrees();
         let (x, y) = (angle(a, c), angle(b, d));
         [x, x + 180.0, y, y + 180.0].map(Angle::from_degrees)
     }

@@ -3,17 +3,20 @@
 use curveto::approximate::approximate_at_extremes;
 use curveto::curve::control_points;
 use curveto::joints::Joints;
-use curveto::measure::radial::error;
+use curveto::measure::radial::{distance, error};
+use curveto::measure::{Reference, report};
 use curveto::method::Span;
 use curveto::number::Precision;
+use curveto::shape::Truth;
 use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
 use curveto::shape::machine::{about_center, from_radius};
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, Tolerance, approximate,
 };
-use kurbo::{Affine, ParamCurve, PathSeg, Point};
+use kurbo::{Affine, CubicBez, ParamCurve, PathSeg, Point, Vec2};
 
 use crate::judges::program::{run, words};
+use crate::judges::random::uniform;
 
 fn degrees(degrees: f64) -> Angle {
     Angle::from_degrees(degrees)
@@ -473,4 +476,259 @@ fn joints_that_are_given_are_those_of_the_drawing() {
     let closed = shapes(1.0)[0].outline().unwrap().unit;
     let joints = Joints::at(&closed, &[degrees(30.0), degrees(200.0), degrees(10.0)]).unwrap();
     assert_eq!(joints.angles, [30.0, 200.0, 370.0, 390.0]);
+}
+
+#[test]
+fn no_cut_that_can_be_asked_for_has_fewer_segments() {
+    for method in [Method::MinimaxG0, Method::Minimax, Method::Curvature] {
+        for (flat, start, sweep) in [
+            (0.3, 20.0, 200.0),
+            (0.05, 70.0, 140.0),
+            (0.01, -50.0, 300.0),
+            (0.7, 5.0, 80.0),
+        ] {
+            let radii = (100.0, 100.0 * flat);
+            let arc = Arc::new(
+                (0.0, 0.0),
+                radii,
+                degrees(0.0),
+                degrees(start),
+                degrees(sweep),
+            );
+            let shape = Shape::Arc(arc.unwrap());
+            for exponent in 0..8 {
+                let tolerance = 7.7 * libm::pow(10.0, -0.6 * f64::from(exponent));
+                let ours = drawn(&shape, method, within(tolerance), None);
+                let count = ours.curve.segments.len();
+                assert!(ours.error.peak() <= tolerance);
+                for cut in [Cut::Adaptive(count - 1), Cut::Count(count - 1)] {
+                    let options = Options {
+                        rule: method.into(),
+                        cut,
+                        ..Options::default()
+                    };
+                    let fewer = approximate(&shape, &options);
+                    let is_within = fewer.is_ok_and(|fewer| fewer.error.peak() <= tolerance);
+                    assert!(!is_within, "{method:?} {flat} {start} {tolerance} {count}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn errors_are_alike_wherever_a_shape_starts() {
+    for (flat, start, sweep, counts) in [
+        (0.5, 0.0, 360.0, [8, 9]),
+        (0.5, 20.0, 360.0, [8, 9]),
+        (0.5, 90.0, 360.0, [7, 12]),
+        (0.3, 45.0, 360.0, [12, 16]),
+        (0.3, 10.0, 200.0, [6, 9]),
+        (0.4, -60.0, 120.0, [4, 5]),
+        (0.4, 60.0, -120.0, [4, 5]),
+    ] {
+        let radii = (100.0, 100.0 * flat);
+        let arc = Arc::new(
+            (0.0, 0.0),
+            radii,
+            degrees(0.0),
+            degrees(start),
+            degrees(sweep),
+        )
+        .unwrap();
+        for count in counts {
+            let shape = Shape::Arc(arc);
+            let full = Some(Precision::Full);
+            let drawing = drawn(&shape, Method::Minimax, Cut::Adaptive(count), full);
+            let truth = drawing.outline.unwrap().truth;
+            let peaks = drawing
+                .curve
+                .segments
+                .iter()
+                .map(|s| error([s], &truth).peak());
+            let (least, most) = peaks.fold((f64::MAX, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
+            assert!(
+                most < 1.01 * least,
+                "{flat} {start} {count}: {}",
+                most / least
+            );
+        }
+    }
+}
+
+#[test]
+fn what_is_stated_does_not_hang_on_how_a_shape_is_given() {
+    for factor in [1.0, f64::powi(2.0, 30)] {
+        for shape in shapes(factor) {
+            let outline = shape.outline().unwrap();
+            let maps = [
+                Affine::IDENTITY,
+                Affine::FLIP_X,
+                Affine::rotate(0.7),
+                Affine::new([0.8, 0.3, 0.9, -0.4, 5.0, 6.0]),
+                Affine::new([-0.2, 1.1, 0.6, 0.5, 1.0, -3.0]),
+            ];
+            for map in maps {
+                let options = Options {
+                    cut: Cut::Count(2),
+                    precision: Some(Precision::Full),
+                    transform: map,
+                    ..Options::default()
+                };
+                let drawing = approximate(&shape, &options).unwrap();
+                let what = format!("{shape:?} {map:?}");
+                let outline = drawing.outline.unwrap();
+                // The same ellipse by its centre, radii and axis alone.
+                let Truth {
+                    center,
+                    radii,
+                    axis,
+                    ..
+                } = outline.truth;
+                let plain = error(&drawing.curve.segments, &Truth::new(center, radii, axis));
+                let measured = report(&drawing.curve, &Reference::from(&outline), None).unwrap();
+                let tiny = 1e-11 * factor;
+                let stated = [drawing.error.outward, drawing.error.inward];
+                assert!(drawing.error.peak() > 1e-9 * radii.x, "{what}");
+                for other in [
+                    [plain.outward, plain.inward],
+                    [measured.error.outward, measured.error.inward],
+                ] {
+                    for (a, b) in stated.into_iter().zip(other) {
+                        assert!((a - b).abs() < tiny, "{what}: {a} {b}");
+                    }
+                }
+            }
+            // On a circle it is what the formula says.
+            if outline.truth.is_circle() {
+                let drawing = drawn(
+                    &shape,
+                    Method::Minimax,
+                    Cut::Count(4),
+                    Some(Precision::Full),
+                );
+                let span = Span::from_degrees(outline.unit.sweep.degrees().abs() / 4.0);
+                let formula = Method::Minimax.radial_error(&span).unwrap().peak();
+                let relative = drawing.error.peak() / outline.truth.radii.x;
+                assert!(
+                    (relative - formula).abs() < 1e-12,
+                    "{shape:?}: {relative} {formula}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn an_open_arc_by_chens_first_method_takes_the_fewest() {
+    for (sweep, tolerance) in [(300.0, 1e-3), (90.0, 1e-5), (200.0, 0.3), (40.0, 1e-7)] {
+        let arc = Arc::new(
+            (0.0, 0.0),
+            (10.0, 10.0),
+            degrees(0.0),
+            degrees(5.0),
+            degrees(sweep),
+        );
+        let shape = Shape::Arc(arc.unwrap());
+        let full = Some(Precision::Full);
+        let ours = drawn(&shape, Method::Chen1, within(tolerance), full);
+        let serves = |count: &usize| {
+            let options = Options {
+                rule: Method::Chen1.into(),
+                cut: Cut::Count(*count),
+                precision: full,
+                ..Options::default()
+            };
+            approximate(&shape, &options).is_ok_and(|d| d.error.peak() <= tolerance)
+        };
+        let fewest = (1..300).find(serves);
+        assert_eq!(
+            Some(ours.curve.segments.len()),
+            fewest,
+            "{sweep} {tolerance}"
+        );
+    }
+}
+
+#[test]
+fn decimals_are_the_fewest_that_add_no_more_than_a_tenth() {
+    for method in Method::ALL {
+        for radius in [0.7, 13.0, 2100.0] {
+            let shape = circle(radius);
+            let exact = drawn(&shape, method, Cut::Count(4), Some(Precision::Full));
+            let written = drawn(&shape, method, Cut::Count(4), None);
+            let Precision::Fixed(decimals) = written.precision else {
+                panic!("{method:?} {radius}");
+            };
+            let moved = libm::pow(10.0, -f64::from(decimals)) / f64::sqrt(2.0);
+            let allowed = 0.1 * exact.error.peak();
+            assert!(
+                moved <= allowed * (1.0 + 1e-9),
+                "{method:?} {radius}: {decimals}"
+            );
+            assert!(
+                decimals == 0 || 10.0 * moved > allowed,
+                "{method:?} {radius}: {decimals}"
+            );
+        }
+    }
+}
+
+/// The largest f between 0 and 1: the best of many places, and of its neighbourhood by halving.
+fn largest(f: impl Fn(f64) -> f64) -> f64 {
+    let count = 96;
+    let at = |i: u32| f64::from(i) / f64::from(count);
+    let mut best = 0.0;
+    let mut step = 1.0 / f64::from(count);
+    for t in (0..=count).map(at) {
+        best = if f(t) > f(best) { t } else { best };
+    }
+    while step > 1e-9 {
+        let around = [best - step, best + step].map(|t: f64| t.clamp(0.0, 1.0));
+        let next = if f(around[0]) > f(around[1]) {
+            around[0]
+        } else {
+            around[1]
+        };
+        (best, step) = if f(next) > f(best) {
+            (next, step)
+        } else {
+            (best, step / 2.0)
+        };
+    }
+    f(best)
+}
+
+#[test]
+fn what_is_stated_is_the_largest_of_many_places() {
+    let mut seed = 4;
+    let mut next = || 2.0 * uniform(&mut seed) - 1.0;
+    for round in 0..3000 {
+        let radii = Vec2::new(1.0, 0.55 + 0.4 * next());
+        // From curves that hardly stray to some that a tenth of the smaller radius parts from the ellipse, and beyond.
+        let stray = radii.y * libm::exp(-0.5 * f64::from(round % 12));
+        let (from, size) = (3.0 * next(), 0.6 + 0.5 * next());
+        let k = 4.0 / 3.0 * libm::tan(size / 4.0);
+        let at = |angle: f64, along: f64| {
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            Vec2::new(cos - along * sin, sin + along * cos)
+        };
+        let to = from + size;
+        let ideal = [at(from, 0.0), at(from, k), at(to, -k), at(to, 0.0)];
+        let [p0, p1, p2, p3] = ideal.map(|p| {
+            let moved = Vec2::new(next(), next()) * stray * 0.3;
+            (Vec2::new(p.x * radii.x, p.y * radii.y) + moved).to_point()
+        });
+        let curve = CubicBez::new(p0, p1, p2, p3);
+        let truth = Truth::new(Point::ORIGIN, radii, Vec2::new(1.0, 0.0));
+        let at = |t: f64| distance(&truth, curve.eval(t));
+        let (outward, inward) = (largest(at), largest(|t| -at(t)));
+        let stated = error(&[PathSeg::Cubic(curve)], &truth);
+        for (stated, true_one) in [(stated.outward, outward), (stated.inward, inward)] {
+            let true_one = true_one.max(0.0);
+            let what = format!("{round}: {stated:e} for {true_one:e}");
+            assert!(stated >= true_one - 1e-15, "{what}");
+            assert!(stated <= true_one * (1.0 + 1e-9) + 1e-15, "{what}");
+        }
+    }
 }

@@ -19,7 +19,8 @@ impl Profile {
     }
 
     /// The map from the exact frame to that where the ellipse is the unit circle and its axes lie along the coordinates', by rows: a turn,
-    /// and a reflection where the shape is mirrored. Of the axes the longer one is turned to, and the shorter one follows.
+    /// and a reflection where the shape is mirrored. The longer axis, which is the first of a shape under a map, is turned to, and the
+    /// shorter one follows.
     pub(super) fn turn(&self) -> [Vec2; 2] {
         let unit = self.exact.unit.sqrt();
         if !self.exact.is_mapped() {
@@ -34,14 +35,8 @@ impl Profile {
             row * (unit / row.hypot())
         };
         let side = 1.0_f64.copysign(a.cross(b));
-        let beside = |row: Vec2| Vec2::new(-row.y, row.x) * side;
-        if self.radii.x >= self.radii.y {
-            let first = row(self.axis);
-            [first, beside(first)]
-        } else {
-            let second = row(Vec2::new(-self.axis.y, self.axis.x));
-            [-beside(second), second]
-        }
+        let first = row(self.axis);
+        [first, Vec2::new(-first.y, first.x) * side]
     }
 
     /// The part of the segment between two parameters in that frame, and its control points in the exact one.
