@@ -587,6 +587,16 @@ fn what_is_stated_does_not_hang_on_how_a_shape_is_given() {
                 } = outline.truth;
                 let plain = error(&drawing.curve.segments, &Truth::new(center, radii, axis));
                 let measured = report(&drawing.curve, &Reference::from(&outline), None).unwrap();
+                let mut alone = outline;
+                alone.truth = Truth::new(center, radii, axis);
+                let mean = report(&drawing.curve, &Reference::from(&alone), None)
+                    .unwrap()
+                    .error
+                    .mean;
+                assert!(
+                    (measured.error.mean / mean - 1.0).abs() < 1e-6,
+                    "{what}: {mean}"
+                );
                 let tiny = 1e-11 * factor;
                 let stated = [drawing.error.outward, drawing.error.inward];
                 assert!(drawing.error.peak() > 1e-9 * radii.x, "{what}");
@@ -617,6 +627,87 @@ fn what_is_stated_does_not_hang_on_how_a_shape_is_given() {
             }
         }
     }
+}
+
+#[test]
+fn a_sheared_circle_is_cut_by_its_own_axes() {
+    for map in [
+        Affine::new([0.8, 0.3, 0.9, -0.4, 5.0, 6.0]),
+        Affine::new([0.8, 0.3, -0.9, 0.9, 5.0, 6.0]),
+        Affine::new([0.3, 1.0, 0.4, 0.5, 0.0, 0.0]),
+    ] {
+        for count in [9, 14] {
+            let options = Options {
+                cut: Cut::Adaptive(count),
+                precision: Some(Precision::Full),
+                transform: map,
+                ..Options::default()
+            };
+            let drawing = approximate(&circle(10.0), &options).unwrap();
+            let truth = drawing.outline.unwrap().truth;
+            let peaks = drawing
+                .curve
+                .segments
+                .iter()
+                .map(|s| error([s], &truth).peak());
+            let (least, most) = peaks.fold((f64::MAX, 0.0_f64), |(a, b), x| (a.min(x), b.max(x)));
+            assert!(most < 1.01 * least, "{map:?} {count}: {}", most / least);
+        }
+    }
+}
+
+#[test]
+fn a_small_distance_has_its_digits_where_a_curve_goes_far() {
+    // A chord so near a tangent that it lies hardly within the circle, of which all that goes far is outside.
+    for exponent in [5, 7, 9, 12] {
+        let x = 1.0 - f64::powi(10.0, -exponent);
+        let depth = 1.0 - x;
+        let at = |y: f64| Point::new(x, y);
+        for [a, b, c, d] in [
+            [-1.0, -0.5, 0.25, 1.0],
+            [-0.7, 0.9, 1.0, 1.3],
+            [-3.0, -1.0, 1.0, 3.0],
+        ] {
+            for segment in [
+                PathSeg::Line(kurbo::Line::new(at(a), at(d))),
+                PathSeg::Quad(kurbo::QuadBez::new(at(a), at(b), at(d))),
+                PathSeg::Cubic(CubicBez::new(at(a), at(b), at(c), at(d))),
+            ] {
+                let truth = Truth::circle(Point::ORIGIN, 1.0);
+                let inward = error([&segment], &truth).inward;
+                let off = inward / depth - 1.0;
+                assert!(
+                    (0.0..1e-11).contains(&off),
+                    "{exponent} {segment:?}: {off:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_quarter_by_four_digits_errs_as_mpmath_says() {
+    let [p0, p1, p2, p3] = [(1.0, 0.0), (1.0, 0.5519), (0.5519, 1.0), (0.0, 1.0)].map(Point::from);
+    let quarter = [PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3))];
+    let stated = error(&quarter, &Truth::circle(Point::ORIGIN, 1.0));
+    for (stated, expected) in [
+        (stated.outward, 0.000_193_329_468_972_369_57),
+        (stated.inward, 0.000_204_044_410_810_820_1),
+    ] {
+        let off = stated / expected - 1.0;
+        assert!((0.0..1e-13).contains(&off), "{stated}: {off:e}");
+    }
+}
+
+#[test]
+fn three_points_are_a_line_for_the_digits_of_their_coordinates_only() {
+    let arc = |x: f64, size: f64, height: f64| {
+        let points = [(x, 0.0), (x + 0.5 * size, height), (x + size, 0.0)].map(Point::from);
+        matches!(through(points[0], points[1], points[2]), Ok(Shape::Arc(_)))
+    };
+    assert!(arc(1e6, 1e-3, 1e-4) && arc(1e6, 1e-3, 1e-8));
+    assert!(arc(0.0, 1e-3, 1e-18) && arc(0.0, 1e3, 1e-11));
+    assert!(!arc(1e6, 1e-3, 1e-10) && !arc(0.0, 1e-3, 1e-19) && !arc(0.0, 1e3, 1e-13));
 }
 
 #[test]

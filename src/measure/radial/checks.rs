@@ -1,5 +1,7 @@
 //! What the bounds on distances lean on: counts of roundings, derivatives, samples and sizes, by known answers.
 
+mod places;
+
 use kurbo::Vec2;
 
 use super::part::{Motion, Part};
