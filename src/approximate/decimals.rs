@@ -51,6 +51,10 @@ impl<C: Cutting> Known<'_, C> {
         let decided = decided(self.by_lobes(largest), &segments, truth, for_peak);
         decided.unwrap_or_else(|| {
             let segments: Vec<PathSeg> = segments().collect();
+            let [low, high] = radial::peak_nearly(&segments, truth, most).map(for_peak);
+            if low == high {
+                return low;
+            }
             for_peak(radial::error_within(&segments, truth, most).peak())
         })
     }

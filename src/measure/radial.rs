@@ -8,6 +8,7 @@
 mod ellipse;
 mod far;
 mod framed;
+mod known;
 pub(crate) mod nearly;
 mod part;
 mod peaks;
@@ -19,7 +20,7 @@ mod settle;
 mod slopes;
 mod tangents;
 
-pub(crate) use peaks::Known;
+pub(crate) use known::Known;
 pub(crate) use search::visit_between;
 
 use core::iter;
@@ -75,19 +76,41 @@ pub(crate) fn is_within<'a>(
     truth: &Truth,
     limit: f64,
 ) -> bool {
+    let known = Known::within(limit / truth.larger_radius());
+    peak_by(known, segments, truth)[1] <= limit
+}
+
+/// Between what the peak lies, to a hundredth or better; beyond a limit, no more than that.
+pub(crate) fn peak_nearly<'a>(
+    segments: impl IntoIterator<Item = &'a PathSeg>,
+    truth: &Truth,
+    limit: f64,
+) -> [f64; 2] {
+    let known = Known::nearly(limit / truth.larger_radius());
+    peak_by(known, segments, truth)
+}
+
+/// Between what the peak of these segments and what was known lies: infinite as soon as it is beyond the limit.
+fn peak_by<'a>(
+    mut known: Known,
+    segments: impl IntoIterator<Item = &'a PathSeg>,
+    truth: &Truth,
+) -> [f64; 2] {
+    let larger = truth.larger_radius();
     let exact = truth.frame.exact(truth.radii);
-    let mut known = Known::within(limit / truth.larger_radius());
-    let mut is_within = true;
+    let [mut least, mut most] = [0.0_f64; 2];
     for segment in segments {
         let profile = Profile::within(segment, truth, &exact);
         profile.visit_bounds(&mut known, |_, [low, high]| {
-            is_within &= high <= limit && -low <= limit;
+            least = least.max(low).max(-high);
+            most = most.max(high).max(-low);
         });
-        if !is_within {
-            break;
+        least = least.max(known.peak() * larger);
+        if known.is_beyond() {
+            return [least, f64::INFINITY];
         }
     }
-    is_within
+    [least, most]
 }
 
 /// Visits the ends and every extreme of the signed distance of a segment as (t, distance), positive outside.

@@ -6,13 +6,27 @@ use super::part::{Motion, Part};
 use super::peaks::{Search, vector};
 use super::tangents::{Tangent, Tangents};
 use crate::numeric::double::Twice;
-use crate::numeric::foot::foot;
+use crate::numeric::foot::{Foot, foot};
+
+/// How far above what is known, in roundings, a bound by the digits of `f64` tells as much as a closer one.
+const ROUGH: f64 = 1e3;
+
+/// What the digits of `f64` tell of a part.
+struct Roughly {
+    bounds: [f64; 2],
+    /// How far the bounds may be off.
+    slack: f64,
+}
 
 impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// Bounds the distance on a part by its control points. The signed distance from a convex shape is a convex function of the point: it
     /// is at most the largest of the control points, and at least that from the tangent at any point of the shape.
     pub(super) fn bound_far(&mut self, part: &Part, middle: &Motion<f64>, cuts: u32) {
-        if !self.may_be_open(part, middle) {
+        let Some(Roughly { bounds, slack }) = self.bounds_roughly(part, middle) else {
+            return;
+        };
+        if cuts > 0 && self.known.most_above(bounds) > ROUGH * slack {
+            self.leave(part, cuts, bounds);
             return;
         }
         let (part, points) = self.refreshed(part);
@@ -48,16 +62,53 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         }
     }
 
-    /// Whether a part may lie farther than what is known, by its length and the distance of its middle, all of which is a few roundings off.
-    fn may_be_open(&self, part: &Part, middle: &Motion<f64>) -> bool {
-        let distance = foot(self.radii, self.image(vector(middle.place))).distance;
-        let reach = part.arms().map(|arm| self.image(arm).hypot());
-        let reach = reach.into_iter().fold(0.0, f64::max);
-        let [x, y] = part.moved();
-        let slack = self.image(Vec2::new(x, y)).hypot() * 4.0 + 8.0 * f64::EPSILON * (1.0 + reach);
+    /// The same by the digits of `f64`, and first by the length of the part and the distance of its middle. `None` where it does not lie farther
+    /// than what is known.
+    fn bounds_roughly(&mut self, part: &Part, middle: &Motion<f64>) -> Option<Roughly> {
         let [low, high] = part.certain_excess();
-        let bounds = [distance, -distance].map(|d| d + reach + slack);
-        (high > 0.0 && self.is_open(0, bounds[0])) || (low < 0.0 && self.is_open(1, bounds[1]))
+        let on_sides = |[outer, inner]: [f64; 2]| {
+            let bound = |may_be: bool, bound: f64| if may_be { bound } else { 0.0 };
+            [bound(high > 0.0, outer), bound(low < 0.0, inner)]
+        };
+        let points = part.polygon(self.center).map(|q| self.image(q));
+        let size = points.iter().map(|p| p.hypot()).fold(0.0, f64::max);
+        let slack = {
+            let [x, y] = part.moved();
+            4.0 * self.image(Vec2::new(x, y)).hypot() + 16.0 * f64::EPSILON * (1.0 + size)
+        };
+        let place = self.image(vector(middle.place));
+        let inner = self.foot_roughly(place, slack);
+        let reach = points.iter().map(|&p| (p - place).hypot());
+        let reach = reach.fold(0.0, f64::max) + slack;
+        let by_length = on_sides([inner.distance + reach, reach - inner.distance]);
+        if !self.known.is_any_open(by_length) {
+            return None;
+        }
+        let [from, to] = [points[0], points[3]].map(|p| self.foot_roughly(p, slack));
+        let outer = points[1..3].iter().map(|&p| foot(self.radii, p).distance);
+        let farthest = outer.fold(from.distance.max(to.distance), f64::max);
+        let deepest = [&from, &inner, &to].map(|foot| {
+            let n = foot.outward;
+            let support = self.image(n).hypot();
+            let depths = points.map(|p| support - n.dot(p));
+            let is_known = depths.iter().all(|depth| depth.is_finite());
+            let most = depths.into_iter().fold(0.0, f64::max);
+            if is_known { most } else { f64::INFINITY }
+        });
+        let deepest = deepest.into_iter().fold(f64::INFINITY, f64::min);
+        let by_points = on_sides([farthest + slack, deepest + slack]);
+        let bounds = [0, 1].map(|side| f64::min(by_length[side], by_points[side]));
+        self.known
+            .is_any_open(bounds)
+            .then_some(Roughly { bounds, slack })
+    }
+
+    /// The nearest point to a place of the segment, from which it is learnt what the largest distances are at least.
+    fn foot_roughly(&mut self, place: Vec2, slack: f64) -> Foot {
+        let foot = foot(self.radii, place);
+        let side = usize::from(foot.distance < 0.0);
+        self.known.learn(side, foot.distance.abs() - slack);
+        foot
     }
 
     /// The tangent at the nearest point, and between what the signed distance lies, of a point that is nearly so in the frame, and exactly

@@ -93,12 +93,6 @@ impl Part {
         [moved(0), moved(1)]
     }
 
-    /// The control points from the point at the middle.
-    pub(super) fn arms(&self) -> [Vec2; 4] {
-        let [[x, ..], [y, ..]] = self.points.map(|c| derivatives(&c, 0.5));
-        self.polygon(Vec2::new(x, y))
-    }
-
     /// The parameter of the cubic.
     pub(super) fn parameter(&self, t: f64) -> f64 {
         self.from + self.width * t

@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use kurbo::Vec2;
 
 use super::Profile;
+use super::known::Known;
 use super::part::{Motion, Part};
 use super::pending::Pending;
 use super::place::{EXACT, Place};
@@ -18,9 +19,6 @@ use crate::numeric::foot::foot_in_unit;
 /// The largest x = |F| / (2 G b²), G = Σ αᵢ qᵢ² and b the smaller radius, for which a part passes for near. There s is F / (2 G) but for
 /// a factor between 1 - 3x and 1 + 3x, and d is F / (2 √G) but for one between 1 - 2x and 1 + 1.3x.
 const NEAR: f64 = 0.1;
-
-/// A bound that is above a known distance by so little is stated, as a share of the distance.
-const CLOSE: f64 = 1e-11;
 
 /// Where a segment is cut at first, in 64ths: of a curve near the shape the second, fourth and sixth part have one extreme each, and
 /// little lies as far between them.
@@ -39,30 +37,11 @@ pub(super) struct Search<'a, F> {
     pub(super) radii: Vec2,
     pub(super) center: Vec2,
     pub(super) alpha: [f64; 2],
-    known: &'a mut Known,
+    pub(super) known: &'a mut Known,
     /// The parts that have to be halved.
     pending: BinaryHeap<Pending>,
     /// Half a unit in the last place of the largest coordinate or so, or of the larger radius where that is less: no bound needs to be closer.
     pub(super) last_place: f64,
-}
-
-/// What is known of the largest distance on either side, of one segment or of several from the same shape.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Known {
-    /// What it is at least.
-    least: [f64; 2],
-    /// The largest that was stated.
-    stated: [f64; 2],
-}
-
-impl Known {
-    /// What makes all pass that is at most so large, over the larger radius.
-    pub(crate) const fn within(limit: f64) -> Self {
-        Self {
-            least: [limit; 2],
-            stated: [limit; 2],
-        }
-    }
 }
 
 /// Visits places of a segment as (t, what the distance there lies between). What all of them lie between, and what was known before,
@@ -119,9 +98,10 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// Halves the parts that are left, those of the largest bounds first.
     fn close(&mut self) {
         let mut halved = 0;
-        while let Some(Pending {
-            part, cuts, bounds, ..
-        }) = self.pending.pop()
+        while !self.known.is_beyond()
+            && let Some(Pending {
+                part, cuts, bounds, ..
+            }) = self.pending.pop()
         {
             if self.open(&part, bounds, self.last_place) == [false; 2] {
                 continue;
@@ -134,7 +114,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
                 continue;
             }
             for (side, bound) in bounds.into_iter().enumerate() {
-                if self.is_open(side, bound) {
+                if self.known.is_open(side, bound) {
                     self.state(&part, side, bound);
                 }
             }
@@ -154,8 +134,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         if x <= NEAR {
             let least = excess.abs() * (1.0 - 2.0 * x - 1e-9) - part.rounding();
             let side = usize::from(excess < 0.0);
-            let least = least / (2.0 * gradient.sqrt());
-            self.known.least[side] = self.known.least[side].max(least);
+            self.known.learn(side, least / (2.0 * gradient.sqrt()));
         }
         excess / gradient.sqrt()
     }
@@ -181,6 +160,9 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// Bounds the distance on a part, which has to be halved until none of it can lie above what is known, or its one extreme is found.
     fn bound(&mut self, part: &Part, cuts: u32) {
+        if self.known.is_beyond() {
+            return;
+        }
         let excess = part.certain_excess();
         // First by the control points, which cost little.
         let [p, q] = part.least_place(self.center);
@@ -290,14 +272,14 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     fn is_coarse(&self, part: &Part, gradient: f64) -> bool {
         let [x, y] = part.moved();
         let share = f64::max(x * self.alpha[0].sqrt(), y * self.alpha[1].sqrt());
-        let allowed = 0.25 * self.last_place + CLOSE * self.known.least[0].min(self.known.least[1]);
+        let allowed = 0.25 * self.last_place + self.known.close_by();
         part.rounding() > allowed * gradient.sqrt() || share > 0.1 * EXACT
     }
 
     /// Whether what F and G say of the distance leaves nothing open.
     fn is_settled(&self, excess: [f64; 2], gradient: f64) -> bool {
         let bounds = self.bounds(excess, gradient);
-        bounds.is_some_and(|[outer, inner]| !self.is_open(0, outer) && !self.is_open(1, inner))
+        bounds.is_some_and(|bounds| !self.known.is_any_open(bounds))
     }
 
     /// What F and G say of the distance on both sides; `None` where a part is not near.
@@ -309,9 +291,8 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// Leaves a part to be halved.
     pub(super) fn leave(&mut self, part: &Part, cuts: u32, bounds: [f64; 2]) {
-        let above = |side: usize| bounds[side] - self.known.least[side];
         self.pending.push(Pending {
-            above: above(0).max(above(1)),
+            above: self.known.most_above(bounds),
             part: *part,
             cuts,
             bounds,
@@ -322,8 +303,8 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     pub(super) fn open(&mut self, part: &Part, bounds: [f64; 2], rounding: f64) -> [bool; 2] {
         [0, 1].map(|side| {
             let bound = bounds[side];
-            let is_open = self.is_open(side, bound);
-            let is_close = bound <= self.known.least[side] * (1.0 + CLOSE) + rounding;
+            let is_open = self.known.is_open(side, bound);
+            let is_close = self.known.is_close(side, bound, rounding);
             if is_open && is_close {
                 self.state(part, side, bound);
             }
@@ -331,12 +312,8 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         })
     }
 
-    pub(super) fn is_open(&self, side: usize, bound: f64) -> bool {
-        bound > self.known.stated[side] && bound >= self.known.least[side]
-    }
-
     fn state(&mut self, part: &Part, side: usize, bound: f64) {
-        self.known.stated[side] = bound;
+        self.known.state(side, bound);
         let signed = [bound, -bound][side] * self.profile.larger_radius();
         (self.visit)(part.parameter(0.5), [signed; 2]);
     }
@@ -344,8 +321,8 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// Takes what the signed distance at a place lies between.
     pub(super) fn take(&mut self, t: f64, [low, high]: [f64; 2]) {
         for (side, [least, most]) in [[low, high], [-high, -low]].into_iter().enumerate() {
-            self.known.least[side] = self.known.least[side].max(least);
-            self.known.stated[side] = self.known.stated[side].max(most);
+            self.known.learn(side, least);
+            self.known.state(side, most);
         }
         (self.visit)(t, [low, high].map(|d| d * self.profile.larger_radius()));
     }
