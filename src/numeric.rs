@@ -6,6 +6,7 @@ pub(crate) mod double;
 pub(crate) mod foot;
 pub(crate) mod functions;
 pub(crate) mod instructions;
+pub(crate) mod lanes;
 pub(crate) mod linear;
 pub(crate) mod tridiagonal;
 

@@ -1,7 +1,10 @@
 //! Cosines and sines to some thirty digits.
 
+use std::sync::LazyLock;
+
 use super::Angle;
 use crate::numeric::double::{Double, Twice};
+use crate::numeric::instructions::by_the_best;
 
 impl Angle {
     /// (cosine, sine) to some thirty digits.
@@ -24,24 +27,48 @@ impl Angle {
     }
 }
 
+/// How many terms of Taylor's series take twice the digits, and how many there are.
+const TWICE: usize = 8;
+const TERMS: usize = 14;
+
+/// 1/(1·2), 1/(3·4), ... of the cosine and 1/(2·3), 1/(4·5), ... of the sine.
+static FACTORS: LazyLock<[[Double; TERMS]; 2]> = LazyLock::new(|| {
+    [1.0, 2.0].map(|first| {
+        core::array::from_fn(|k| {
+            let n = first + 2.0 * k as f64;
+            Double::of(1.0).divided(Double::of(n * (n + 1.0)))
+        })
+    })
+});
+
+/// The series of these factors at y = -x², without a last factor x.
+#[inline(always)]
+fn nested(y: Double, factors: &[Double; TERMS]) -> Double {
+    let (few, many) = factors.split_at(TWICE);
+    let more = |sum: f64, factor: &Double| 1.0 + y.value() * factor.value() * sum;
+    let rest = many.iter().rev().fold(1.0, more);
+    let mut sum = Double::of(rest);
+    for &factor in few.iter().rev() {
+        sum = y.times(sum).times(factor).plus(Double::of(1.0));
+    }
+    sum
+}
+
 /// (cosine, sine) of at most 45 degrees to some thirty digits, from Taylor's series nested as 1 - y/(1·2) (1 - y/(3·4) (1 - ...)) with
 /// y the square of the angle. The terms from the 17th power on are so small that the digits of `f64` are enough for them.
 fn exact_sin_cos(degrees: f64) -> Twice {
     /// π/180.
     const RADIANS: Double =
         Double::of_parts(0.017_453_292_519_943_295, 2.948_652_270_870_168_7e-19);
-    let x = RADIANS.scaled(degrees);
-    let y = x.times(x).scaled(-1.0);
-    let nested = |first: f64| {
-        let divisor = |k: i32| (first + 2.0 * f64::from(k)) * (first + 2.0 * f64::from(k) + 1.0);
-        let rest = (8..14)
-            .rev()
-            .fold(1.0, |sum, k| 1.0 + y.value() / divisor(k) * sum);
-        (0..8).rev().fold(Double::of(rest), |sum, k| {
-            y.times(sum).over(divisor(k)).plus(Double::of(1.0))
-        })
-    };
-    [nested(1.0), x.times(nested(2.0))]
+    let factors = &*FACTORS;
+    by_the_best(
+        #[inline(always)]
+        || {
+            let x = RADIANS.scaled(degrees);
+            let y = x.times(x).scaled(-1.0);
+            [nested(y, &factors[0]), x.times(nested(y, &factors[1]))]
+        },
+    )
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@
 
 mod ellipse;
 mod far;
+mod first;
 mod framed;
 mod known;
 pub(crate) mod nearly;

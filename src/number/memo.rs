@@ -58,10 +58,13 @@ impl Slot {
     fn fill(&mut self, out: &mut Vec<u8>, x: f64) {
         let start = out.len();
         push_shortest(out, x);
-        let text = &out[start..];
-        if let Some(room) = self.text.get_mut(..text.len()) {
-            room.copy_from_slice(text);
-            (self.bits, self.length) = (x.to_bits(), text.len());
+        let length = out.len() - start;
+        if length <= LONGEST {
+            // So many bytes as a slot has are copied by a few instructions, any number of them by a call.
+            out.extend_from_slice(&[b'0'; LONGEST]);
+            self.text.copy_from_slice(&out[start..start + LONGEST]);
+            out.truncate(start + length);
+            (self.bits, self.length) = (x.to_bits(), length);
         }
     }
 }

@@ -21,6 +21,8 @@ use kurbo::Vec2;
 use crate::angle::{Angle, first_direction};
 use crate::method::{Rule, Span};
 use crate::numeric::foot::foot;
+use crate::numeric::instructions::by_the_best;
+use crate::numeric::lanes::{Lanes, Real};
 
 /// The largest size of a segment, in units of the sharp end's size (as an angle, the ratio of the radii) or of the way to it: the weight
 /// then varies so little along it that a longer segment errs more.
@@ -37,6 +39,9 @@ const ROUGH: f64 = 0.01;
 
 /// Lobes that may turn out the highest, by what is known of them before the first step.
 const RIVAL: f64 = 0.9;
+
+/// The most places that may be the farthest: three lobes and a sharp end.
+const MOST_LOBES: usize = 4;
 
 /// The most steps, the largest of them, and what a step must promise, as a part of the distance.
 const MOST_STEPS: usize = 4;
@@ -80,7 +85,10 @@ impl Lobes {
             return None;
         }
         let segment = Segment::new(self, from, size)?;
-        let lobe = segment.peak().filter(|lobe| lobe.roughness <= ROUGHEST)?;
+        let lobe = segment.peak();
+        if lobe.roughness.is_nan() || lobe.roughness > ROUGHEST {
+            return None;
+        }
         let (length, turn) = (self.order / size.to_radians(), lobe.turn / 2.0);
         let slopes = [
             turn * (1.0 - lobe.v) - length,
@@ -94,8 +102,8 @@ impl Lobes {
 
     /// The largest distance of such a segment, however long it is.
     pub(super) fn size(&self, from: f64, size: f64) -> f64 {
-        let peak = Segment::new(self, from, size).and_then(|segment| segment.peak());
-        peak.map_or(f64::INFINITY, |lobe| lobe.distance)
+        let segment = Segment::new(self, from, size);
+        segment.map_or(f64::INFINITY, |segment| segment.peak().distance)
     }
 
     /// The same up to an error: beyond it, that of the first lobe found there.
@@ -217,10 +225,10 @@ impl Segment {
     }
 
     /// The extremes of the excess, and the sharp end; and how many they are.
-    fn starts(&self) -> ([f64; 4], usize) {
+    fn starts(&self) -> ([f64; MOST_LOBES], usize) {
         let [h, g] = self.excess;
         let outer = (1.0 + 8.0 * h / (3.0 * g)).max(0.0).sqrt();
-        let (mut starts, mut count) = ([0.0; 4], 1);
+        let (mut starts, mut count) = ([0.0; MOST_LOBES], 1);
         // Curves that stay on one side have one lobe.
         if outer < 1.0 {
             (starts, count) = ([-outer, 0.0, outer, 0.0], 3);
@@ -233,77 +241,91 @@ impl Segment {
     }
 
     /// The largest distance.
-    fn peak(&self) -> Option<Lobe> {
-        let (starts, count) = self.starts();
-        let (mut lobes, mut highest) = ([Lobe::default(); 4], 0.0);
-        for (lobe, &v) in lobes.iter_mut().zip(&starts[..count]) {
-            *lobe = self.at(v);
-            highest = f64::max(highest, lobe.top());
+    fn peak(&self) -> Lobe<f64> {
+        let lobes = by_the_best(
+            #[inline(always)]
+            || self.climbed(self.at(Lanes(self.starts().0))),
+        );
+        let highest = (1..MOST_LOBES).fold(0, |highest, i| {
+            let is_higher = lobes.distance.0[i] > lobes.distance.0[highest];
+            if is_higher { i } else { highest }
+        });
+        Lobe {
+            v: lobes.v.0[highest],
+            distance: lobes.distance.0[highest],
+            roughness: lobes.roughness.0[highest],
+            gain: lobes.gain.0[highest],
+            step: lobes.step.0[highest],
+            turn: lobes.turn.0[highest],
         }
-        let mut peak: Option<Lobe> = None;
-        for &lobe in &lobes[..count] {
-            if lobe.top() < RIVAL * highest {
-                continue;
-            }
-            let lobe = self.climbed(lobe);
-            if peak.is_none_or(|peak| lobe.distance > peak.distance) {
-                peak = Some(lobe);
-            }
-        }
-        peak
     }
 
-    /// The extreme of the distance beside a lobe.
-    fn climbed(&self, mut lobe: Lobe) -> Lobe {
+    /// The extremes of the distance beside lobes, those of them at least that may turn out the highest.
+    #[inline(always)]
+    fn climbed<S: Real>(&self, mut lobes: Lobe<S>) -> Lobe<S> {
+        let one = S::exact(1.0);
         for _ in 0..MOST_STEPS {
-            if lobe.gain < GAIN {
+            let tops = lobes.top();
+            let highest = (0..MOST_LOBES).fold(0.0, |highest, i| tops.lane(i).larger(highest));
+            let promises = |i| lobes.gain.lane(i) >= GAIN && tops.lane(i) >= RIVAL * highest;
+            if !(0..MOST_LOBES).any(promises) {
                 break;
             }
-            let next = self.at((lobe.v + lobe.step).clamp(-1.0, 1.0));
-            if next.distance <= lobe.distance {
-                break;
-            }
-            lobe = next;
+            let next = (lobes.v + lobes.step).larger(one.scaled(-1.0));
+            lobes = lobes.or_higher(self.at(next.smaller(one)));
         }
-        lobe
+        lobes
     }
 
-    /// The distance at v, and what is known of it there.
-    fn at(&self, v: f64) -> Lobe {
-        let [h, g] = self.excess;
-        let u = (1.0 - v * v) / 4.0;
-        let y = v * (self.sin + u * self.lean);
-        let p = Vec2::new(self.cos + 3.0 * u * self.bulge, y).rotate_scale(self.middle);
-        let y = self.sin + (u - 0.5 * v * v) * self.lean;
-        let along = Vec2::new(-1.5 * v * self.bulge, y).rotate_scale(self.middle);
-        let steep = self.flat * p.x;
-        let square = steep * p.x + p.y * p.y;
-        let excess = -u * u * (h + g * u);
-        // Two quotients for all: they cost most here.
-        let (once, part) = (1.0 / square, 1.0 / excess);
-        let (root, twice) = (square.sqrt() * once, once * once);
-        let second = 0.25 * excess * (steep * steep + p.y * p.y) * twice;
-        let mut distance = (0.5 * excess * root * (1.0 + second)).abs();
-        let roughness = distance * self.flat * root * once;
-        if roughness > ROUGH {
-            let radii = Vec2::new(self.short, 1.0);
-            distance = foot(radii, Vec2::new(self.short * p.x, p.y)).distance.abs();
-        }
-        let rise = 0.5 * v * u * (2.0 * h + 3.0 * g * u) * part;
-        let bend = (0.5 * u * (2.0 * h + 3.0 * g * u) - 0.5 * v * v * (h + 3.0 * g * u)) * part;
-        let swing = self.flat - 1.0;
-        let turn = p.x * p.y * swing * once;
-        // The second derivative of the weight's logarithm by the angle.
-        let weight = swing * (p.x * p.x - p.y * p.y) * once + 2.0 * turn * turn;
-        // The derivatives of the distance's logarithm by v, the second nearly, and a step of Newton's method.
-        let slope = rise - (steep * along.x + p.y * along.y) * once;
-        let bend = bend - rise * rise + weight * along.hypot2();
-        let step = -slope / bend;
-        let (step, gain) = if bend < 0.0 {
-            (step.clamp(-STEP, STEP), 0.5 * slope * step)
-        } else {
-            (STEP.copysign(slope), STEP * slope.abs())
+    /// The distances at places v, and what is known of them there.
+    #[inline(always)]
+    fn at<S: Real>(&self, v: S) -> Lobe<S> {
+        let ([h, g], middle) = (self.excess, self.middle);
+        let [none, one, half] = [0.0, 1.0, 0.5].map(S::exact);
+        let turned = |x: S, y: S| {
+            [
+                x.scaled(middle.x) - y.scaled(middle.y),
+                x.scaled(middle.y) + y.scaled(middle.x),
+            ]
         };
+        let square = v * v;
+        let u = (one - square).scaled(0.25);
+        let y = v * (S::exact(self.sin) + u.scaled(self.lean));
+        let [x, y] = turned(S::exact(self.cos) + u.scaled(3.0 * self.bulge), y);
+        let rising = S::exact(self.sin) + (u - square.scaled(0.5)).scaled(self.lean);
+        let along = turned(v.scaled(-1.5 * self.bulge), rising);
+        let steep = x.scaled(self.flat);
+        let weight = steep * x + y * y;
+        let level = S::exact(h) + u.scaled(g);
+        let excess = none - u * u * level;
+        // Two quotients for all: they cost most here.
+        let (once, part) = (weight.reciprocal(), excess.reciprocal());
+        let (root, twice) = (weight.sqrt() * once, once * once);
+        let second = excess.scaled(0.25) * (steep * steep + y * y) * twice;
+        let distance = (excess.scaled(0.5) * root * (one + second)).abs();
+        let roughness = (distance * root * once).scaled(self.flat);
+        let distance = distance.renewed(roughness, ROUGH, |i| {
+            let radii = Vec2::new(self.short, 1.0);
+            let place = Vec2::new(self.short * x.lane(i), y.lane(i));
+            foot(radii, place).distance.abs()
+        });
+        let slant = half * u * (S::exact(2.0 * h) + u.scaled(3.0 * g));
+        let rise = v * slant * part;
+        let bend = (slant - half * square * (S::exact(h) + u.scaled(3.0 * g))) * part;
+        let swing = self.flat - 1.0;
+        let turn = (x * y * once).scaled(swing);
+        // The second derivative of the weight's logarithm by the angle.
+        let swung = ((x * x - y * y) * once).scaled(swing) + (turn * turn).scaled(2.0);
+        // The derivatives of the distance's logarithm by v, the second nearly, and a step of Newton's method.
+        let slope = rise - (steep * along[0] + y * along[1]) * once;
+        let bend = bend - rise * rise + swung * (along[0] * along[0] + along[1] * along[1]);
+        let newton = none - slope / bend;
+        let [least, most] = [-STEP, STEP].map(S::exact);
+        let step = bend.choose(
+            newton.larger(least).smaller(most),
+            slope.choose(least, most),
+        );
+        let gain = bend.choose(half * slope * newton, slope.abs().scaled(STEP));
         Lobe {
             v,
             distance,
@@ -316,23 +338,39 @@ impl Segment {
 }
 
 /// A place on a segment beside an extreme of its distance.
-#[derive(Clone, Copy, Default)]
-struct Lobe {
-    v: f64,
+#[derive(Clone, Copy)]
+struct Lobe<S> {
+    v: S,
     /// Its distance, and the product of that with the curvature of the ellipse there.
-    distance: f64,
-    roughness: f64,
+    distance: S,
+    roughness: S,
     /// What the extreme promises more, as a part of the distance, and the way there.
-    gain: f64,
-    step: f64,
+    gain: S,
+    step: S,
     /// The derivative of the weight's logarithm by the angle.
-    turn: f64,
+    turn: S,
 }
 
-impl Lobe {
+impl<S: Real> Lobe<S> {
     /// The extreme, by what is known here.
-    fn top(&self) -> f64 {
-        self.distance * (1.0 + self.gain.min(1.0))
+    #[inline(always)]
+    fn top(&self) -> S {
+        let one = S::exact(1.0);
+        self.distance * (one + self.gain.smaller(one))
+    }
+
+    /// Another place where it lies higher; else this one, which then has nothing more to gain.
+    #[inline(always)]
+    fn or_higher(self, other: Self) -> Self {
+        let less = self.distance - other.distance;
+        Self {
+            v: less.choose(other.v, self.v),
+            distance: less.choose(other.distance, self.distance),
+            roughness: less.choose(other.roughness, self.roughness),
+            gain: less.choose(other.gain, S::exact(0.0)),
+            step: less.choose(other.step, S::exact(0.0)),
+            turn: less.choose(other.turn, self.turn),
+        }
     }
 }
 

@@ -2,22 +2,24 @@
 
 use kurbo::Vec2;
 
-use crate::numeric::ball::Ball;
+use crate::numeric::ball::{Ball, Number};
+use crate::numeric::lanes::Real;
 
-/// A part of a cubic in the frame where an ellipse is the unit circle. Derivatives are by its own parameter, from 0 to 1.
+/// A part of a cubic in the frame where an ellipse is the unit circle, or several parts side by side. Derivatives are by its own parameter,
+/// from 0 to 1.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Part {
-    from: f64,
-    width: f64,
+pub(super) struct Part<S = f64> {
+    pub(super) from: S,
+    pub(super) width: S,
     /// The Bernstein coefficients of F = |q|² - 1, and how far each may be off.
-    excess: [f64; 7],
-    rounding: f64,
+    pub(super) excess: [S; 7],
+    pub(super) rounding: S,
     /// The control points, x and y, not about the centre, and how far each may be off.
-    points: [[f64; 4]; 2],
-    moved: [f64; 2],
+    pub(super) points: [[S; 4]; 2],
+    pub(super) moved: [S; 2],
     /// The largest sizes of both.
-    largest: f64,
-    reach: [f64; 2],
+    pub(super) largest: S,
+    pub(super) reach: [S; 2],
     /// Whether no halving has added to the rounding.
     pub(super) is_fresh: bool,
 }
@@ -27,20 +29,116 @@ pub(super) struct Motion<T> {
     pub(super) place: [T; 2],
     pub(super) velocity: [T; 2],
     pub(super) acceleration: [T; 2],
-    pub(super) excess: f64,
+    pub(super) excess: T,
     pub(super) rising: T,
     pub(super) bending: T,
 }
 
 /// The largest sizes along a part, rounding included.
-pub(super) struct Sizes {
-    pub(super) place: [f64; 2],
-    pub(super) velocity: [f64; 2],
-    pub(super) acceleration: [f64; 2],
-    /// Between what F'' lies, the largest |F'|, and how far F' may be off in the middle.
-    pub(super) bending: [f64; 2],
-    pub(super) rising: f64,
-    pub(super) rising_off: f64,
+pub(super) struct Sizes<S> {
+    pub(super) place: [S; 2],
+    pub(super) velocity: [S; 2],
+    pub(super) acceleration: [S; 2],
+    /// Between what F' and F'' lie.
+    pub(super) rising: [S; 2],
+    pub(super) bending: [S; 2],
+}
+
+impl<S: Number> Motion<S> {
+    /// G.
+    #[inline(always)]
+    pub(super) fn gradient(&self, alpha: [f64; 2]) -> S {
+        let [x, y] = self.place;
+        (x * x).scaled(alpha[0]) + (y * y).scaled(alpha[1])
+    }
+}
+
+impl<S: Real> Part<S> {
+    /// Between what the coefficients of F lie, rounding included.
+    #[inline(always)]
+    pub(super) fn certain_excess(&self) -> [S; 2] {
+        widened(self.excess_range(), self.rounding)
+    }
+
+    /// How far F may be off at a place: by de Casteljau's algorithm, three roundings in each of six steps.
+    #[inline(always)]
+    pub(super) fn rounding(&self) -> S {
+        self.rounding + self.largest.scaled(9.0 * f64::EPSILON)
+    }
+
+    /// Between what the coefficients of F lie.
+    #[inline(always)]
+    pub(super) fn excess_range(&self) -> [S; 2] {
+        range(&self.excess)
+    }
+
+    /// The least |q|, each coordinate on its own, by the control points.
+    #[inline(always)]
+    pub(super) fn least_place(&self, center: Vec2) -> [S; 2] {
+        let mut least = [S::exact(0.0); 2];
+        for (i, center) in [center.x, center.y].into_iter().enumerate() {
+            let [low, high] = range(&self.points[i]);
+            let (low, high) = (low - S::exact(center), S::exact(center) - high);
+            let size = self.reach[i] + S::exact(center.abs());
+            let rounding = self.moved[i] + size.scaled(f64::EPSILON);
+            least[i] = (low.larger(high) - rounding).larger(least[i]);
+        }
+        least
+    }
+
+    /// The motion at a place.
+    #[inline(always)]
+    pub(super) fn motion_at(&self, t: S, center: Vec2) -> Motion<S> {
+        let [excess, rising, bending] = derivatives(&self.excess, t);
+        let [x, vx, ax] = derivatives(&self.points[0], t);
+        let [y, vy, ay] = derivatives(&self.points[1], t);
+        Motion {
+            place: [x - S::exact(center.x), y - S::exact(center.y)],
+            velocity: [vx, vy],
+            acceleration: [ax, ay],
+            excess,
+            rising,
+            bending,
+        }
+    }
+
+    /// The largest sizes for all places, from the motion at the middle as in [`Part::spread`].
+    #[inline(always)]
+    pub(super) fn sizes(&self, middle: &Motion<S>) -> Sizes<S> {
+        let [mut place, mut velocity, mut acceleration] = [[S::exact(0.0); 2]; 3];
+        for i in 0..2 {
+            let [a, b, c, d] = self.points[i];
+            let third = ((d - a) - (c - b).scaled(3.0)).abs().scaled(3.0);
+            let (moved, size) = (self.moved[i], self.reach[i].scaled(f64::EPSILON));
+            let off = moved.scaled(24.0) + size.scaled(128.0);
+            acceleration[i] = middle.acceleration[i].abs() + third + off;
+            let off = moved.scaled(6.0) + size.scaled(32.0);
+            velocity[i] = middle.velocity[i].abs() + acceleration[i].scaled(0.5) + off;
+            let off = moved + size.scaled(4.5);
+            place[i] =
+                middle.place[i].abs().scaled(1.0 + f64::EPSILON) + velocity[i].scaled(0.5) + off;
+        }
+        let size = self.largest.scaled(f64::EPSILON);
+        let mut first = [S::exact(0.0); 6];
+        for (first, pair) in first.iter_mut().zip(self.excess.windows(2)) {
+            *first = (pair[1] - pair[0]).scaled(6.0);
+        }
+        let mut second = [S::exact(0.0); 5];
+        for (second, pair) in second.iter_mut().zip(first.windows(2)) {
+            *second = (pair[1] - pair[0]).scaled(5.0);
+        }
+        let off = self.rounding.scaled(12.0) + size.scaled(128.0);
+        let rising = widened(range(&first), off);
+        let off = self.rounding.scaled(120.0) + size.scaled(1024.0);
+        let bending = widened(range(&second), off);
+        Sizes {
+            place,
+            velocity,
+            acceleration,
+            rising,
+            bending,
+        }
+    }
 }
 
 impl Part {
@@ -76,17 +174,6 @@ impl Part {
         [self.from, self.from + self.width]
     }
 
-    /// Between what the coefficients of F lie, rounding included.
-    pub(super) fn certain_excess(&self) -> [f64; 2] {
-        let [low, high] = self.excess_range();
-        [low - self.rounding, high + self.rounding]
-    }
-
-    /// How far F may be off at a place: by de Casteljau's algorithm, three roundings in each of six steps.
-    pub(super) fn rounding(&self) -> f64 {
-        self.rounding + 9.0 * f64::EPSILON * self.largest
-    }
-
     /// How far q may be off at a place, its size there left out.
     pub(super) fn moved(&self) -> [f64; 2] {
         let moved = |i: usize| self.moved[i] + 4.5 * f64::EPSILON * self.reach[i];
@@ -98,27 +185,11 @@ impl Part {
         self.from + self.width * t
     }
 
-    /// Between what the coefficients of F lie.
-    pub(super) fn excess_range(&self) -> [f64; 2] {
-        let [mut low, mut high] = [self.excess[0]; 2];
-        for &x in &self.excess[1..] {
-            low = if x < low { x } else { low };
-            high = if x > high { x } else { high };
-        }
-        [low, high]
-    }
-
+    /// Its halves, with one more rounding in each step.
     pub(super) fn halves(&self) -> [Self; 2] {
-        self.cut(self.from + self.width / 2.0)
-    }
-
-    /// The parts before and after a parameter.
-    pub(super) fn cut(&self, place: f64) -> [Self; 2] {
-        let t = (place - self.from) / self.width;
-        // One rounding in each step to the middle, three elsewhere.
-        let steps = if t == 0.5 { 1.0 } else { 3.0 };
-        let rounding = self.rounding + steps * 3.0 * f64::EPSILON * self.largest;
-        let moved = |i: usize| self.moved[i] + steps * 1.5 * f64::EPSILON * self.reach[i];
+        let place = self.from + self.width / 2.0;
+        let rounding = self.rounding + 3.0 * f64::EPSILON * self.largest;
+        let moved = |i: usize| self.moved[i] + 1.5 * f64::EPSILON * self.reach[i];
         let part = |[from, to]: [f64; 2], excess: [f64; 7], points: [[f64; 4]; 2]| Self {
             from,
             width: to - from,
@@ -132,51 +203,17 @@ impl Part {
         };
         let [x, y] = &self.points;
         let ([before, after], [x, x_after], [y, y_after]) =
-            (cut(self.excess, t), cut(*x, t), cut(*y, t));
+            (halves(self.excess), halves(*x), halves(*y));
         [
             part([self.from, place], before, [x, y]),
             part([place, self.from + self.width], after, [x_after, y_after]),
         ]
     }
 
-    /// The least |q|, each coordinate on its own, by the control points.
-    pub(super) fn least_place(&self, center: Vec2) -> [f64; 2] {
-        let least = |i: usize, center: f64| {
-            let [a, b, c, d] = self.points[i];
-            let low = a.min(b).min(c.min(d)) - center;
-            let high = a.max(b).max(c.max(d)) - center;
-            let rounding = self.moved[i] + f64::EPSILON * (a.abs().max(d.abs()) + center.abs());
-            (low.max(-high) - rounding).max(0.0)
-        };
-        [least(0, center.x), least(1, center.y)]
-    }
-
     /// The control points about a centre.
     pub(super) fn polygon(&self, center: Vec2) -> [Vec2; 4] {
         let [x, y] = self.points;
         core::array::from_fn(|i| Vec2::new(x[i], y[i]) - center)
-    }
-
-    /// q about a centre and F in the middle, alone.
-    pub(super) fn middle(&self, center: Vec2) -> (Vec2, f64) {
-        let [x, y] = &self.points;
-        let q = Vec2::new(derivatives(x, 0.5)[0], derivatives(y, 0.5)[0]);
-        (q - center, derivatives(&self.excess, 0.5)[0])
-    }
-
-    /// The motion at a place.
-    pub(super) fn motion_at(&self, t: f64, center: Vec2) -> Motion<f64> {
-        let [excess, rising, bending] = derivatives(&self.excess, t);
-        let [x, vx, ax] = derivatives(&self.points[0], t);
-        let [y, vy, ay] = derivatives(&self.points[1], t);
-        Motion {
-            place: [x - center.x, y - center.y],
-            velocity: [vx, vy],
-            acceleration: [ax, ay],
-            excess,
-            rising,
-            bending,
-        }
     }
 
     /// The same with what rounding may have done.
@@ -196,49 +233,9 @@ impl Part {
             place: [x, y],
             velocity: rounded(motion.velocity, 6.0, 32.0),
             acceleration: rounded(motion.acceleration, 24.0, 128.0),
-            excess: motion.excess,
+            excess: Ball::new(motion.excess, self.rounding()),
             rising: Ball::new(motion.rising, 12.0 * self.rounding + 128.0 * size),
             bending: Ball::new(motion.bending, 120.0 * self.rounding + 1024.0 * size),
-        }
-    }
-
-    /// The largest sizes for all places, from the motion at the middle as in [`Self::spread`].
-    pub(super) fn sizes(&self, middle: &Motion<f64>) -> Sizes {
-        let [mut place, mut velocity, mut acceleration] = [[0.0; 2]; 3];
-        for i in 0..2 {
-            let [a, b, c, d] = self.points[i];
-            let third = 3.0 * ((d - a) - 3.0 * (c - b)).abs();
-            let size = f64::EPSILON * self.reach[i];
-            acceleration[i] =
-                middle.acceleration[i].abs() + third + 24.0 * self.moved[i] + 128.0 * size;
-            velocity[i] = middle.velocity[i].abs()
-                + acceleration[i] / 2.0
-                + 6.0 * self.moved[i]
-                + 32.0 * size;
-            place[i] = middle.place[i].abs() * (1.0 + f64::EPSILON)
-                + velocity[i] / 2.0
-                + self.moved[i]
-                + 4.5 * size;
-        }
-        let e = &self.excess;
-        let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
-        for i in 0..5 {
-            let second = 30.0 * ((e[i] - e[i + 1]) - (e[i + 1] - e[i + 2]));
-            low = if second < low { second } else { low };
-            high = if second > high { second } else { high };
-        }
-        let size = f64::EPSILON * self.largest;
-        let off = 120.0 * self.rounding + 1024.0 * size;
-        let bending = [low - off, high + off];
-        let rising_off = 12.0 * self.rounding + 128.0 * size;
-        let rising = middle.rising.abs() + rising_off + bending[1].max(-bending[0]) / 2.0;
-        Sizes {
-            place,
-            velocity,
-            acceleration,
-            bending,
-            rising,
-            rising_off,
         }
     }
 
@@ -259,31 +256,48 @@ impl Part {
             (second - middle.bending.middle).abs()
         };
         let bending = widened(middle.bending, (0..5).map(off).fold(0.0, f64::max));
+        let rising = widened(middle.rising, bending.size() / 2.0);
         Motion {
             place,
             velocity,
             acceleration,
-            excess: middle.excess,
-            rising: widened(middle.rising, bending.size() / 2.0),
+            excess: widened(middle.excess, rising.size() / 2.0),
+            rising,
             bending,
         }
     }
 }
 
-/// The largest size of these numbers.
-#[inline]
-fn largest<const N: usize>(numbers: &[f64; N]) -> f64 {
-    let larger = |most: f64, x: &f64| if x.abs() > most { x.abs() } else { most };
-    numbers.iter().fold(0.0, larger)
+/// Between what these numbers lie.
+#[inline(always)]
+fn range<const N: usize, S: Real>(numbers: &[S; N]) -> [S; 2] {
+    let [mut low, mut high] = [numbers[0]; 2];
+    for &x in &numbers[1..] {
+        low = x.smaller(low);
+        high = x.larger(high);
+    }
+    [low, high]
 }
 
-/// The coefficients before and after t, by de Casteljau's algorithm.
+#[inline(always)]
+fn widened<S: Real>([low, high]: [S; 2], by: S) -> [S; 2] {
+    [low - by, high + by]
+}
+
+/// The largest size of these numbers.
+#[inline(always)]
+pub(super) fn largest<const N: usize, S: Real>(numbers: &[S; N]) -> S {
+    let larger = |most: S, x: &S| x.abs().larger(most);
+    numbers.iter().fold(S::exact(0.0), larger)
+}
+
+/// The coefficients of both halves, by de Casteljau's algorithm.
 #[inline]
-fn cut<const N: usize>(mut after: [f64; N], t: f64) -> [[f64; N]; 2] {
-    let (mut before, rest) = (after, 1.0 - t);
+fn halves<const N: usize>(mut after: [f64; N]) -> [[f64; N]; 2] {
+    let mut before = after;
     for (k, last) in before.iter_mut().enumerate().skip(1) {
         for i in 0..N - k {
-            after[i] = rest * after[i] + t * after[i + 1];
+            after[i] = 0.5 * (after[i] + after[i + 1]);
         }
         *last = after[0];
     }
@@ -291,19 +305,20 @@ fn cut<const N: usize>(mut after: [f64; N], t: f64) -> [[f64; N]; 2] {
 }
 
 /// The value and the first two derivatives at t.
-#[inline]
-fn derivatives<const N: usize>(coefficients: &[f64; N], t: f64) -> [f64; 3] {
-    let (mut c, rest, degree) = (*coefficients, 1.0 - t, (N - 1) as f64);
+#[inline(always)]
+fn derivatives<const N: usize, S: Number>(coefficients: &[S; N], t: S) -> [S; 3] {
+    let (mut c, rest, degree) = (*coefficients, S::exact(1.0) - t, (N - 1) as f64);
     for last in (3..N).rev() {
         for i in 0..last {
             c[i] = rest * c[i] + t * c[i + 1];
         }
     }
     let (first, second) = (c[1] - c[0], c[2] - c[1]);
+    let (before, after) = (rest * c[0] + t * c[1], rest * c[1] + t * c[2]);
     [
-        rest * (rest * c[0] + t * c[1]) + t * (rest * c[1] + t * c[2]),
-        degree * (rest * first + t * second),
-        degree * (degree - 1.0) * (second - first),
+        rest * before + t * after,
+        (rest * first + t * second).scaled(degree),
+        (second - first).scaled(degree * (degree - 1.0)),
     ]
 }
 
@@ -333,7 +348,8 @@ mod tests {
                     assert!(holds(&all.acceleration[axis], &one.acceleration[axis]));
                 }
                 assert!(holds(&all.rising, &one.rising) && holds(&all.bending, &one.bending));
-                assert!(low <= one.excess && one.excess <= high);
+                assert!(low <= one.excess.middle && one.excess.middle <= high);
+                assert!(holds(&all.excess, &one.excess));
             }
         }
     }

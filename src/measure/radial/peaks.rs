@@ -18,14 +18,10 @@ use crate::numeric::foot::foot_in_unit;
 
 /// The largest x = |F| / (2 G b²), G = Σ αᵢ qᵢ² and b the smaller radius, for which a part passes for near. There s is F / (2 G) but for
 /// a factor between 1 - 3x and 1 + 3x, and d is F / (2 √G) but for one between 1 - 2x and 1 + 1.3x.
-const NEAR: f64 = 0.1;
-
-/// Where a segment is cut at first, in 64ths: of a curve near the shape the second, fourth and sixth part have one extreme each, and
-/// little lies as far between them.
-const FIRST_CUTS: [f64; 6] = [9.0, 15.0, 27.0, 37.0, 49.0, 55.0];
+pub(super) const NEAR: f64 = 0.1;
 
 /// How often it is halved at most, and how many parts are halved: what is left then is stated by its bound.
-const MOST_CUTS: u32 = 48;
+pub(super) const MOST_CUTS: u32 = 48;
 const MOST_HALVED: u32 = 5_000;
 
 /// The search for the largest distance on either side: 0 is outside, 1 inside. The larger radius is the unit of length.
@@ -65,30 +61,7 @@ pub(super) fn visit(profile: &Profile, known: &mut Known, visit: impl FnMut(f64,
         last_place: 0.5 * f64::EPSILON * (profile.largest_coordinate / unit).min(1.0),
     };
     let (whole, points) = profile.part([0.0, 1.0], &turn);
-    let mut rest = whole;
-    let parts: [(f64, Part); FIRST_CUTS.len() + 1] = core::array::from_fn(|i| {
-        let part = match FIRST_CUTS.get(i) {
-            Some(place) => {
-                let [part, after] = rest.cut(place / 64.0);
-                rest = after;
-                part
-            }
-            None => rest,
-        };
-        (search.learn(&part), part)
-    });
-    // Those that seem the farthest come first: their extremes leave little to be found of the others.
-    let farthest = |sign: f64| {
-        (1..parts.len()).fold(0, |far, place| {
-            let is_farther = sign * parts[place].0 > sign * parts[far].0;
-            if is_farther { place } else { far }
-        })
-    };
-    let first = [farthest(1.0), farthest(-1.0)];
-    let rest = (0..parts.len()).filter(|place| !first.contains(place));
-    for place in first.into_iter().chain(rest) {
-        search.bound(&parts[place].1, MOST_CUTS);
-    }
+    search.bound_first(&whole);
     search.end(&whole, 0.0, points[0]);
     search.end(&whole, 1.0, points[3]);
     search.close();
@@ -126,25 +99,11 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         self.profile.part(part.parameters(), &self.turn)
     }
 
-    /// The distance in the middle of a part, nearly, from which it is learnt what the largest distances are at least.
-    fn learn(&mut self, part: &Part) -> f64 {
-        let (q, excess) = part.middle(self.center);
-        let gradient = self.alpha[0] * q.x * q.x + self.alpha[1] * q.y * q.y;
-        let x = self.nearness(excess, gradient);
-        if x <= NEAR {
-            let least = excess.abs() * (1.0 - 2.0 * x - 1e-9) - part.rounding();
-            let side = usize::from(excess < 0.0);
-            self.known.learn(side, least / (2.0 * gradient.sqrt()));
-        }
-        excess / gradient.sqrt()
-    }
-
     /// Visits an end of the segment, where F is one coefficient and the point is known in twice the digits.
     fn end(&mut self, whole: &Part, t: f64, point: Twice) {
         let motion = whole.motion_at(t, self.center);
         let excess = [-1.0, 1.0].map(|side| motion.excess * (1.0 + side * f64::EPSILON));
-        let [x, y] = motion.place;
-        let gradient = (self.alpha[0] * x * x + self.alpha[1] * y * y) * (1.0 - 1e-9);
+        let gradient = motion.gradient(self.alpha) * (1.0 - 1e-9);
         if self.is_settled(excess, gradient) {
             return;
         }
@@ -159,30 +118,27 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// Bounds the distance on a part, which has to be halved until none of it can lie above what is known, or its one extreme is found.
-    fn bound(&mut self, part: &Part, cuts: u32) {
+    pub(super) fn bound(&mut self, part: &Part, cuts: u32) {
         if self.known.is_beyond() {
             return;
         }
-        let excess = part.certain_excess();
-        // First by the control points, which cost little.
-        let [p, q] = part.least_place(self.center);
-        let gradient = (self.alpha[0] * p * p + self.alpha[1] * q * q) * (1.0 - 1e-14);
-        if self.is_settled(excess, gradient) {
+        let look = self.look(part);
+        let near = look.bounds();
+        if near.is_some_and(|bounds| !self.known.is_any_open(bounds)) {
             return;
         }
         let middle = part.motion_at(0.5, self.center);
-        if let Some(near) = self.bounds(excess, gradient) {
-            if self.is_found_quickly(part, &middle, excess, gradient, near) {
+        if let Some(bounds) = near {
+            let course = self.course(part, &middle, &look);
+            if course.is_monotone() {
                 return;
             }
-            // Mostly sizes tell of the halves, which cost less than what follows.
-            if cuts == MOST_CUTS {
-                for half in part.halves() {
-                    self.bound(&half, cuts - 1);
-                }
+            let start = 0.5 + self.step(&middle);
+            if self.leads_to_extreme(part, &course, bounds, start) {
                 return;
             }
         }
+        let excess = part.certain_excess();
         let rounded = part.rounded(&middle);
         let motion = part.spread(&rounded);
         let gradients = self.gradients(&motion);
@@ -283,10 +239,8 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// What F and G say of the distance on both sides; `None` where a part is not near.
-    fn bounds(&self, [low, high]: [f64; 2], gradient: f64) -> Option<[f64; 2]> {
-        let x = self.nearness(high.max(-low), gradient);
-        let weight = (1.0 + 1.3 * x + 1e-14) / (2.0 * gradient.sqrt());
-        (x <= NEAR).then_some([high * weight, -low * weight])
+    fn bounds(&self, excess: [f64; 2], gradient: f64) -> Option<[f64; 2]> {
+        self.look_by(excess, gradient).bounds()
     }
 
     /// Leaves a part to be halved.
@@ -343,11 +297,6 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             sum[1] += alpha * ball.size() * ball.size();
         }
         [sum[0] * (1.0 - 1e-15), sum[1] * (1.0 + 1e-15)]
-    }
-
-    /// x.
-    fn nearness(&self, excess: f64, gradient: f64) -> f64 {
-        excess.abs() / (2.0 * gradient) * self.alpha[0].max(self.alpha[1])
     }
 
     pub(super) fn image(&self, q: Vec2) -> Vec2 {

@@ -2,87 +2,167 @@
 //! enough. The letters are those of `slopes`.
 
 use super::part::{Motion, Part, Sizes};
-use super::peaks::Search;
+use super::peaks::{NEAR, Search};
+use crate::numeric::lanes::{Lanes, Real};
 
-/// How the distance runs along a part.
-enum Course {
-    /// It rises or falls all along.
-    Monotone,
-    /// It has one extreme at most, of which |N'| is at least `curving`: a largest distance outside, `side` 0, or inside, 1.
-    OneExtreme { side: usize, curving: f64 },
+/// What F and G say of a part, or of several.
+pub(super) struct Look<S> {
+    /// The largest |F|, and the least G.
+    excess: S,
+    gradient: S,
+    /// x, and the bounds on both sides where it is near.
+    nearness: S,
+    bounds: [S; 2],
+}
+
+/// How the distance runs along a part that is near.
+pub(super) struct Course<S> {
+    /// What |N| is at least: where that is positive, the distance rises or falls all along.
+    steep: S,
+    /// Between what N' lies.
+    bend: [S; 2],
 }
 
 /// What the roundings of a few sums are off at most, as a part of those of sizes.
 const ROUNDING: f64 = 1e-12;
 
+impl Look<f64> {
+    /// The bounds on both sides; `None` where the part is not near.
+    pub(super) fn bounds(&self) -> Option<[f64; 2]> {
+        (self.nearness <= NEAR).then_some(self.bounds)
+    }
+}
+
+impl Course<f64> {
+    /// Whether the distance rises or falls all along.
+    pub(super) fn is_monotone(&self) -> bool {
+        self.steep > 0.0
+    }
+}
+
+impl<const N: usize> Look<Lanes<N>> {
+    pub(super) fn one(&self, lane: usize) -> Look<f64> {
+        Look {
+            excess: self.excess.0[lane],
+            gradient: self.gradient.0[lane],
+            nearness: self.nearness.0[lane],
+            bounds: self.bounds.map(|lanes| lanes.0[lane]),
+        }
+    }
+}
+
+impl<const N: usize> Course<Lanes<N>> {
+    pub(super) fn one(&self, lane: usize) -> Course<f64> {
+        Course {
+            steep: self.steep.0[lane],
+            bend: self.bend.map(|lanes| lanes.0[lane]),
+        }
+    }
+}
+
 impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
-    /// Whether sizes alone tell that the distance has no extreme on a near part, or lead to the one that it has.
-    pub(super) fn is_found_quickly(
+    /// Whether the distance has one extreme at most on an open near part that was found, or asks for nothing more: a largest distance outside, or
+    /// inside.
+    pub(super) fn leads_to_extreme(
         &mut self,
         part: &Part,
-        middle: &Motion<f64>,
-        excess: [f64; 2],
-        gradient: f64,
+        course: &Course<f64>,
         bounds: [f64; 2],
+        start: f64,
     ) -> bool {
-        let farthest = excess[1].max(-excess[0]);
-        match self.course(part, middle, farthest, gradient) {
-            None => false,
-            Some(Course::Monotone) => true,
-            Some(Course::OneExtreme { side, curving }) => {
-                let open = self.open(part, bounds, self.last_place);
-                let start = 0.5 - middle.rising / middle.bending;
-                !open[side] || self.settle(part, start, curving)
-            }
+        let [low, high] = course.bend;
+        let (side, curving) = match () {
+            () if low > 0.0 => (1, low),
+            () if high < 0.0 => (0, -high),
+            () => return false,
+        };
+        let open = self.open(part, bounds, self.last_place);
+        !open[side] || self.settle(part, start, curving)
+    }
+
+    /// What the control points tell, which cost little.
+    #[inline(always)]
+    pub(super) fn look<S: Real>(&self, part: &Part<S>) -> Look<S> {
+        let [p, q] = part.least_place(self.center);
+        let gradient = (p * p).scaled(self.alpha[0]) + (q * q).scaled(self.alpha[1]);
+        self.look_by(part.certain_excess(), gradient.scaled(1.0 - 1e-14))
+    }
+
+    /// The same where F and G are between and at least so.
+    #[inline(always)]
+    pub(super) fn look_by<S: Real>(&self, [low, high]: [S; 2], gradient: S) -> Look<S> {
+        let excess = low.abs().larger(high.abs());
+        let nearness = self.nearness(excess, gradient);
+        let share = S::exact(1.0 + 1e-14) + nearness.scaled(1.3);
+        let weight = share / gradient.sqrt().scaled(2.0);
+        Look {
+            excess,
+            gradient,
+            nearness,
+            bounds: [high * weight, low * weight.scaled(-1.0)],
         }
     }
 
-    /// How it runs along a part that is near, |F| and G being at most and at least so; `None` where sizes do not tell.
+    /// x.
+    #[inline(always)]
+    pub(super) fn nearness<S: Real>(&self, excess: S, gradient: S) -> S {
+        let flattest = self.alpha[0].max(self.alpha[1]);
+        (excess.abs() / gradient.scaled(2.0)).scaled(flattest)
+    }
+
+    /// How the distance runs along a near part, where sizes tell.
     ///
-    /// There |s| αᵢ is at most n = 0.13 and mᵢ between 0.88 and 1.15, so that U is at most 1.15 times the sum of the sizes and D at least
-    /// 0.68 G. V and W are Σ αᵢ qᵢ qᵢ', which is small along a shape and differs from that in the middle by half of its largest change,
-    /// but for 2.82 n and 1.15 n times the sum of the sizes.
-    fn course(
+    /// There |s| αᵢ is at most n, itself at most 0.13, and mᵢ lies between 1/(1 + n) and 1/(1 - n), so that U is at most 1 + 1.15 n times the
+    /// sum of the sizes and 1/D at most 1 + 3.42 n times 1/G. V and W are Σ αᵢ qᵢ qᵢ', which is small along a shape and differs from that in
+    /// the middle by half of its largest change, but for 2.82 n and 1.15 n times the sum of the sizes.
+    #[inline(always)]
+    pub(super) fn course<S: Real>(
         &self,
-        part: &Part,
-        middle: &Motion<f64>,
-        excess: f64,
-        gradient: f64,
-    ) -> Option<Course> {
+        part: &Part<S>,
+        middle: &Motion<S>,
+        look: &Look<S>,
+    ) -> Course<S> {
         let Sizes {
             place,
             velocity,
             acceleration,
-            bending: [low, high],
             rising,
-            rising_off,
+            bending: [low, high],
         } = part.sizes(middle);
-        let (mut along, mut sizes, mut turning) = (0.0, 0.0, 0.0);
+        let [mut along, mut sizes, mut turning] = [S::exact(0.0); 3];
         for (i, alpha) in self.alpha.into_iter().enumerate() {
-            along += alpha * middle.place[i] * middle.velocity[i];
-            sizes += alpha * place[i] * velocity[i];
-            turning += alpha * (velocity[i] * velocity[i] + place[i] * acceleration[i]);
+            along = along + (middle.place[i] * middle.velocity[i]).scaled(alpha);
+            sizes = sizes + (place[i] * velocity[i]).scaled(alpha);
+            let turns = velocity[i] * velocity[i] + place[i] * acceleration[i];
+            turning = turning + turns.scaled(alpha);
         }
-        // At most 1 + 3x with x at most 0.1.
-        let multiplier = |excess: f64| 0.65 * excess / gradient;
-        let s = multiplier(excess);
-        let n = s * self.alpha[0].max(self.alpha[1]) + ROUNDING;
-        let v = along.abs() + 0.5 * turning + 2.82 * n * sizes;
-        let w = along.abs() + 0.5 * turning + 1.15 * n * sizes;
-        let rate = (0.5 * rising + s * (v + w)) / (0.68 * gradient);
-        let slack = (rate * v + 1.15 * s * turning) * (1.0 + ROUNDING);
-        let [low, high] = [0.5 * low - slack, 0.5 * high + slack];
-        let steepest = 0.5 * low.abs().max(high.abs()) * (1.0 + ROUNDING);
-        let turned = multiplier(middle.excess.abs() + part.rounding()) * w * (1.0 + ROUNDING);
-        let slope = 0.5 * (middle.rising.abs() - rising_off) - turned;
-        if slope > steepest {
-            return Some(Course::Monotone);
+        let one = S::exact(1.0 + ROUNDING);
+        let over = one / look.gradient;
+        let s = look.excess * over * (S::exact(0.5) + look.nearness.scaled(1.5));
+        let n = s.scaled(self.alpha[0].max(self.alpha[1])) + S::exact(ROUNDING);
+        let least = along.abs() + turning.scaled(0.5);
+        let v = least + (n * sizes).scaled(2.82);
+        let w = (least + (n * sizes).scaled(1.15)) * one;
+        let steepest = rising[0].abs().larger(rising[1].abs()).scaled(0.5);
+        let rate = (steepest + s * (v + w)) * over * (one + n.scaled(3.42));
+        let slack = (rate * v + s * turning * (one + n.scaled(1.15))) * one;
+        let flattest = rising[0].larger(rising[1].scaled(-1.0)).scaled(0.5);
+        Course {
+            steep: flattest - s * w,
+            bend: [low.scaled(0.5) - slack, high.scaled(0.5) + slack],
         }
-        let one = |side, curving| Some(Course::OneExtreme { side, curving });
-        match () {
-            () if low > 0.0 => one(1, low),
-            () if high < 0.0 => one(0, -high),
-            () => None,
-        }
+    }
+
+    /// How far from a place N vanishes, by a step of Newton's method with s by its first two terms.
+    #[inline(always)]
+    pub(super) fn step<S: Real>(&self, motion: &Motion<S>) -> S {
+        let [x, y] = motion.place;
+        let [a, b] = self.alpha;
+        let over = motion.gradient(self.alpha).reciprocal();
+        let first = motion.excess.scaled(0.5) * over;
+        let second = ((x * x).scaled(a * a) + (y * y).scaled(b * b)) * over;
+        let s = first * (S::exact(1.0) + (first * second).scaled(1.5));
+        let slopes = motion.slopes(self.alpha, s);
+        S::exact(0.0) - slopes.slope / slopes.bend
     }
 }

@@ -74,7 +74,7 @@ fn a_lobe_knows_the_true_distance_and_how_it_changes() {
 fn slopes_hold(segment: &Segment, v: f64, what: &str) {
     let step = 1e-3;
     let [before, lobe, after] = [v - step, v, v + step].map(|v| segment.at(v));
-    let log = |lobe: &Lobe| libm::log(lobe.distance);
+    let log = |lobe: &Lobe<f64>| libm::log(lobe.distance);
     let slope = (log(&after) - log(&before)) / (2.0 * step);
     let bend = (log(&after) - 2.0 * log(&lobe) + log(&before)) / (step * step);
     if slope.abs() > 20.0 || lobe.distance < 1e-9 {
