@@ -128,9 +128,14 @@ impl Rule {
     ///
     /// As [`Method::piece`], and [`Error::Impossible`] where the ends leave the circle and the angles differ or the chain is open.
     pub fn pieces(self, spans: &[Span], closed: bool) -> Result<Vec<[Piece; 2]>> {
-        let equal = spans
-            .windows(2)
-            .all(|pair| pair[0].degrees() == pair[1].degrees());
+        // Ends off the circle ask for equal angles, but for the rounding of joints that were computed.
+        let is_free = self
+            .method()
+            .is_some_and(|method| method.card().ends == Ends::OffCircle);
+        let equal = spans.windows(2).all(|pair| {
+            let first = pair[0].degrees();
+            pair[1].degrees() == first || (is_free && pair[1].is_about(first))
+        });
         if let Some(method) = self.method() {
             method.check_chain(spans, equal, closed)?;
             if method == Method::Chen1 && !(closed && equal) {

@@ -108,6 +108,92 @@ fn an_extreme_beside_an_end_is_no_joint() {
 }
 
 #[test]
+fn pieces_between_extremes_stay_alike_where_their_ends_lie_off_the_circle() {
+    for place in (1..20).map(f64::from) {
+        let center = (0.137 * place, 0.291 * place);
+        let shape = Shape::Circle(Circle::new(center, 10.0).unwrap());
+        let mut options = Options {
+            rule: Method::MinimaxFree.into(),
+            precision: Some(Precision::Fixed(2)),
+            ..Options::default()
+        };
+        let one = approximate_at_extremes(&shape, false, &options).unwrap();
+        // Rounding leaves some of the quarters within, and the farthest is beyond.
+        let tolerance = 0.9999 * one.error.peak();
+        options.cut = within(tolerance);
+        let drawing = approximate_at_extremes(&shape, false, &options).unwrap();
+        let count = drawing.curve.segments.len();
+        assert!(count > 4 && count.is_multiple_of(4), "{count}");
+        assert!(drawing.error.peak() <= tolerance);
+    }
+}
+
+#[test]
+fn equal_angles_are_equal_but_for_rounding() {
+    for method in [
+        Method::MinimaxFree,
+        Method::MinimaxG0Free,
+        Method::QuadraticMinimaxFree,
+    ] {
+        for count in 1..40 {
+            let options = Options {
+                rule: method.into(),
+                cut: Cut::Count(count),
+                precision: Some(Precision::Full),
+                ..Options::default()
+            };
+            let drawing = approximate_at_extremes(&circle(10.0), false, &options).unwrap();
+            let segments = &drawing.curve.segments;
+            assert_eq!(segments.len(), 4 * count);
+            let equal = drawn(
+                &circle(10.0),
+                method,
+                Cut::Count(4 * count),
+                options.precision,
+            );
+            assert!(
+                (drawing.error.peak() - equal.error.peak()).abs() < 1e-12,
+                "{count}"
+            );
+            for (before, after) in segments.iter().zip(segments.iter().cycle().skip(1)) {
+                assert_eq!(before.end(), after.start(), "{method:?} {count}");
+            }
+        }
+        let uneven = [0.0, 90.0, 180.0, 270.0 + 1e-8].map(degrees).to_vec();
+        let options = Options {
+            rule: method.into(),
+            cut: Cut::At(uneven),
+            ..Options::default()
+        };
+        assert!(approximate(&circle(10.0), &options).is_err());
+    }
+}
+
+#[test]
+fn every_method_cuts_an_ellipse_where_it_can() {
+    let ellipse = Ellipse::new((0.0, 0.0), (50.0, 20.0), Angle::ZERO).unwrap();
+    for method in Method::ALL {
+        let served = |cut| {
+            let options = Options {
+                rule: method.into(),
+                cut,
+                ..Options::default()
+            };
+            let drawing = approximate(&Shape::Ellipse(ellipse), &options);
+            drawing.map(|drawing| (drawing.curve.segments.len(), drawing.error.peak()))
+        };
+        let (equal, adaptive) = (served(Cut::Count(6)), served(Cut::Adaptive(6)));
+        assert_eq!(equal.is_ok(), adaptive.is_ok(), "{method:?}");
+        if let (Ok((_, equal)), Ok((count, adaptive))) = (equal, adaptive) {
+            assert!(
+                count == 6 && adaptive <= equal,
+                "{method:?}: {adaptive} {equal}"
+            );
+        }
+    }
+}
+
+#[test]
 fn tolerances_are_positive_and_finite() {
     for text in ["inf", "-1", "0", "-0", "nan", "-inf%", "0%", "%", ""] {
         assert!(text.parse::<Tolerance>().is_err(), "{text}");
