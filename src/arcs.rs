@@ -18,11 +18,12 @@ mod tests;
 
 use kurbo::{Affine, Line, PathSeg, Point, Rect};
 
-use crate::contour::{Contour, Maker, PathDrawing, Step, Subpath};
+use crate::contour::{Closeness, Contour, Maker, Nearness, PathDrawing, Step, Subpath};
 use crate::curve::Curve;
 use crate::error::{Error, Result, positive};
 use crate::joints::{MOST_SEGMENTS, Tolerance};
-use crate::number::{Precision, decimals_of};
+use crate::number::{Precision, decimals_of, rounded_up};
+use crate::numeric::functions::power;
 use crate::radial_error::RadialError;
 use piece::Piece;
 
@@ -76,7 +77,7 @@ pub struct Options {
 pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     let subpaths = contours
         .iter()
-        .map(|contour| subpath_of_lines(contour, options));
+        .map(|contour| advised(subpath_of_lines, 2, contour, options));
     Ok(PathDrawing {
         subpaths: subpaths.collect::<Result<_>>()?,
         maker: Maker::Lines,
@@ -105,17 +106,56 @@ pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     let subpaths = contours
         .iter()
-        .map(|contour| bows::subpath(contour, options));
+        .map(|contour| advised(bows::subpath, 3, contour, options));
     Ok(PathDrawing {
         subpaths: subpaths.collect::<Result<_>>()?,
         maker: Maker::Arcs,
     })
 }
 
+/// What is drawn, or why not, with a tolerance that serves: the number of segments falls by this root of it, and at a ten thousandth of
+/// their number or so they are soon counted.
+fn advised(
+    draw: impl Fn(&Contour, &Options) -> Result<Subpath>,
+    root: i32,
+    contour: &Contour,
+    options: &Options,
+) -> Result<Subpath> {
+    /// By how much the tolerance that is named is larger than that which seems enough.
+    const MARGIN: f64 = 1.2;
+    let drawn = draw(contour, options);
+    let Err(Error::TooManySegments {
+        tolerance, most, ..
+    }) = drawn
+    else {
+        return drawn;
+    };
+    let mut enough = f64::INFINITY;
+    for exponent in 1..10 {
+        let wide = tolerance * power(1e3, root * exponent);
+        let options = Options {
+            tolerance: Some(Tolerance::Absolute(wide)),
+            ..*options
+        };
+        if let Ok(subpath) = draw(contour, &options) {
+            let course = subpath.course.map(|course| course.steps.len());
+            let count = course.unwrap_or(subpath.curve.segments.len());
+            let part = count as f64 / most as f64;
+            enough = rounded_up(MARGIN * wide * power(part, root), 1).max(tolerance);
+            break;
+        }
+    }
+    Err(Error::TooManySegments {
+        tolerance,
+        most,
+        enough,
+    })
+}
+
 fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let pieces = pieces(contour, options.transform)?;
     let plan = Plan::new(&pieces, options, 0.0)?;
-    let room = plan.room_of_chords(options, 0.0);
+    let room = plan.room_of_chords(options, plan.cut);
     let curved = pieces.iter().any(|piece| !piece.is_line());
     if curved && room <= 0.0 && plan.size > 0.0 {
         return Err(plan.too_coarse());
@@ -124,11 +164,9 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let mut error = 0.0_f64;
     for piece in &pieces {
         let cuts = chords::cuts(piece, room);
-        if segments.len() + cuts.len() > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count: segments.len() + cuts.len(),
-                most: MOST_SEGMENTS,
-            });
+        let count = segments.len() + cuts.len();
+        if count > MOST_SEGMENTS {
+            return Err(plan.too_many());
         }
         let (mut from, mut at) = (plan.end(piece.start()), 0.0);
         let mut moved = from.distance(piece.start());
@@ -156,7 +194,7 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
         },
         course: None,
         error: RadialError::balanced(error),
-        room: plan.left(error),
+        closeness: Some(plan.closeness([error; 2])),
         truths: Vec::new(),
         radius: plan.size,
     })
@@ -229,7 +267,7 @@ impl Plan {
 
     /// How far a chord may lie from what strays so far itself; what rounds its ends again takes its part.
     fn room_of_chords(&self, options: &Options, strayed: f64) -> f64 {
-        let again = if options.rounds_again {
+        let again = if options.rounds_again && !self.rounds_given {
             2.0 * self.precision.farthest_moved()
         } else {
             0.0
@@ -243,9 +281,24 @@ impl Plan {
         }
     }
 
-    /// How far rounding may move yet what strays so far.
-    fn left(&self, error: f64) -> Option<f64> {
-        (error <= self.tolerance).then_some(self.tolerance - error)
+    const fn too_many(&self) -> Error {
+        Error::TooManySegments {
+            tolerance: self.tolerance,
+            most: MOST_SEGMENTS,
+            enough: f64::INFINITY,
+        }
+    }
+
+    /// How closely lines and arcs follow that stray so far.
+    fn closeness(&self, [lines, arcs]: [f64; 2]) -> Closeness {
+        let of = |error: f64| Nearness {
+            error,
+            room: (self.tolerance - error).max(0.0),
+        };
+        Closeness {
+            lines: of(lines),
+            arcs: of(arcs),
+        }
     }
 
     fn inner(&self, p: Point) -> Point {

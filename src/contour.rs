@@ -1,5 +1,6 @@
 //! Contours: lines and Béziers as they were given, and arcs that become Béziers, joined at shared points.
 
+mod closeness;
 mod quadratics;
 
 use core::ops::Range;
@@ -16,6 +17,7 @@ use crate::method::Rule;
 use crate::number::Precision;
 use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Outline, Shape};
+pub use closeness::{Closeness, Nearness};
 use quadratics::{count_of_quadratics, distance_from, distance_of_quadratics, quadratics};
 
 /// A chain of steps, each of which starts where the one before it ends.
@@ -96,15 +98,6 @@ impl Maker {
     }
 }
 
-/// How closely lines and arcs follow what they replace.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Closeness {
-    /// A bound, both ways, of their distance from it.
-    pub error: f64,
-    /// How far rounding may move them yet within the tolerance.
-    pub room: f64,
-}
-
 /// A finished subpath.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Subpath {
@@ -114,8 +107,8 @@ pub struct Subpath {
     pub course: Option<Course>,
     /// How far it strays from what was given. Where cubics became quadratics, both sides hold the bound of their distance.
     pub error: RadialError,
-    /// How far rounding may move it yet within its tolerance, where it has one.
-    pub room: Option<f64>,
+    /// How closely its lines and arcs follow what was given, where it was made of these within a tolerance.
+    pub closeness: Option<Closeness>,
     /// The true shapes of its arcs, and which segments of the curve approximate each.
     pub truths: Vec<(Range<usize>, Outline)>,
     /// What its error is compared with: the largest radius of its arcs, or half the larger side of its box where it has none.
@@ -140,10 +133,9 @@ impl PathDrawing {
     /// How closely it follows what it replaces, where it was made within a tolerance.
     #[must_use]
     pub fn closeness(&self) -> Option<Closeness> {
-        let rooms = self.subpaths.iter().filter_map(|subpath| subpath.room);
-        let room = rooms.reduce(f64::min)?;
-        let error = self.error().peak();
-        Some(Closeness { error, room })
+        let all = self.subpaths.iter();
+        all.filter_map(|subpath| subpath.closeness)
+            .reduce(Closeness::with)
     }
 
     /// Refuses what the precision asked for takes farther away than the tolerance asked for.
@@ -312,7 +304,7 @@ impl Finisher<'_> {
             curve,
             course: None,
             error,
-            room: None,
+            closeness: None,
             truths,
             radius,
         })

@@ -1,5 +1,7 @@
 //! Lines and circular arcs: what machines and CAD draw exactly.
 
+use core::f64::consts::FRAC_PI_2;
+
 use kurbo::{Affine, PathSeg, Point, Vec2};
 
 use crate::angle::Angle;
@@ -97,6 +99,36 @@ impl CircularArc {
         self.sweep.degrees().abs() >= 360.0
     }
 
+    /// How far an arc lies from what it was before its points were rounded, besides what its ends have moved. The radius is that from the rounded
+    /// centre to its start, and a machine makes up for another one at its end.
+    ///
+    /// Let the centre have moved by d. Seen from it, in the direction u, the new arc lies d·(u - n) farther from the old centre than at its
+    /// start, in the direction n, to first order: next to nothing where it hardly turns. The second order is that of the sagitta.
+    pub(crate) fn bent(&self, new: &Self, from: Point) -> f64 {
+        let (radius, moved) = (from.distance(new.center), self.center.distance(new.center));
+        let unlike = (new.to.distance(new.center) - radius).abs();
+        let rough = moved + (radius - self.radius).abs();
+        let least = radius.min(self.radius) - 2.0 * rough;
+        let turned = 0.5 * self.sweep.radians().abs() + 2.0 * rough / least;
+        let fine = if least > 0.0 && turned < FRAC_PI_2 {
+            2.0 * moved * libm::sin(turned) + 2.0 * rough * (rough / least)
+        } else {
+            f64::INFINITY
+        };
+        rough.min(fine) + unlike
+    }
+
+    /// The arc with its end and its centre rounded.
+    #[must_use]
+    pub fn rounded(&self, precision: Precision) -> Self {
+        let round = |p: Point| Point::new(precision.round(p.x), precision.round(p.y));
+        Self {
+            to: round(self.to),
+            center: round(self.center),
+            ..*self
+        }
+    }
+
     /// The point at a part of its sweep, from 0 to 1.
     #[must_use]
     pub fn point(&self, part: f64) -> Point {
@@ -160,11 +192,7 @@ impl Course {
         let round = |p: Point| Point::new(precision.round(p.x), precision.round(p.y));
         let step = |step: &Step| match *step {
             Step::Line(to) => Step::Line(round(to)),
-            Step::Arc(arc) => Step::Arc(CircularArc {
-                to: round(arc.to),
-                center: round(arc.center),
-                ..arc
-            }),
+            Step::Arc(arc) => Step::Arc(arc.rounded(precision)),
             Step::Elliptical(arc) => Step::Elliptical(SvgArc {
                 from: round(arc.from),
                 to: round(arc.to),

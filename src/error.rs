@@ -99,7 +99,9 @@ pub enum Error {
     },
     /// Rounding alone moves points as far as the tolerance.
     #[error(
-        "rounding alone moves a point by up to {rounding}, which is no less than the tolerance {tolerance}: give more decimals or a larger tolerance"
+        "rounding alone moves a point by up to {}, which is no less than the tolerance {}: give more decimals or a larger tolerance",
+        plain(*rounding),
+        plain(*tolerance)
     )]
     RoundingAlone {
         /// How far it moves a point at most.
@@ -109,11 +111,22 @@ pub enum Error {
     },
     /// With the decimals that were asked for, the arcs of a path stray too far.
     #[error(
-        "with so few decimals the result strays farther than the tolerance {tolerance}: give more decimals or a larger tolerance"
+        "with so few decimals the result strays farther than the tolerance {}: give more decimals or a larger tolerance",
+        plain(*tolerance)
     )]
     TooCoarse {
         /// The tolerance in user units.
         tolerance: f64,
+    },
+    /// A path that becomes more lines or arcs than are served.
+    #[error("within {} a subpath becomes more than {most} segments", plain(*tolerance))]
+    TooManySegments {
+        /// The tolerance in user units.
+        tolerance: f64,
+        /// The most that are served.
+        most: usize,
+        /// A tolerance with which it becomes fewer, about.
+        enough: f64,
     },
     /// A text that does not parse.
     #[error("cannot read {what} '{text}': {why}, at column {column}")]

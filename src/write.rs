@@ -110,7 +110,7 @@ pub struct Options {
 impl Options {
     /// Those of G-code.
     fn gcode(&self, figure: &Figure) -> gcode::Options {
-        let exact = self.room.map(|room| Closeness { error: 0.0, room });
+        let exact = self.room.map(Closeness::exact);
         gcode::Options {
             precision: self.precision,
             feed: self.feed,

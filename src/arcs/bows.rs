@@ -60,6 +60,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
         },
         at: Point::ORIGIN,
         error: 0.0,
+        error_of_arcs: 0.0,
         plan,
     };
     builder.at = builder.course.start;
@@ -135,11 +136,10 @@ impl Builder<'_> {
             return Ok(false);
         };
         let off = moved(&old, &new);
-        if off > self.plan.tolerance {
+        if off > self.plan.tolerance || !self.leaves_room(&after, &new, off) {
             return Ok(false);
         }
-        self.error = self.error.max(off);
-        self.push(&after, &new);
+        self.push(&after, &new, off);
         Ok(true)
     }
 

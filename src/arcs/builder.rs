@@ -16,7 +16,7 @@ use crate::Angle;
 use crate::contour::Subpath;
 use crate::course::{self, CircularArc, Course};
 use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::joints::MOST_SEGMENTS;
 use crate::number::Precision;
 use crate::radial_error::RadialError;
@@ -28,6 +28,12 @@ const MORE_DECIMALS: u8 = 8;
 
 /// How many decimals more than lengths angles in degrees have.
 const DECIMALS_OF_ANGLES: u8 = 2;
+
+/// How many times as far as a point the rounding of its centre moves an arc, at most.
+const MOVED_AGAIN: f64 = 4.0;
+
+/// The part of the tolerance that is left to that.
+const AGAIN_PART: f64 = 0.25;
 
 /// The parts of the tolerance within which shorter pieces are looked for.
 const FINER: [f64; 2] = [0.5, 0.2];
@@ -51,6 +57,8 @@ pub(super) struct Builder<'a> {
     /// Where the course is, as it is printed.
     pub(super) at: Point,
     pub(super) error: f64,
+    /// That of arcs alone.
+    pub(super) error_of_arcs: f64,
 }
 
 impl Builder<'_> {
@@ -65,7 +73,7 @@ impl Builder<'_> {
             },
             course: Some(self.course),
             error: RadialError::balanced(self.error),
-            room: self.plan.left(self.error),
+            closeness: Some(self.plan.closeness([self.error, self.error_of_arcs])),
             truths: Vec::new(),
             radius: self.plan.size,
         })
@@ -106,10 +114,7 @@ impl Builder<'_> {
     fn counted(&self) -> Result<()> {
         let count = self.course.steps.len();
         if count > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count,
-                most: MOST_SEGMENTS,
-            });
+            return Err(self.plan.too_many());
         }
         Ok(())
     }
@@ -142,7 +147,8 @@ impl Builder<'_> {
 
     /// Cubics as shorter pieces.
     fn finer(&mut self, parts: &[CubicBez], ends_given: bool, strayed: f64) -> Result<()> {
-        let (steps, at, error) = (self.course.steps.len(), self.at, self.error);
+        let (steps, at) = (self.course.steps.len(), self.at);
+        let errors = [self.error, self.error_of_arcs];
         for share in FINER {
             let mut search = Search::new(share * (self.plan.room - strayed), false);
             let fits = search.pieces(parts, MOST_SEGMENTS);
@@ -159,7 +165,8 @@ impl Builder<'_> {
                 return Ok(());
             }
             self.course.steps.truncate(steps);
-            (self.at, self.error) = (at, error);
+            self.at = at;
+            [self.error, self.error_of_arcs] = errors;
         }
         let room = self.plan.room_of_chords(self.options, strayed);
         if room <= 0.0 {
@@ -213,16 +220,11 @@ impl Builder<'_> {
                 break;
             }
         }
-        // With the decimals that were asked for, G-code may move a centre, and with it what it draws.
-        let again = if self.options.rounds_again && self.plan.rounds_given {
-            4.0 * self.plan.precision.farthest_moved()
-        } else {
-            0.0
-        };
-        let best = best.filter(|(_, _, off)| *off + again <= self.plan.tolerance);
+        let best = best.filter(|(given, arc, off)| {
+            *off <= self.plan.tolerance && self.leaves_room(given, arc, *off)
+        });
         if let Some((given, arc, off)) = &best {
-            self.error = self.error.max(*off);
-            self.push(given, arc);
+            self.push(given, arc, *off);
         }
         best.is_some()
     }
@@ -244,20 +246,38 @@ impl Builder<'_> {
         }
     }
 
-    /// Appends an arc as it is printed.
-    pub(super) fn push(&mut self, given: &SvgArc, arc: &Arc) {
+    /// Appends an arc as it is printed, which strays so far.
+    pub(super) fn push(&mut self, given: &SvgArc, arc: &Arc, off: f64) {
+        self.error = self.error.max(off);
+        self.error_of_arcs = self.error_of_arcs.max(off);
         self.at = given.to;
-        self.course.steps.push(if arc.radii.x == arc.radii.y {
-            course::Step::Arc(CircularArc {
-                to: given.to,
-                center: arc.center,
-                radius: arc.radii.x,
-                start: arc.start,
-                sweep: arc.sweep,
-                ends_given: true,
-            })
-        } else {
-            course::Step::Elliptical(*given)
-        });
+        let circular = circular(given, arc).map(course::Step::Arc);
+        let step = circular.unwrap_or(course::Step::Elliptical(*given));
+        self.course.steps.push(step);
     }
+
+    /// Whether an arc that strays so far leaves room for G-code to round its centre to the decimals that were asked for: for all of them the
+    /// same, as what is left after all is compared with how far any of them moves.
+    pub(super) fn leaves_room(&self, given: &SvgArc, arc: &Arc, off: f64) -> bool {
+        if !(self.options.rounds_again && self.plan.rounds_given) {
+            return true;
+        }
+        let (precision, tolerance) = (self.plan.precision, self.plan.tolerance);
+        let room = (MOVED_AGAIN * precision.farthest_moved()).min(AGAIN_PART * tolerance);
+        let moves =
+            circular(given, arc).map_or(0.0, |arc| arc.bent(&arc.rounded(precision), given.from));
+        off + room <= tolerance && moves <= room
+    }
+}
+
+/// The arc as a step, where it is one of a circle.
+fn circular(given: &SvgArc, arc: &Arc) -> Option<CircularArc> {
+    (arc.radii.x == arc.radii.y).then_some(CircularArc {
+        to: given.to,
+        center: arc.center,
+        radius: arc.radii.x,
+        start: arc.start,
+        sweep: arc.sweep,
+        ends_given: true,
+    })
 }

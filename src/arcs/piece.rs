@@ -1,5 +1,7 @@
 //! A step of a contour by its parameter from 0 to 1, and how far a chord of it lies from it.
 
+use core::f64::consts::PI;
+
 use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2};
 
 use crate::contour::Step;
@@ -76,7 +78,7 @@ impl Piece {
         }
     }
 
-    /// A box around it: that of an arc is that of its ellipse's frame.
+    /// The smallest upright box around it.
     pub(super) fn bounding_box(&self) -> Rect {
         match self {
             Self::Line(line) => Rect::from_points(line.p0, line.p1),
@@ -177,14 +179,35 @@ impl Turn {
         }
     }
 
+    /// From the start where this is given, so that a centre far away takes no digits: on the unit circle the chord of an angle a is 2 sin(a/2)
+    /// long and square to the direction of its middle.
     fn point(&self, t: f64) -> Point {
-        self.placement * unit_vector(self.start + t * self.sweep).to_point()
+        let Some([from, to]) = self.ends else {
+            return self.placement * unit_vector(self.start + t * self.sweep).to_point();
+        };
+        let [a, b, c, d, ..] = self.placement.as_coeffs();
+        let way = |t: f64| {
+            let half = 0.5 * t * self.sweep;
+            let (middle, length) = (unit_vector(self.start + half), 2.0 * libm::sin(half));
+            let v = Vec2::new(-middle.y, middle.x) * length;
+            Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y)
+        };
+        from + way(t) + t * ((to - from) - way(1.0))
     }
 
+    /// Its ends, and where it turns back in x and in y.
     fn bounding_box(&self) -> Rect {
-        let [a, b, c, d, e, f] = self.placement.as_coeffs();
-        let (x, y) = ((a * a + c * c).sqrt(), (b * b + d * d).sqrt());
-        Rect::new(e - x, f - y, e + x, f + y)
+        let [a, b, c, d, ..] = self.placement.as_coeffs();
+        let mut bounds = Rect::from_points(self.point(0.0), self.point(1.0));
+        let turns = [libm::atan2(c, a), libm::atan2(d, b)].map(|angle| [angle, angle + PI]);
+        for angle in turns.into_iter().flatten() {
+            let ahead = (angle - self.start) * self.sweep.signum();
+            let t = ahead.rem_euclid(2.0 * PI) / self.sweep.abs();
+            if t < 1.0 {
+                bounds = bounds.union_pt(self.point(t));
+            }
+        }
+        bounds
     }
 
     /// On the unit circle the chord's line is 1 - cos h from the middle of the arc, half the part being h; the affine image keeps

@@ -29,6 +29,10 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
         Error::Impossible { remedy, .. }
         | Error::ToleranceOutOfReach { remedy, .. }
         | Error::Format { remedy, .. } => return Some(advice(remedy)),
+        Error::TooManySegments { enough, .. } if enough.is_finite() => {
+            return Some(format!("take a larger tolerance, as -t {}", text(*enough)));
+        }
+        Error::TooManySegments { .. } => "take a larger tolerance",
         Error::Collapsed { .. } => "give more decimals",
         Error::Rounding { .. } => "give more decimals or a larger tolerance",
         Error::TooFewPoints { cyclic: true, .. } => "--ends free takes two points and more",

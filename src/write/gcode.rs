@@ -1,11 +1,12 @@
 //! G-code: rapid moves (G0), lines (G1), arcs with growing (G3) and falling (G2) angles, their centres relative to where they start (I J).
 
+use core::f64::consts::PI;
 use core::fmt::Write as _;
 
-use kurbo::Point;
+use kurbo::{Point, Vec2};
 
 use crate::contour::Closeness;
-use crate::course::{Course, Step};
+use crate::course::{CircularArc, Course, Step};
 use crate::error::{Error, Remedy, Result};
 use crate::number::{Precision, compact, rounded_up, significant, text};
 use crate::numeric::functions::power;
@@ -15,6 +16,9 @@ const ROUNDING_PART: f64 = 1e-6;
 
 /// The most decimals before all digits are written.
 const MOST_DECIMALS: u8 = 12;
+
+/// The most chords in place of an arc whose centre is too far away.
+const MOST_CHORDS: usize = 1_000_000;
 
 /// How a program is written.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,13 +37,17 @@ pub struct Options {
 ///
 /// # Errors
 ///
-/// Where the precision that is asked for moves it farther than [`Closeness::room`].
+/// Where the precision that is asked for moves lines or the ends of arcs farther than [`Options::closeness`] lets it.
 pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<String> {
-    let (precision, moved) = precision(courses, options)?;
+    let Program {
+        courses,
+        precision,
+        moved,
+    } = Program::new(courses, options)?;
     let told = told(precision, moved, options.closeness);
     let mut out = format!("({}, {told})\nG17 G90\n", comment(title));
     let mut feed = options.feed.map(|feed| format!(" F{}", text(feed)));
-    for course in courses {
+    for course in &courses {
         let course = course.rounded(precision);
         // Writing to a string cannot fail.
         let _ = writeln!(out, "G0 {}", at(course.start));
@@ -66,57 +74,136 @@ pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<Str
     Ok(out + "M2\n")
 }
 
-/// The precision, and how far it moves the courses.
-fn precision(courses: &[Course], options: &Options) -> Result<(Precision, f64)> {
-    let room = options.closeness.map(|closeness| closeness.room);
-    let mut precision = options.precision.unwrap_or_else(|| automatic(courses));
-    loop {
-        let moved = moved(courses, precision);
-        if room.is_none_or(|room| moved <= room) {
-            return Ok((precision, moved));
-        }
-        precision = match precision {
+/// Courses as they are drawn.
+struct Program {
+    courses: Vec<Course>,
+    precision: Precision,
+    /// How far lines and arcs are moved.
+    moved: [f64; 2],
+}
+
+impl Program {
+    /// With the fewest decimals that keep within the tolerance. Arcs whose centres would need more become lines where a chord is near
+    /// enough, and several lines where no decimals are enough, or those that were asked for.
+    fn new(courses: &[Course], options: &Options) -> Result<Self> {
+        let first = options.precision.unwrap_or_else(|| automatic(courses));
+        let precisions = match first {
             Precision::Fixed(decimals) if options.precision.is_none() => {
-                if decimals < MOST_DECIMALS {
-                    Precision::Fixed(decimals + 1)
-                } else {
-                    Precision::Full
-                }
+                let fixed = (decimals..=MOST_DECIMALS.max(decimals)).map(Precision::Fixed);
+                fixed.chain([Precision::Full]).collect()
             }
-            _ => {
-                return Err(Error::Format {
-                    format: "gcode",
-                    why: "with so few decimals it strays farther than the tolerance".to_owned(),
-                    remedy: Remedy::MoreDecimalsOrTolerance,
-                });
-            }
+            _ => vec![first],
         };
+        let rooms = options.closeness.map_or([f64::INFINITY; 2], |closeness| {
+            [closeness.lines.room, closeness.arcs.room]
+        });
+        let drawn = |most| {
+            let mut precisions = precisions.iter();
+            precisions.find_map(|precision| Self::within(courses, *precision, rooms, most))
+        };
+        drawn(1)
+            .or_else(|| drawn(MOST_CHORDS))
+            .ok_or_else(|| Error::Format {
+                format: "gcode",
+                why: "with so few decimals it strays farther than the tolerance".to_owned(),
+                remedy: Remedy::MoreDecimalsOrTolerance,
+            })
+    }
+
+    /// With this precision, and so many chords in place of an arc at most, unless lines or arcs move farther than they may.
+    fn within(
+        courses: &[Course],
+        precision: Precision,
+        rooms: [f64; 2],
+        most: usize,
+    ) -> Option<Self> {
+        let mut moved = [0.0_f64; 2];
+        let mut drawn = Vec::with_capacity(courses.len());
+        for course in courses {
+            let mut steps = Vec::with_capacity(course.steps.len());
+            let rounded = course.rounded(precision);
+            let (mut old_from, mut from) = (course.start, rounded.start);
+            for (old, new) in course.steps.iter().zip(&rounded.steps) {
+                let ends = [(old_from, from), (old.to(), new.to())];
+                let shift = ends
+                    .map(|(old, new)| old.distance(new))
+                    .into_iter()
+                    .fold(0.0, f64::max);
+                let (mut kind, mut off) = (0, shift);
+                if let (Step::Arc(old), Step::Arc(arc)) = (old, new) {
+                    (kind, off) = (1, shift + old.bent(arc, from));
+                    if off > rooms[1] {
+                        let room = rooms[1] - shift;
+                        off = shift + chords(old, old_from, precision, room, most, &mut steps)?;
+                    } else {
+                        steps.push(*new);
+                    }
+                } else {
+                    steps.push(*new);
+                }
+                if off > rooms[kind] {
+                    return None;
+                }
+                moved[kind] = moved[kind].max(off);
+                (old_from, from) = (old.to(), new.to());
+            }
+            drawn.push(Course { steps, ..rounded });
+        }
+        Some(Self {
+            courses: drawn,
+            precision,
+            moved,
+        })
     }
 }
 
-/// A bound of how far rounding moves courses. The radius of an arc is that from the rounded centre to its start, and a machine makes up
-/// for another one at its end.
-fn moved(courses: &[Course], precision: Precision) -> f64 {
-    let mut most = 0.0_f64;
-    for course in courses {
-        let rounded = course.rounded(precision);
-        let (mut from, mut shift) = (rounded.start, course.start.distance(rounded.start));
-        for (old, new) in course.steps.iter().zip(&rounded.steps) {
-            let end = old.to().distance(new.to());
-            let bend = match (old, new) {
-                (Step::Arc(old), Step::Arc(new)) => {
-                    let radius = from.distance(new.center);
-                    old.center.distance(new.center)
-                        + (radius - old.radius).abs()
-                        + (new.to.distance(new.center) - radius).abs()
-                }
-                _ => 0.0,
-            };
-            most = most.max(shift.max(end) + bend);
-            (from, shift) = (new.to(), end);
-        }
+/// Appends the fewest chords that lie within this distance of an arc, their inner ends rounded, and gives how far they do; `None` where they
+/// are more than `most`.
+fn chords(
+    arc: &CircularArc,
+    from: Point,
+    precision: Precision,
+    room: f64,
+    most: usize,
+    steps: &mut Vec<Step>,
+) -> Option<f64> {
+    let (sweep, chord) = (arc.sweep.radians(), arc.to - from);
+    if chord == Vec2::ZERO {
+        return None;
     }
-    most
+    let rounding = precision.farthest_moved();
+    let sagitta = |count: usize| {
+        let sine = libm::sin(sweep / (4.0 * count as f64));
+        2.0 * arc.radius * sine * sine
+    };
+    let off = |count| sagitta(count) + if count > 1 { rounding } else { 0.0 };
+    let least = libm::sqrt(sweep * sweep * arc.radius / (8.0 * (room - rounding).max(0.0))).ceil();
+    let count = if off(1) <= room && sweep.abs() < PI {
+        1
+    } else {
+        (least as usize).max(2)
+    };
+    if count > most || off(count) > room {
+        return None;
+    }
+    // In the frame of the chord, so that a centre far away takes no digits.
+    let radius = 0.5 * chord.hypot2().sqrt() / libm::sin(0.5 * sweep);
+    let across = Vec2::new(chord.y, -chord.x) / chord.hypot2().sqrt();
+    for i in 1..count {
+        let at = sweep * (i as f64 / count as f64);
+        let [sine, other] = [at, sweep - at].map(|angle| libm::sin(0.5 * angle));
+        let along = 2.0 * radius * sine * libm::cos(0.5 * (sweep - at)) / chord.hypot2().sqrt();
+        let p = from + chord * along + across * (2.0 * radius * sine * other);
+        steps.push(Step::Line(Point::new(
+            precision.round(p.x),
+            precision.round(p.y),
+        )));
+    }
+    steps.push(Step::Line(Point::new(
+        precision.round(arc.to.x),
+        precision.round(arc.to.y),
+    )));
+    Some(off(count))
 }
 
 fn at(p: Point) -> String {
@@ -141,11 +228,13 @@ fn automatic(courses: &[Course]) -> Precision {
 }
 
 /// How closely the program follows what was given.
-fn told(precision: Precision, moved: f64, closeness: Option<Closeness>) -> String {
-    let error = closeness.map_or(0.0, |closeness| closeness.error);
-    if error > 0.0 {
-        return format!("within {}", significant(rounded_up(error + moved, 3), 3));
+fn told(precision: Precision, moved: [f64; 2], closeness: Option<Closeness>) -> String {
+    let [lines, arcs] = closeness.map_or([0.0; 2], |near| [near.lines.error, near.arcs.error]);
+    if lines.max(arcs) > 0.0 {
+        let error = (lines + moved[0]).max(arcs + moved[1]);
+        return format!("within {}", significant(rounded_up(error, 3), 3));
     }
+    let moved = moved[0].max(moved[1]);
     let Precision::Fixed(decimals) = precision else {
         return "exact".to_owned();
     };
@@ -168,7 +257,6 @@ fn comment(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::angle::Angle;
-    use crate::course::CircularArc;
 
     #[test]
     fn a_course_of_several_steps_is_one_run() {

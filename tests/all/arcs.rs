@@ -148,6 +148,65 @@ fn ends_and_lines_stay_digit_for_digit_and_nothing_vanishes() {
 }
 
 #[test]
+fn more_than_a_million_segments_are_refused_with_a_tolerance_that_serves() {
+    let wide = "M0 0C1e5 4e5 7e5 9e5 1e6 0";
+    let refused = run(&["path", wide, "--to", "lines", "-t", "1e-7"]);
+    assert_eq!(refused.status.code(), Some(2));
+    // With the tolerance of the hint there are 982,105.
+    assert_eq!(
+        String::from_utf8(refused.stderr).unwrap(),
+        "error: within 1e-7 a subpath becomes more than 1000000 segments\nhint: take a larger tolerance, as -t 0.0000006\n"
+    );
+}
+
+#[test]
+fn fine_chords_stay_within_the_tolerance_far_from_the_origin() {
+    let printed = printed(&[
+        "path",
+        "M0 0C1e5 4e5 7e5 9e5 1e6 0",
+        "--to",
+        "lines",
+        "-t",
+        "1e-5",
+    ]);
+    assert_eq!(printed.matches('L').count(), 221_162);
+}
+
+#[test]
+fn a_part_of_a_box_is_one_of_the_box_of_the_arc_and_not_of_its_circle() {
+    // A thousandth of half of 100 and not of the radius.
+    let arc = "M0 0A1e4 1e4 0 0 1 100 0";
+    let subpath = &lines(&path::contours(arc).unwrap(), &Options::default())
+        .unwrap()
+        .subpaths[0];
+    assert!((subpath.radius - 50.0).abs() < 1e-9, "{}", subpath.radius);
+    assert_eq!(subpath.curve.segments.len(), 2);
+    // Where it turns back.
+    let half = "M0 0A50 50 0 0 1 100 0L100 10";
+    let drawing = lines(&path::contours(half).unwrap(), &Options::default()).unwrap();
+    assert!((drawing.subpaths[0].radius - 50.0).abs() < 1e-9);
+}
+
+#[test]
+fn arcs_that_are_nearly_lines_are_cut_without_a_loss_of_digits() {
+    for radius in [1e9, 1.234_567e12, 1.234_567_890_1e16] {
+        let arc = format!("M0 0A{radius} {radius} 0 0 1 1000.5 20.3L20 20");
+        for to in ["lines", "arcs"] {
+            let printed = printed(&["path", &arc, "--to", to, "-t", "1e-3"]);
+            assert!(
+                printed.starts_with("M0 0") && printed.contains("1000.5 20.3L20 20"),
+                "{printed}"
+            );
+        }
+        let program = printed(&["path", &arc, "--to", "arcs", "-t", "1e-3", "-f", "gcode"]);
+        assert!(
+            program.contains("X1000.5 Y20.3") && program.contains("G1 X20 Y20"),
+            "{program}"
+        );
+    }
+}
+
+#[test]
 fn the_program_draws_lines_for_machines() {
     let lines = printed(&[
         "path",

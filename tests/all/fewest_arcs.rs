@@ -337,6 +337,40 @@ fn gcode_says_how_closely_it_follows_and_refuses_too_few_decimals() {
 }
 
 #[test]
+fn gcode_draws_nearly_straight_arcs_with_few_decimals() {
+    for path in [
+        "M0 0C100 .1 200 .1 300 0",
+        "M0 0C100 1 200 1 300 0",
+        "M0 0C100 10 200 10 300 0",
+        "M0 0A1e9 1e9 0 0 1 10 0",
+        "M0 0A123456.7 123456.7 0 0 1 100.5 20.3L20 20",
+        "M3.3 4.7A98765.4321 98765.4321 0 0 0 -77.7 12.1Z",
+        "M0 0A1.2345678901e7 1.2345678901e7 0 0 1 10000.5 20.3",
+        "M1 1A5e9 5e9 0 0 1 100 99L50 3",
+    ] {
+        let old = segments(path);
+        for (tolerance, precision) in [
+            (0.02, "2"),
+            (0.2, "1"),
+            (2.0, "0"),
+            (0.002, "3"),
+            (0.01, "9"),
+        ] {
+            let text = tolerance.to_string();
+            let words = [
+                "path", path, "--to", "arcs", "-f", "gcode", "-t", &text, "-p", precision,
+            ];
+            let program = printed(&words);
+            let off = apart(&old, &segments(&of_gcode(&program))).unwrap();
+            assert!(off <= 1.02 * tolerance + 1e-6, "{words:?} {off} {program}");
+            let (_, within) = program.split_once("within ").unwrap_or(("", "0)"));
+            let within: f64 = within.split_once(')').unwrap().0.parse().unwrap();
+            assert!(within <= tolerance, "{words:?} {program}");
+        }
+    }
+}
+
+#[test]
 fn small_arcs_of_large_sweeps_leave_room_for_their_centres() {
     let path = "M14.51 5.75Q4.62-25.66 52.4 88.94";
     let words = [
