@@ -210,7 +210,14 @@ fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<V
         Format::Gcode => gcode::program(&figure.title, courses, &options.gcode(figure))?,
         Format::Image(image) => {
             check_shown(figure, &options.style)?;
-            return picture(&figure.scene(&options.style)?, image, options.relative);
+            let mut scene = figure.scene(&options.style)?;
+            if image != Image::Svg {
+                let precision = figure.precision_along_arcs(options.precision);
+                let moved = precision.farthest_moved();
+                scene.draw_arcs_as_curves(precision)?;
+                scene.description = figure.described_with_arcs_moved(&options.style, moved);
+            }
+            return picture(&scene, image, options.relative);
         }
         _ => {
             return Err(Error::Format {

@@ -24,6 +24,9 @@ pub(super) fn cuts(piece: &Piece, tolerance: f64) -> Vec<f64> {
         };
     }
     let longest = longest(piece, tolerance);
+    if longest.len() > MOST_SEGMENTS {
+        return longest;
+    }
     let mut halved = Vec::new();
     // Where longest chords reach less far than others would, as on loops, halving may find fewer.
     halve(

@@ -9,17 +9,20 @@ use super::scene::along;
 use super::style::{Style, default_stroke_width};
 use super::words::{
     conic_summary, conic_title, describe_sphere, describe_spline, exactness, name, path_summary,
-    sentence, title,
+    sentence, title, within,
 };
 use crate::approximate::Drawing;
 use crate::conic;
 use crate::contour::{Closeness, PathDrawing};
 use crate::course::Course;
 use crate::curve::Curve;
-use crate::number::{rounded_up, significant, text};
+use crate::number::{Precision, rounded_up, significant, text};
 use crate::shape::Outline;
 use crate::sphere::{Part, Picture};
 use crate::spline::Spline;
+
+/// The largest part of the size of a figure by which the points of curves along arcs that are exact may move.
+const VISIBLE: f64 = 1e-6;
 
 /// What a writer sees.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -123,12 +126,51 @@ impl Figure {
     /// The smallest rectangle around the curves themselves, not their control points.
     #[must_use]
     pub fn bounding_box(&self) -> Option<Rect> {
-        let of_courses = self.courses.iter().filter_map(|course| along(course).ok());
+        let of_courses = self
+            .courses
+            .iter()
+            .filter_map(|course| along(course, Precision::Full).ok());
         let boxes = of_courses.filter_map(|curve| curve.bounding_box());
         self.curves()
             .filter_map(Curve::bounding_box)
             .chain(boxes)
             .reduce(|a, b| a.union(b))
+    }
+
+    /// How the points of curves along its arcs are rounded where they are not asked for otherwise, or those move them too far: by a tenth of their
+    /// error at most, and within the tolerance.
+    pub(crate) fn precision_along_arcs(&self, asked: Option<Precision>) -> Precision {
+        let Some(Closeness { arcs, .. }) = self.closeness else {
+            return Precision::Full;
+        };
+        match asked {
+            Some(asked) if asked.farthest_moved() <= arcs.room => asked,
+            _ => {
+                let bounds = self.bounding_box().unwrap_or(Rect::ZERO);
+                let part = if arcs.error > 0.0 {
+                    0.1 * arcs.error
+                } else {
+                    VISIBLE * bounds.width().max(bounds.height())
+                };
+                let largest = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
+                let largest = largest
+                    .into_iter()
+                    .fold(0.0, |most: f64, x| most.max(x.abs()));
+                Precision::moving_at_most(part.min(arcs.room), largest)
+            }
+        }
+    }
+
+    /// The description where what lies between the ends of arcs moves so far.
+    pub(crate) fn described_with_arcs_moved(&self, style: &Style, moved: f64) -> String {
+        let described = self.described(style);
+        match self.closeness {
+            Some(Closeness { lines, arcs }) if moved > 0.0 => {
+                let error = lines.error.max(arcs.error + moved);
+                described.replace(&within(lines.error), &within(error))
+            }
+            _ => described,
+        }
     }
 
     /// The description, and how what is shown is to be read.

@@ -121,7 +121,10 @@ impl Mark {
         Ok(match self {
             Self::Curve(curve) => Cow::Borrowed(std::slice::from_ref(curve)),
             Self::Path(curves) => Cow::Borrowed(curves),
-            Self::Arcs(courses) => Cow::Owned(courses.iter().map(along).collect::<Result<_>>()?),
+            Self::Arcs(courses) => {
+                let along = |course| along(course, Precision::Full);
+                Cow::Owned(courses.iter().map(along).collect::<Result<_>>()?)
+            }
             Self::Truth(outline) => Cow::Owned(vec![finely(outline)?]),
             Self::Dot(dot) => {
                 let circle = crate::shape::Circle::new(dot.center, dot.radius)?;
@@ -145,13 +148,16 @@ impl Mark {
     }
 }
 
-/// Lines and arcs as a curve, its arcs as [`finely`] has them.
-pub(super) fn along(course: &Course) -> Result<Curve> {
+/// Lines and arcs as a curve, its arcs as [`finely`] has them, what lies between their ends rounded.
+pub(super) fn along(course: &Course, precision: Precision) -> Result<Curve> {
     let mut segments = Vec::new();
     let mut from = course.start;
     for step in &course.steps {
         match step.outline(from) {
-            Some(outline) => segments.extend(finely(&outline)?.segments),
+            Some(outline) => {
+                let curve = finely(&outline)?.rounded(precision, &[from, step.to()]);
+                segments.extend(curve.segments);
+            }
             None => segments.push(PathSeg::Line(Line::new(from, step.to()))),
         }
         from = step.to();
@@ -172,6 +178,21 @@ fn finely(outline: &Outline) -> Result<Curve> {
 }
 
 impl Scene {
+    /// Makes Béziers of all arcs, within 1e-9 of their radii before their points are rounded.
+    ///
+    /// # Errors
+    ///
+    /// Where an arc is such that a curve along it could not be drawn either.
+    pub(crate) fn draw_arcs_as_curves(&mut self, precision: Precision) -> Result<()> {
+        for mark in self.groups.iter_mut().flat_map(|group| &mut group.marks) {
+            if let Mark::Arcs(courses) = mark {
+                let along = |course: &Course| along(course, precision);
+                *mark = Mark::Path(courses.iter().map(along).collect::<Result<_>>()?);
+            }
+        }
+        Ok(())
+    }
+
     /// The mark as Béziers; the points of what is shown beside the curve with as many decimals as a picture can show.
     ///
     /// # Errors

@@ -35,22 +35,27 @@ pub(crate) fn path_summary(drawing: &PathDrawing) -> String {
     let steps = drawing.courses().map(|course| course.steps.len());
     let segments: usize = segments.chain(steps).sum();
     let has_arcs = drawing.subpaths.iter().any(|path| !path.truths.is_empty());
-    let closeness = match drawing.error().peak() {
-        0.0 => "exact".to_owned(),
-        peak => format!(
-            "{}within {}",
-            match drawing.maker {
-                Maker::Rule(rule) if has_arcs => format!("arcs by {}, ", rule.id()),
-                Maker::Rule(_) | Maker::Lines | Maker::Arcs => String::new(),
-            },
-            significant(rounded_up(peak, 3), 3)
-        ),
+    let peak = drawing.error().peak();
+    let closeness = match drawing.maker {
+        Maker::Rule(rule) if has_arcs && peak > 0.0 => {
+            format!("arcs by {}, {}", rule.id(), within(peak))
+        }
+        Maker::Rule(_) | Maker::Lines | Maker::Arcs => within(peak),
     };
     format!(
         "path of {count} subpath{}: {segments} segment{}, {closeness}",
         plural(count),
         plural(segments)
     )
+}
+
+/// How closely a path was drawn, the figure rounded up.
+pub(super) fn within(error: f64) -> String {
+    if error == 0.0 {
+        "exact".to_owned()
+    } else {
+        format!("within {}", significant(rounded_up(error, 3), 3))
+    }
 }
 
 const fn plural(count: usize) -> &'static str {

@@ -173,6 +173,40 @@ fn fine_chords_stay_within_the_tolerance_far_from_the_origin() {
 }
 
 #[test]
+fn arcs_that_are_drawn_as_curves_have_few_decimals() {
+    let stated = |text: &str| -> f64 {
+        let (_, rest) = text.split_once(", within ").unwrap();
+        rest.lines().next().unwrap().parse().unwrap()
+    };
+    let curve = "M0 0C0 30 40 60 80 10";
+    for (tolerance, precision, most) in [
+        ("1", None, 2),
+        ("0.01", None, 4),
+        ("1", Some("3"), 3),
+        ("0.01", Some("1"), 4),
+    ] {
+        let mut words = vec!["path", curve, "--to", "arcs", "-t", tolerance, "-f", "eps"];
+        words.extend(
+            precision
+                .filter(|_| tolerance == "1")
+                .map_or(vec![], |p| vec!["-p", p]),
+        );
+        let eps = printed(&words);
+        let points = eps.lines().filter(|line| line.ends_with(" curveto"));
+        let numbers =
+            points.flat_map(|line| line.split(' ').filter_map(|word| word.parse::<f64>().ok()));
+        let decimals = numbers.map(curveto::number::decimals_of).max().unwrap();
+        assert!((1..=most).contains(&decimals), "{words:?} {eps}");
+        let within = stated(&eps);
+        assert!(within <= tolerance.parse().unwrap(), "{words:?} {within}");
+        let mut words = words.clone();
+        words[7] = "json";
+        let json = printed(&words);
+        assert!(json.contains("\"arc\""), "{json}");
+    }
+}
+
+#[test]
 fn a_part_of_a_box_is_one_of_the_box_of_the_arc_and_not_of_its_circle() {
     // A thousandth of half of 100 and not of the radius.
     let arc = "M0 0A1e4 1e4 0 0 1 100 0";
