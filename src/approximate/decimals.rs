@@ -72,3 +72,39 @@ impl<C: Cutting> Known<'_, C> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::joints::cutting::EqualPieces;
+    use crate::{Angle, Ellipse, Shape};
+
+    #[test]
+    fn lobes_tell_where_coordinates_leave_them_their_digits() {
+        let ellipse = Ellipse::new((0.0, 0.0), (100.0, 40.0), Angle::ZERO).unwrap();
+        let outline = Shape::Ellipse(ellipse).outline().unwrap();
+        let cutting = EqualPieces::new(outline.unit, 12).unwrap();
+        let tells = |told, largest: f64| {
+            let known = Known {
+                rule: Rule::default(),
+                truth: &outline.truth,
+                axes: outline.axes(),
+                cutting: &cutting,
+                peak: None,
+                told,
+            };
+            known.by_lobes(largest).is_some()
+        };
+        // The peak is 1e-3 or so, and counts from 4000 roundings of the larger radius and the largest coordinate on.
+        for told in [None, Some(1e-5)] {
+            assert!(tells(told, 100.0) && tells(told, 1e7));
+            assert!(!tells(told, 1e10));
+        }
+        let most = 1e-3 / (4000.0 * f64::EPSILON) - 100.0;
+        assert!(tells(Some(1e-5), 0.999 * most) && !tells(Some(1e-5), 1.001 * most));
+        let near = 1e-13;
+        assert!(tells(Some(1.001 * 4000.0 * f64::EPSILON * 2.0), 100.0));
+        assert!(!tells(Some(0.999 * 4000.0 * f64::EPSILON * 2.0), 100.0));
+        assert!(!tells(Some(near), 1.0));
+    }
+}

@@ -8,6 +8,8 @@ use std::process::Command;
 
 use curveto::document::{self, Options};
 
+use crate::judges::program::run_in;
+
 fn svg(inner: &str) -> String {
     format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 200 200">{inner}</svg>"#
@@ -538,4 +540,71 @@ fn path_data_of_android_stay_where_they_may_not_change() {
     let alpha = drawable(&alpha);
     let out = document::convert(&alpha, &Options::default()).unwrap();
     assert_eq!((out.replaced.path, out.notes.len()), (1, 0));
+}
+
+/// What is said of the first element that is left in a drawing of this content.
+fn first_said(content: &str, options: &[&str]) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let (doctype, content) = content
+        .split_once("]>")
+        .map_or((String::new(), content), |(d, c)| (format!("{d}]>"), c));
+    let svg = format!("{doctype}<svg xmlns='http://www.w3.org/2000/svg'>{content}</svg>");
+    std::fs::write(folder.path().join("a.svg"), svg).unwrap();
+    let output = run_in(folder.path(), &[&["convert", "a.svg"], options].concat());
+    let said = String::from_utf8(output.stderr).unwrap();
+    let first = said.lines().next().unwrap_or_default();
+    first
+        .split_once(" is left: ")
+        .map_or("", |(_, why)| why)
+        .to_owned()
+}
+
+#[test]
+fn every_reason_is_said_where_it_holds() {
+    let link = "<x:link xmlns:x='http://www.w3.org/1999/xhtml'";
+    let full = "M10 0C10 5.5228 5.5228 10 0 10C-5.5228 10 -10 5.5228 -10 0";
+    let rows: [(String, &[&str], &str); 22] = [
+        (format!("{link} rel='Stylesheet' href='a.css'/><circle r='5'/>"), &[], "an external style sheet"),
+        (format!("{link} href='a.css'/><circle r='5'/>"), &[], "an external style sheet"),
+        (format!("{link} rel='icon' href='a.png'/><circle r='5'/>"), &[], ""),
+        ("<style>@import url(a.css);</style><circle r='5'/>".into(), &[], "an external style sheet"),
+        ("<script/><circle r='5'/>".into(), &[], "a script or an event handler"),
+        ("<g onload='f()'/><circle r='5'/>".into(), &[], "a script or an event handler"),
+        // A class that may come holds back what has none yet.
+        ("<style>.a:not(path){fill:red}</style><circle r='5'/>".into(), &[], ""),
+        (
+            "<style>.a:not(path){fill:red}</style><circle r='5'><set attributeName='class' to='a'/></circle>".into(),
+            &[],
+            "the style selector `path` may depend on its name",
+        ),
+        ("<circle r='0.001'/>".into(), &["--precision", "1"], "it would collapse"),
+        ("<circle r='1e308' cx='1e308'/>".into(), &[], "its coordinates are too large"),
+        ("<ellipse rx='1e200' ry='1' cx='3'/>".into(), &[], "its coordinates are too large"),
+        ("<path d='M1e308 0a1 1 0 0 1 1e308 1'/>".into(), &[], "the end point 1e308 is too large"),
+        ("<path d='M50 50A5 5 0 1 1 50.0000001 50'/>".into(), &[], "its ends are one point in single precision"),
+        ("<path d='M0 0A5 5 0 0 1 5 5 S 1 2 3'/>".into(), &[], "the path data have an error between this arc"),
+        ("<!DOCTYPE svg [<!ATTLIST path fill CDATA 'red'>]><circle r='5'/>".into(), &[], "the DTD declares attribute defaults"),
+        ("<!DOCTYPE svg [<!ENTITY e '<style/>'>]>&e;<circle r='5'/>".into(), &[], "an entity in the content"),
+        ("<!DOCTYPE svg [<!ENTITY e SYSTEM 'x.svg'>]>&e;<circle r='5'/>".into(), &[], "an entity in the content"),
+        ("<!DOCTYPE svg [<!ENTITY e 'text'>]>&e;<circle r='5'/>".into(), &[], ""),
+        (format!("<path marker-mid='url(#m)' d='{full}'/>"), &["--to", "arcs"], "a marker may stand on every vertex, and an arc"),
+        (format!("<path d='{full}'/>"), &["--to", "arcs"], ""),
+        (
+            format!("<style>path{{fill:red}}</style><path d='{full}C-10 -5.5228 -5.5228 -10 0 -10C5.5228 -10 10 -5.5228 10 0Z'/>"),
+            &["--to", "arcs", "--shapes"],
+            "the style selector `path` may depend on its name",
+        ),
+        (
+            format!("<path d='{full}C-10 -5.5228 -5.5228 -10 0 -10C5.5228 -10 10 -5.5228 10 0Z'/>"),
+            &["--to", "arcs", "--shapes"],
+            "",
+        ),
+    ];
+    for (content, options, why) in &rows {
+        let said = first_said(content, options);
+        assert!(
+            said.starts_with(why) && said.is_empty() == why.is_empty(),
+            "{content}: {said}"
+        );
+    }
 }

@@ -427,6 +427,43 @@ fn machines_arcs_run_as_they_are_told() {
 }
 
 #[test]
+fn refusals_name_what_was_given() {
+    for (request, why) in [
+        ("--from -6,0 --to 6,0 --radius 5", "they are 12 apart"),
+        (
+            "--through 1,1 1,1 2,2",
+            "two of the three points are the same",
+        ),
+        (
+            "--through 2,2 1,1 1,1",
+            "two of the three points are the same",
+        ),
+        ("--through 1,1 1,1 1,1", "three points are the same"),
+    ] {
+        let said = said(&format!("arc {request}"));
+        assert!(said.contains(why), "{said}");
+    }
+    assert!(!said("arc --through 1,1 1,1 2,2").contains(": three"));
+}
+
+#[test]
+fn the_ends_of_an_arc_go_through_a_map_as_they_are() {
+    let arc = parse_svg_arc("M0.1 0.2A5 5 0 0 1 3.3 4.4")
+        .unwrap()
+        .shape()
+        .unwrap();
+    let options = Options {
+        transform: Affine::new([2.0, 0.0, 1.0, 3.0, 7.0, 9.0]),
+        ..Options::default()
+    };
+    let curve = approximate(&arc, &options).unwrap().curve;
+    let end = curve.segments.last().unwrap().end();
+    for (found, expected) in [(curve.start().unwrap(), (7.4, 9.6)), (end, (18.0, 22.2))] {
+        assert!(found.distance(expected.into()) < 1e-14, "{found}");
+    }
+}
+
+#[test]
 fn three_points_on_a_circle_give_it() {
     for (start, on, end) in [
         (10.0, 50.0, 120.0),

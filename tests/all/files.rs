@@ -268,6 +268,40 @@ fn links_to_folders_are_not_walked() {
 }
 
 #[test]
+fn what_is_open_already_is_written_through() {
+    let folder = folder();
+    let script = format!(
+        "exec 3>>out; echo before >&3; echo circle 0 0 5 | '{}' batch -o /dev/fd/3; echo after >&3",
+        env!("CARGO_BIN_EXE_curveto")
+    );
+    assert!(shell(folder.path(), &script).success());
+    let out = fs::read_to_string(folder.path().join("out")).unwrap();
+    let lines: Vec<&str> = out.lines().collect();
+    assert!(lines.len() == 3 && lines[1].starts_with('M'), "{out}");
+    assert_eq!([lines[0], lines[2]], ["before", "after"]);
+}
+
+#[test]
+fn links_within_the_folder_are_followed_and_those_out_of_it_are_not() {
+    let outer = folder();
+    let inner = outer.path().join("in/deeper");
+    fs::create_dir_all(&inner).unwrap();
+    fs::write(inner.join("drawing"), SVG).unwrap();
+    symlink("deeper/drawing", outer.path().join("in/within.svg")).unwrap();
+    symlink("../a.svg", outer.path().join("in/out.svg")).unwrap();
+    let output = run_in(outer.path(), &["convert", "--in-place", "in"]);
+    assert!(output.status.success(), "{}", said(&output));
+    let left = "out.svg: is left: the link leads out of the folder";
+    assert!(said(&output).contains(left), "{}", said(&output));
+    assert!(!said(&output).contains("within.svg: is left"));
+    let drawing = fs::read_to_string(inner.join("drawing")).unwrap();
+    assert!(drawing.contains("<path"), "{drawing}");
+    let link = fs::symlink_metadata(outer.path().join("in/within.svg")).unwrap();
+    assert!(link.is_symlink());
+    assert_eq!(fs::read_to_string(outer.path().join("a.svg")).unwrap(), SVG);
+}
+
+#[test]
 fn a_mode_that_the_mask_would_not_give_is_kept() {
     let folder = folder();
     let file = folder.path().join("a.svg");
