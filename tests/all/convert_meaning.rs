@@ -563,13 +563,28 @@ fn first_said(content: &str, options: &[&str]) -> String {
 fn every_reason_is_said_where_it_holds() {
     let link = "<x:link xmlns:x='http://www.w3.org/1999/xhtml'";
     let full = "M10 0C10 5.5228 5.5228 10 0 10C-5.5228 10 -10 5.5228 -10 0";
-    let rows: [(String, &[&str], &str); 22] = [
+    let rows: [(String, &[&str], &str); 25] = [
         (format!("{link} rel='Stylesheet' href='a.css'/><circle r='5'/>"), &[], "an external style sheet"),
         (format!("{link} href='a.css'/><circle r='5'/>"), &[], "an external style sheet"),
         (format!("{link} rel='icon' href='a.png'/><circle r='5'/>"), &[], ""),
         ("<style>@import url(a.css);</style><circle r='5'/>".into(), &[], "an external style sheet"),
         ("<script/><circle r='5'/>".into(), &[], "a script or an event handler"),
         ("<g onload='f()'/><circle r='5'/>".into(), &[], "a script or an event handler"),
+        (
+            "<circle r='5'><animate attributeName='r' to='9'></animate></circle>".into(),
+            &[],
+            "an animation changes `r`",
+        ),
+        (
+            "<circle r='5'><animate attributeName='r' to='9'/></circle>".into(),
+            &[],
+            "an animation changes `r`",
+        ),
+        (
+            "<g><circle r='5'/><animate attributeName='r' to='9'></animate></g>".into(),
+            &[],
+            "",
+        ),
         // A class that may come holds back what has none yet.
         ("<style>.a:not(path){fill:red}</style><circle r='5'/>".into(), &[], ""),
         (
