@@ -31,6 +31,19 @@ fn temporary(folder: &Path) -> Vec<PathBuf> {
     entries.filter(is_temporary).collect()
 }
 
+/// The signals that end the program, with the exit codes; not those that it is told to ignore, as SIGINT in a background job of some shells.
+fn signals() -> impl Iterator<Item = (&'static str, i32)> {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))
+        .and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok())
+        .unwrap_or(0);
+    let all = [("-INT", 130), ("-TERM", 143), ("-HUP", 129)];
+    let is_heard = move |code: i32| ignored >> (code - 129) & 1 == 0;
+    all.into_iter().filter(move |&(_, code)| is_heard(code))
+}
+
 fn kill(child: &Child, signal: &str) {
     let status = Command::new("kill")
         .args([signal, &child.id().to_string()])
@@ -356,7 +369,7 @@ fn batch_waits_for_a_reader_that_stops_and_ends_when_it_goes() {
 
 #[test]
 fn every_signal_ends_a_run_between_files() {
-    for (signal, code) in [("-INT", 130), ("-TERM", 143), ("-HUP", 129)] {
+    for (signal, code) in signals() {
         let folder = tempfile::tempdir().unwrap();
         for i in 0..40 {
             fs::write(folder.path().join(format!("{i:02}.svg")), drawing(3000)).unwrap();
@@ -397,7 +410,7 @@ fn first_line_answered(folder: &Path, child: &mut Child) -> std::process::ChildS
 
 #[test]
 fn a_signal_removes_what_batch_was_writing_and_leaves_the_old_file() {
-    for (signal, code) in [("-INT", 130), ("-TERM", 143), ("-HUP", 129)] {
+    for (signal, code) in signals() {
         let folder = tempfile::tempdir().unwrap();
         let old = folder.path().join("shapes.json");
         fs::write(&old, "old").unwrap();
