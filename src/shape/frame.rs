@@ -352,6 +352,12 @@ impl Exact {
         first * v.x + second * v.y
     }
 
+    /// The product of the radii of an ellipse.
+    pub(crate) fn area(&self) -> f64 {
+        let [a, b] = self.columns();
+        cross(a, b).value().abs() / self.unit
+    }
+
     /// What the unit vectors of the frame are there.
     pub(crate) fn columns(&self) -> [Twice; 2] {
         let [a, b] = self.radii.map_or([1.0; 2], |radii| [radii.x, radii.y]);

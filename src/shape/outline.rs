@@ -215,16 +215,26 @@ impl Outline {
         }
         let center = mapped(map, self.truth.center);
         let placement = (map * self.placement).with_translation(center.to_vec2());
+        let mut truth = Truth {
+            frame: self.truth.frame.mapped(map),
+            ..Truth::of(placement)?
+        };
+        if cancels(placement) && !truth.is_circle() {
+            truth.radii.y = truth.frame.exact(truth.radii).area() / truth.radii.x;
+        }
         Ok(Self {
             placement,
-            truth: Truth {
-                frame: self.truth.frame.mapped(map),
-                ..Truth::of(placement)?
-            },
+            truth,
             ends: self.ends.map(|ends| ends.map(|end| mapped(map, end))),
             ..self
         })
     }
+}
+
+/// Whether so much cancels in the determinant of a map that nearly flattens the plane that its digits do not suffice.
+fn cancels(map: Affine) -> bool {
+    let [a, b, c, d, ..] = map.as_coeffs();
+    map.determinant().abs() < 0.5 * ((a * d).abs() + (b * c).abs())
 }
 
 /// The image of a point.
