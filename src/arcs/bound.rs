@@ -10,6 +10,7 @@ use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 use super::near::to_unit;
 use super::piece::{away, cubic_from_chord, height_and_overshoot, longer};
 use crate::measure::radial;
+use crate::numeric::bernstein::halves;
 use crate::shape::{Arc, Given, Truth};
 
 /// The part of the least radius of curvature of an ellipse within which its normals do not meet.
@@ -95,8 +96,7 @@ fn is_surely_within(cubic: &CubicBez, ends: [Point; 2], arc: &Arc, limit: f64) -
         p[2].dot(p[3]) - square,
         p[3].hypot2() - square,
     ];
-    let halves = halved(coefficients);
-    let quarters = halves.map(halved);
+    let quarters = halves(coefficients).map(halves);
     let largest = quarters
         .iter()
         .flatten()
@@ -105,18 +105,6 @@ fn is_surely_within(cubic: &CubicBez, ends: [Point; 2], arc: &Arc, limit: f64) -
     // From inside, r - sqrt(r² - e) = e / (r + sqrt(r² - e)).
     let inner = (square - largest).max(0.0).sqrt();
     largest / (radius + inner) + NOISE * radius < limit
-}
-
-/// Both halves of a polynomial of degree 6 by its Bernstein coefficients.
-fn halved(mut rest: [f64; 7]) -> [[f64; 7]; 2] {
-    let (mut first, mut last) = ([0.0; 7], [0.0; 7]);
-    for i in 0..7 {
-        (first[i], last[6 - i]) = (rest[0], rest[6 - i]);
-        for j in 0..6 - i {
-            rest[j] = 0.5 * (rest[j] + rest[j + 1]);
-        }
-    }
-    [first, last]
 }
 
 fn is_circle(arc: &Arc) -> bool {

@@ -295,6 +295,19 @@ impl Polynomial {
     }
 }
 
+/// The coefficients of both halves, by de Casteljau's algorithm.
+#[inline]
+pub(crate) fn halves<const N: usize>(mut after: [f64; N]) -> [[f64; N]; 2] {
+    let mut before = after;
+    for (k, last) in before.iter_mut().enumerate().skip(1) {
+        for i in 0..N - k {
+            after[i] = 0.5 * (after[i] + after[i + 1]);
+        }
+        *last = after[0];
+    }
+    [before, after]
+}
+
 /// De Casteljau's algorithm but for its last step.
 #[inline(always)]
 fn casteljau(mut work: [f64; MOST], degree: usize, t: f64) -> [f64; 2] {

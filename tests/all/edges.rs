@@ -36,6 +36,13 @@ fn circle(radius: f64) -> Shape {
     Shape::Circle(Circle::new((0.0, 0.0), radius).unwrap())
 }
 
+/// An arc of the ellipse whose radii are 100 and a part of that.
+fn flat_arc(part: f64, start: f64, sweep: f64) -> Arc {
+    let radii = (100.0, 100.0 * part);
+    let [none, start, sweep] = [0.0, start, sweep].map(degrees);
+    Arc::new((0.0, 0.0), radii, none, start, sweep).unwrap()
+}
+
 fn within(tolerance: f64) -> Cut {
     Cut::Tolerance(Tolerance::Absolute(tolerance))
 }
@@ -610,15 +617,7 @@ fn no_cut_that_can_be_asked_for_has_fewer_segments() {
             (0.01, -50.0, 300.0),
             (0.7, 5.0, 80.0),
         ] {
-            let radii = (100.0, 100.0 * flat);
-            let arc = Arc::new(
-                (0.0, 0.0),
-                radii,
-                degrees(0.0),
-                degrees(start),
-                degrees(sweep),
-            );
-            let shape = Shape::Arc(arc.unwrap());
+            let shape = Shape::Arc(flat_arc(flat, start, sweep));
             for exponent in 0..8 {
                 let tolerance = 7.7 * libm::pow(10.0, -0.6 * f64::from(exponent));
                 let ours = drawn(&shape, method, within(tolerance), None);
@@ -650,15 +649,7 @@ fn errors_are_alike_wherever_a_shape_starts() {
         (0.4, -60.0, 120.0, [4, 5]),
         (0.4, 60.0, -120.0, [4, 5]),
     ] {
-        let radii = (100.0, 100.0 * flat);
-        let arc = Arc::new(
-            (0.0, 0.0),
-            radii,
-            degrees(0.0),
-            degrees(start),
-            degrees(sweep),
-        )
-        .unwrap();
+        let arc = flat_arc(flat, start, sweep);
         for count in counts {
             let shape = Shape::Arc(arc);
             let full = Some(Precision::Full);

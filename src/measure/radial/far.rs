@@ -46,17 +46,12 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             let depths = points.map(|p| -self.beyond(tangent, p));
             depths.into_iter().fold(0.0, f64::max)
         });
-        let mut bounds = [
+        let bounds = [
             found.iter().map(|(_, [_, high])| *high).fold(0.0, f64::max),
             deepest.into_iter().fold(f64::INFINITY, f64::min),
         ];
         // The coefficients of F have the right signs.
-        let [low, high] = part.excess_range();
-        for (bound, none) in bounds.iter_mut().zip([high <= 0.0, low >= 0.0]) {
-            if none {
-                *bound = 0.0;
-            }
-        }
+        let bounds = on_sides(part.excess_range(), bounds);
         if self.open(&part, bounds, self.last_place) != [false; 2] {
             self.leave(&part, cuts, bounds);
         }
@@ -65,11 +60,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// The same by the digits of `f64`, and first by the length of the part and the distance of its middle. `None` where it does not lie farther
     /// than what is known.
     fn bounds_roughly(&mut self, part: &Part, middle: &Motion<f64>) -> Option<Roughly> {
-        let [low, high] = part.certain_excess();
-        let on_sides = |[outer, inner]: [f64; 2]| {
-            let bound = |may_be: bool, bound: f64| if may_be { bound } else { 0.0 };
-            [bound(high > 0.0, outer), bound(low < 0.0, inner)]
-        };
+        let excess = part.certain_excess();
         let points = part.polygon(self.center).map(|q| self.image(q));
         let size = points.iter().map(|p| p.hypot()).fold(0.0, f64::max);
         let slack = {
@@ -80,7 +71,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         let inner = self.foot_roughly(place, slack);
         let reach = points.iter().map(|&p| (p - place).hypot());
         let reach = reach.fold(0.0, f64::max) + slack;
-        let by_length = on_sides([inner.distance + reach, reach - inner.distance]);
+        let by_length = on_sides(excess, [inner.distance + reach, reach - inner.distance]);
         if !self.known.is_any_open(by_length) {
             return None;
         }
@@ -96,7 +87,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             if is_known { most } else { f64::INFINITY }
         });
         let deepest = deepest.into_iter().fold(f64::INFINITY, f64::min);
-        let by_points = on_sides([farthest + slack, deepest + slack]);
+        let by_points = on_sides(excess, [farthest + slack, deepest + slack]);
         let bounds = [0, 1].map(|side| f64::min(by_length[side], by_points[side]));
         self.known
             .is_any_open(bounds)
@@ -130,4 +121,10 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         let least = tangents.map_or(f64::NEG_INFINITY, |all| all.beyond(tangent, exactly)[0]);
         least / self.profile.larger_radius()
     }
+}
+
+/// Bounds on both sides, none where F has the other sign all along.
+fn on_sides([low, high]: [f64; 2], [outer, inner]: [f64; 2]) -> [f64; 2] {
+    let unless = |none: bool, bound: f64| if none { 0.0 } else { bound };
+    [unless(high <= 0.0, outer), unless(low >= 0.0, inner)]
 }

@@ -3,6 +3,7 @@
 use kurbo::Vec2;
 
 use crate::numeric::ball::{Ball, Number};
+use crate::numeric::bernstein::halves;
 use crate::numeric::lanes::Real;
 
 /// A part of a cubic in the frame where an ellipse is the unit circle, or several parts side by side. Derivatives are by its own parameter,
@@ -289,19 +290,6 @@ fn widened<S: Real>([low, high]: [S; 2], by: S) -> [S; 2] {
 pub(super) fn largest<const N: usize, S: Real>(numbers: &[S; N]) -> S {
     let larger = |most: S, x: &S| x.abs().larger(most);
     numbers.iter().fold(S::exact(0.0), larger)
-}
-
-/// The coefficients of both halves, by de Casteljau's algorithm.
-#[inline]
-fn halves<const N: usize>(mut after: [f64; N]) -> [[f64; N]; 2] {
-    let mut before = after;
-    for (k, last) in before.iter_mut().enumerate().skip(1) {
-        for i in 0..N - k {
-            after[i] = 0.5 * (after[i] + after[i + 1]);
-        }
-        *last = after[0];
-    }
-    [before, after]
 }
 
 /// The value and the first two derivatives at t.
