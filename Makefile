@@ -10,7 +10,7 @@ ZSHDIR = $(DESTDIR)$(PREFIX)/share/zsh/site-functions
 FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 
 .PHONY: help build install uninstall dist deb wheel clean
-.PHONY: test judges test-readers test-browser test-tex corpora test-corpora test-corpora-back kills fuzz fuzz-random coverage mutants truth numbers lint
+.PHONY: test judges test-random test-readers test-browser test-tex corpora test-corpora test-corpora-back kills fuzz fuzz-random coverage mutants truth numbers lint
 .PHONY: golden gallery
 .PHONY: bench bench-startup bench-convert growth-convert scale
 
@@ -54,6 +54,8 @@ clean: ## Remove everything that was built
 
 # ---- Test
 
+# The same random cases every time, so that a change decides and not chance; test-random tries others.
+test: export PROPTEST_RNG_SEED ?= 1
 test: judges ## Run all tests; Ghostscript and Poppler are among the judges and are installed where that is possible
 	$(CARGO) test --locked
 
@@ -69,6 +71,12 @@ judges:
 			echo 'install them first: brew install ghostscript poppler, dnf install ghostscript poppler-utils, pacman -S ghostscript poppler, apk add ghostscript poppler-utils'; \
 			exit 1; \
 		fi; }
+
+RUNS ?= 20
+RANDOM_TESTS = $(subst /,::,$(patsubst src/%.rs,%::,$(patsubst tests/all/%.rs,%::,$(shell grep -rl 'proptest!' src tests/all))))
+
+test-random: ## Run the tests of random cases RUNS=20 times, with other cases each time
+	for run in $$(seq $(RUNS)); do $(CARGO) test --locked --lib --test all -- $(RANDOM_TESTS) || exit 1; done
 
 test-readers: build ## Read our DXF files by ezdxf and our glyphs by fontTools, which come from PyPI
 	python3 -m venv target/readers

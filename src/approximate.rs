@@ -289,11 +289,8 @@ impl<'a> Request<'a> {
             .method()
             .filter(|method| method.sees_ellipse() && !self.outline.truth.is_circle());
         if let Cut::At(_) = self.options.cut
-            && let Some(mut largest) = rule.largest_uneven_angle()
+            && let Some(largest) = rule.largest_uneven_angle(axes.short)
         {
-            if best_on_ellipse.is_some() {
-                largest = ellipse::largest_angle(axes.short).unwrap_or(largest);
-            }
             joints.check_distances(rule, largest)?;
         }
         match best_on_ellipse {

@@ -25,6 +25,9 @@ const MOST_TRIES: usize = 64;
 /// How many counts are tried from the one on that marching takes.
 const MOST_BEYOND: usize = 8;
 
+/// How many counts below that one are tried where the marched joints may be too many.
+const BELOW: usize = 2;
+
 /// How far beyond a tolerance, as a part of it, all joints are tried that rounding may bring within.
 const LUCK: f64 = 1.03;
 
@@ -229,26 +232,31 @@ impl Request<'_> {
         let least = balance.least(allowed);
         let is_told = least.is_some();
         let first = least.as_ref().map(|least| least.count);
-        let first = first.or_else(|| marched.least_count())?;
+        let mut first = first.or_else(|| marched.least_count())?;
+        if !is_told && balance.may_take_fewer(allowed) {
+            first = first.saturating_sub(BELOW).max(1);
+        }
         let mut begun = least.map(|least| least.level);
-        (first..=MOST_SEGMENTS).take(MOST_BEYOND).find_map(|count| {
-            let adaptive = balance.joints_from(count, begun.take());
-            let equal = || within(Joints::equal(&self.outline.unit, count).ok()?);
-            let greedy = || {
-                // What rounding would have to bring far is not worth a march.
-                let near = LUCK * tolerance / radius;
-                let least = || balance.least(near).map(|least| least.count);
-                if is_told && least() > Some(count) {
-                    return None;
-                }
-                let mut all = marched.of_count(count);
-                all.find_map(|joints| within(joints.clone()))
-            };
-            let adaptive = adaptive
-                .ok()
-                .and_then(|(joints, told)| within_if_told(joints, told));
-            adaptive.or_else(equal).or_else(greedy)
-        })
+        (first..=MOST_SEGMENTS)
+            .take(BELOW + MOST_BEYOND)
+            .find_map(|count| {
+                let adaptive = balance.joints_from(count, begun.take());
+                let equal = || within(Joints::equal(&self.outline.unit, count).ok()?);
+                let greedy = || {
+                    // What rounding would have to bring far is not worth a march.
+                    let near = LUCK * tolerance / radius;
+                    let least = || balance.least(near).map(|least| least.count);
+                    if is_told && least() > Some(count) {
+                        return None;
+                    }
+                    let mut all = marched.of_count(count);
+                    all.find_map(|joints| within(joints.clone()))
+                };
+                let adaptive = adaptive
+                    .ok()
+                    .and_then(|(joints, told)| within_if_told(joints, told));
+                adaptive.or_else(equal).or_else(greedy)
+            })
     }
 
     /// The counts that may be the fewest, ascending.

@@ -110,13 +110,18 @@ impl Balance {
             axis: axes.angle,
             order: f64::from(card.order),
             root: libm::pow(axes.short, 1.0 / f64::from(card.order)),
-            largest_angle: card.largest_angle,
+            largest_angle: rule.largest_uneven_angle(axes.short)?,
         })
     }
 
     /// Whether the ellipse is so flat that a longer segment may err less than a shorter one for its sharp ends.
     pub(crate) fn is_sharp(&self) -> bool {
         self.errors.is_sharp()
+    }
+
+    /// Whether fewer segments than marching takes may be within an error, over the larger radius: where the first order does not tell it.
+    pub(crate) fn may_take_fewer(&self, allowed: f64) -> bool {
+        !self.errors.is_quick() && self.errors.is_rough(allowed)
     }
 
     /// This many degrees after the start, counted upwards from the short axis: that leaves every distance as it is.
@@ -215,7 +220,7 @@ impl Balance {
         let count = pieces as f64;
         let mut joints = Vec::with_capacity(pieces + 1);
         let mut allowed = self.error(0.0, whole / count);
-        if self.errors.is_rough(allowed) {
+        if self.errors.is_worth_a_look(allowed) {
             return Some((self.narrowed(whole, pieces)?, None));
         }
         for _ in 0..MOST_STEPS {

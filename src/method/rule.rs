@@ -3,7 +3,9 @@
 use crate::error::{Error, Remedy, Result};
 use crate::radial_error::RadialError;
 
-use super::{Degree, Degrees, Ends, Iteration, Method, Piece, Quadrature, Span, chen, tangent};
+use super::{
+    Degree, Degrees, Ends, Iteration, Method, Piece, Quadrature, Span, chen, ellipse, tangent,
+};
 
 /// What gives the control points: a method of the catalogue or a number of the user's own.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,8 +50,9 @@ impl Rule {
         }
     }
 
-    /// The largest angle of a piece among others of other angles, in degrees, where it serves such.
-    pub(crate) fn largest_uneven_angle(self) -> Option<f64> {
+    /// The largest angle of a piece among others of other angles, in degrees, where it serves such, on an ellipse of this ratio of
+    /// the smaller to the larger radius.
+    pub(crate) fn largest_uneven_angle(self, short: f64) -> Option<f64> {
         let Some(method) = self.method() else {
             return Some(180.0);
         };
@@ -57,6 +60,9 @@ impl Rule {
         match method {
             Method::LancasterBest | Method::LancasterDrawellipse => None,
             Method::Chen1 => Some(180.0),
+            Method::MinimaxEllipse if short < 1.0 => {
+                Some(ellipse::largest_angle(short).unwrap_or(card.largest_angle))
+            }
             _ => (card.ends == Ends::OnCircle).then_some(card.largest_angle),
         }
     }

@@ -183,16 +183,62 @@ proptest! {
         flatness in (2e-3_f64.ln()..-0.1).prop_map(f64::exp),
         exponent in -4.0..0.0_f64,
     ) {
-        let tolerance = 10_f64.powf(exponent);
         let shape = ellipse(flatness, 0.0);
-        let draw = |cut| {
-            let precision = Some(Precision::Full);
-            approximate(&shape, &Options { rule: method.into(), cut, precision, transform: Affine::IDENTITY }).unwrap()
+        let [found, fewer] = fewer(&shape, method, 10_f64.powf(exponent), |count| (count % 2 == 0).then_some(Cut::Adaptive(count)));
+        prop_assert!(fewer == found, "{fewer} would do, {found} are taken");
+    }
+
+    /// Of any method: where marching finds no end, or the first order does not tell a coarse error, equal angles were better.
+    #[test]
+    fn no_lower_count_of_equal_angles_meets_the_tolerance(
+        method in prop::sample::select(Method::ALL.to_vec()),
+        flatness in (2e-3_f64.ln()..-0.1).prop_map(f64::exp),
+        (start, sweep) in prop_oneof![Just((0.0, 360.0)), (0.0..360.0_f64, -360.0..360.0_f64)],
+        exponent in -3.0..1.0_f64,
+    ) {
+        let shape = elliptic_arc((100.0, 100.0 * flatness), start, sweep);
+        let [found, fewer] = fewer(&shape, method, 10_f64.powf(exponent), |count| Some(Cut::Count(count)));
+        prop_assert!(fewer == found, "{fewer} would do, {found} are taken");
+    }
+}
+
+/// The count that is taken for a tolerance, and the least up to it of some cuts that is within it, where the method serves.
+fn fewer(
+    shape: &Shape,
+    method: Method,
+    tolerance: f64,
+    cut: impl Fn(usize) -> Option<Cut>,
+) -> [usize; 2] {
+    let draw = |cut| {
+        let options = Options {
+            rule: method.into(),
+            cut,
+            precision: Some(Precision::Full),
+            ..Options::default()
         };
-        let found = draw(Cut::Tolerance(Tolerance::Absolute(tolerance))).curve.segments.len();
-        for fewer in (2..found).filter(|count| count % 2 == 0) {
-            prop_assert!(draw(Cut::Adaptive(fewer)).error.peak() > tolerance, "{fewer} would do, {found} are taken");
-        }
+        approximate(shape, &options)
+    };
+    let found = draw(Cut::Tolerance(Tolerance::Absolute(tolerance)));
+    let found = found.map_or(60, |drawing| drawing.curve.segments.len());
+    let is_within = |&count: &usize| {
+        let drawing = cut(count).map(&draw);
+        drawing.is_some_and(|drawing| drawing.is_ok_and(|it| it.error.peak() <= tolerance))
+    };
+    [found, (1..found).find(is_within).unwrap_or(found)]
+}
+
+#[test]
+fn coarse_tolerances_of_flat_ellipses_take_what_equal_angles_need() {
+    for (method, flatness, tolerance, least) in [
+        (Method::MinimaxEllipse, 0.05, 0.1, 3),
+        (Method::MinimaxEllipse, 0.067, 0.086, 3),
+        (Method::QuadraticMidpoint, 0.02, 0.371_438_076_722_039_7, 3),
+    ] {
+        let count = within(&ellipse(flatness, 0.0), method, tolerance)
+            .curve
+            .segments
+            .len();
+        assert_eq!(count, least, "{method:?} {flatness} {tolerance}");
     }
 }
 

@@ -117,9 +117,14 @@ impl Errors {
         radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt()
     }
 
-    /// Whether the first order does not tell errors of this size, and the method's formula is short enough to find out.
+    /// Whether the first order does not tell errors of this size, over the larger radius.
     pub(super) fn is_rough(&self, error: f64) -> bool {
-        self.is_quick && error > FIRST_ORDER * self.short * self.short
+        error > FIRST_ORDER * self.short * self.short
+    }
+
+    /// The same, where the method's formula is short enough to find out.
+    pub(super) fn is_worth_a_look(&self, error: f64) -> bool {
+        self.is_quick && self.is_rough(error)
     }
 }
 

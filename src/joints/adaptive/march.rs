@@ -167,7 +167,7 @@ impl Balance {
         joints.clear();
         joints.push(0.0);
         let (mut way, mut size) = (0.0, whole.min(30.0));
-        let is_rough = self.errors.is_rough(allowed);
+        let is_rough = self.errors.is_worth_a_look(allowed);
         let safe = is_rough.then(|| self.safe(allowed));
         loop {
             size = self

@@ -84,8 +84,11 @@ fn rough_and_sharp_are_told_by_their_edges() {
         assert_eq!(errors(Method::Minimax, short).is_sharp(), is_sharp);
         for (part, is_rough) in [(0.99, false), (1.01, true)] {
             let error = part * 1e-4 * short * short;
-            assert_eq!(errors(Method::Minimax, short).is_rough(error), is_rough);
-            assert!(!errors(Method::MinimaxG0, short).is_rough(error));
+            assert_eq!(
+                errors(Method::Minimax, short).is_worth_a_look(error),
+                is_rough
+            );
+            assert!(!errors(Method::MinimaxG0, short).is_worth_a_look(error));
         }
     }
 }

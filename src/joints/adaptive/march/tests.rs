@@ -116,7 +116,7 @@ fn where_longer_segments_may_err_less_the_longest_is_looked_for() {
         let balance = balance(Method::Minimax, flatness, 0.0, 350.0);
         for exponent in 0..5 {
             let allowed = flatness * flatness * libm::pow(10.0, -0.7 * f64::from(exponent) - 0.5);
-            assert!(balance.errors.is_rough(allowed));
+            assert!(balance.errors.is_worth_a_look(allowed));
             let safe = balance.safe(allowed);
             for way in (0..35).map(|i| f64::from(i) * 9.7) {
                 let most = f64::min(180.0, 350.0 - way);
@@ -168,7 +168,7 @@ fn a_march_takes_segments_of_the_error_to_the_end() {
             let last = joints[joints.len() - 1];
             let size = (300.0 - last) / part;
             let error = balance.error(last, size);
-            let is_rough = balance.errors.is_rough(allowed);
+            let is_rough = balance.errors.is_worth_a_look(allowed);
             assert!(is_rough || (error / allowed - 1.0).abs() < 1e-3, "{error}");
             let few = balance.march(300.0, allowed, 3, &mut joints);
             assert!(joints.len() == 4 && few > 3.0, "{few}");
