@@ -287,3 +287,43 @@ impl Cutting for Joints {
         self.sign
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_end_where_the_arc_does() {
+        let degrees = Angle::from_degrees;
+        for sign in [1.0, -1.0] {
+            let arc = UnitArc {
+                start: degrees(20.0),
+                sweep: degrees(sign * 90.0),
+                closed: false,
+            };
+            // Beside an end there is none.
+            let ways = [
+                -5e-7,
+                0.0,
+                5e-7,
+                40.0,
+                40.0 + 5e-7,
+                90.0 - 5e-7,
+                90.0,
+                90.0 + 5e-7,
+                200.0,
+            ];
+            let extremes = ways.map(|way| degrees(20.0 + sign * way));
+            let pieces = Joints::pieces(&arc, &extremes);
+            assert_eq!([pieces[0], pieces[2]], [0.0, 90.0], "{pieces:?}");
+            assert!(pieces.len() == 3 && (pieces[1] - 40.0).abs() < 1e-12);
+        }
+        let closed = UnitArc {
+            start: degrees(20.0),
+            sweep: degrees(360.0),
+            closed: true,
+        };
+        let pieces = Joints::pieces(&closed, &[0.0, 90.0, 180.0].map(degrees));
+        assert_eq!(pieces, [70.0, 160.0, 340.0, 430.0]);
+    }
+}

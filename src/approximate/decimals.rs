@@ -76,6 +76,7 @@ impl<C: Cutting> Known<'_, C> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::joints::Joints;
     use crate::joints::cutting::EqualPieces;
     use crate::{Angle, Ellipse, Shape};
 
@@ -95,6 +96,15 @@ mod tests {
             };
             known.by_lobes(largest).is_some()
         };
+        // However the pieces are kept.
+        let joints = Joints::equal(&outline.unit, 12).unwrap();
+        let by = |told: Option<[f64; 2]>| told.unwrap();
+        let sizes = [100.0, 200.0];
+        let (rule, axes) = (Rule::default(), outline.axes());
+        assert_eq!(
+            by(adaptive::nearly(rule, axes, sizes, &joints)),
+            by(adaptive::nearly(rule, axes, sizes, &cutting))
+        );
         // The peak is 1e-3 or so, and counts from 4000 roundings of the larger radius and the largest coordinate on.
         for told in [None, Some(1e-5)] {
             assert!(tells(told, 100.0) && tells(told, 1e7));

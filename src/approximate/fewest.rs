@@ -340,3 +340,6 @@ impl Request<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod checks;

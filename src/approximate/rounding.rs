@@ -41,7 +41,7 @@ impl Request<'_> {
     }
 
     /// How far the precision that was asked for moves the ends of an arc.
-    fn ends_moved(&self) -> f64 {
+    pub(super) fn ends_moved(&self) -> f64 {
         let unit = &self.outline.unit;
         let Some(precision) = self.options.precision.filter(|_| !unit.closed) else {
             return 0.0;

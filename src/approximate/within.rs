@@ -51,7 +51,7 @@ impl Request<'_> {
     }
 
     /// The same by few samples, and then by many, where they tell.
-    fn by_bounds(&self, curve: &Curve, tolerance: f64) -> Option<bool> {
+    pub(super) fn by_bounds(&self, curve: &Curve, tolerance: f64) -> Option<bool> {
         let truth = &self.outline.truth;
         let segments = || curve.segments.iter().copied();
         // A centre that follows from given ends is known to half the digits at worst.
@@ -69,7 +69,12 @@ impl Request<'_> {
     }
 
     /// The same by the distance itself.
-    fn is_within_for_certain(&self, sketch: &mut Sketch, curve: &Curve, tolerance: f64) -> bool {
+    pub(super) fn is_within_for_certain(
+        &self,
+        sketch: &mut Sketch,
+        curve: &Curve,
+        tolerance: f64,
+    ) -> bool {
         let truth = &self.outline.truth;
         let rounding = 8.0 * f64::EPSILON * self.reach();
         if truth.is_circle() || tolerance < ROUNDINGS * rounding {

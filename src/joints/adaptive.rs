@@ -378,4 +378,23 @@ mod tests {
         }
         assert!(told > 1000, "{told}");
     }
+
+    #[test]
+    fn joints_mirror_where_an_axis_halves_the_arc() {
+        for (start, sweep, symmetric) in [
+            (20.0, 140.0, true),
+            (160.0, -140.0, true),
+            (-60.0, 121.0, false),
+        ] {
+            let [from, by] = [start, sweep].map(Angle::from_degrees);
+            let arc = crate::Arc::new((0.0, 0.0), (3.0, 1.0), Angle::ZERO, from, by);
+            let outline = Shape::Arc(arc.unwrap()).outline().unwrap();
+            let balance = Balance::new(&outline, Rule::default()).unwrap();
+            for count in [2, 5] {
+                let angles = balance.joints(count).unwrap().angles;
+                let off = angles[1] + angles[count - 1] - (2.0 * start + sweep);
+                assert_eq!(off.abs() < 1e-12, symmetric, "{start} {count}: {off}");
+            }
+        }
+    }
 }

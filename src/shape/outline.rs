@@ -281,4 +281,64 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_axes_of_a_sheared_circle_are_its_own() {
+        // The columns of the map, and the angle at which |M u| is least: where its derivative vanishes and it is short.
+        for columns in [
+            [1.0, 0.0, 0.6, 0.8],
+            [1.0, 0.0, -0.6, 0.8],
+            [1.0, 0.0, 0.05, 0.5],
+            [1.0, 0.0, 0.3, 0.9],
+            [0.2, 0.1, 1.0, 3.0],
+            [0.5, 0.05, -0.1, 1.0],
+            [1.0, 1e-9, 0.0, 0.5],
+        ] {
+            let [a, b, c, d] = columns;
+            for scale in [1.0, 1e-9, 1e9] {
+                let map = Affine::new([a * scale, b * scale, c * scale, d * scale, 0.0, 0.0]);
+                let circle = Shape::Circle(crate::Circle::new((0.0, 0.0), 1.0).unwrap());
+                let outline = circle.outline().unwrap().transformed(map).unwrap();
+                let axes = outline.axes();
+                let image = |degrees: f64| {
+                    let u = Angle::from_degrees(degrees).direction();
+                    Vec2::new(a * u.x + c * u.y, b * u.x + d * u.y).hypot()
+                };
+                let [short, long] = [axes.angle, axes.angle + 90.0].map(image);
+                let area = (a * d - b * c).abs();
+                assert!((short * long - area).abs() < 1e-14, "{columns:?}: {axes:?}");
+                assert!(short < long, "{columns:?}: {axes:?}");
+                assert!((axes.short - short / long).abs() < 1e-14);
+                assert!((outline.truth.radii.x / (scale * long) - 1.0).abs() < 1e-14);
+                assert!((outline.truth.radii.y / (scale * short) - 1.0).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn a_map_flattens_by_its_ratio_whatever_its_size() {
+        let circle = Shape::Circle(crate::Circle::new((0.0, 0.0), 1.0).unwrap());
+        let outline = circle.outline().unwrap();
+        for scale in [1e-12, 1.0, 1e12] {
+            let map = |flatness: f64| Affine::scale_non_uniform(scale, scale * flatness);
+            assert!(outline.transformed(map(1e-11)).is_ok(), "{scale}");
+            assert_eq!(
+                outline.transformed(map(1e-16)),
+                Err(Error::Shape(ShapeError::Flattened)),
+                "{scale}"
+            );
+        }
+    }
+
+    #[test]
+    fn opposite_extremes_are_half_a_turn_apart() {
+        let ellipse = Ellipse::new((7.0, 9.0), (3.0, 2.0), Angle::from_degrees(30.0)).unwrap();
+        let outline = Shape::Ellipse(ellipse).outline().unwrap();
+        let [right, left, upper, lower] = outline.extremes();
+        assert_eq!(left.degrees(), right.degrees() + 180.0);
+        assert_eq!(lower.degrees(), upper.degrees() + 180.0);
+        let at = |angle: Angle| outline.placement * angle.direction().to_point();
+        assert!(at(right).x > 7.0 && at(left).x < 7.0);
+        assert!(at(upper).y > 9.0 && at(lower).y < 9.0);
+    }
 }

@@ -253,3 +253,29 @@ impl Chord {
         [self.along - self.across, -self.along - self.across]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_depth_lacks_digits_near_a_semicircle_only() {
+        let half = Half {
+            axis: Vec2::new(1.0, 0.0),
+            along: Vec2::new(0.0, 1.0),
+            size: 0.0,
+            depth: 0.0,
+        };
+        for (size, lacks) in [
+            (0.5, false),
+            (0.98, false),
+            (0.995, true),
+            (1.0, true),
+            (1.005, true),
+            (1.02, false),
+            (3.0, false),
+        ] {
+            assert_eq!(Half { size, ..half }.lacks_digits(), lacks, "{size}");
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! What the bounds on distances lean on: counts of roundings, derivatives, samples and sizes, by known answers.
 
+mod margins;
 mod places;
 
 use kurbo::Vec2;
@@ -12,10 +13,10 @@ use crate::numeric::foot::{foot, foot_in_unit};
 const EPSILON: f64 = f64::EPSILON;
 
 /// Numbers between -1 and 1 that look random.
-struct Dice(u64);
+pub(super) struct Dice(pub(super) u64);
 
 impl Dice {
-    fn next(&mut self) -> f64 {
+    pub(super) fn next(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -23,12 +24,12 @@ impl Dice {
         (self.0 >> 11) as f64 / f64::from(2_u32).powi(52) - 1.0
     }
 
-    fn some<const N: usize>(&mut self) -> [f64; N] {
+    pub(super) fn some<const N: usize>(&mut self) -> [f64; N] {
         core::array::from_fn(|_| self.next())
     }
 }
 
-fn apart(a: f64, b: f64) -> f64 {
+pub(super) fn apart(a: f64, b: f64) -> f64 {
     (a - b).abs()
 }
 

@@ -95,7 +95,7 @@ impl Profile {
     }
 
     /// x and y about the centre as polynomials.
-    fn coordinates(&self) -> [Polynomial; 2] {
+    pub(super) fn coordinates(&self) -> [Polynomial; 2] {
         let CubicBez { p0, p1, p2, p3 } = self.own.to_cubic();
         let points = [p0, p1, p2, p3].map(|p| p.to_vec2() - self.center);
         [

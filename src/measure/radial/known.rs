@@ -94,3 +94,63 @@ impl Known {
         self.stated[side] = self.stated[side].max(most);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bound_is_open_above_what_is_known_and_what_was_stated() {
+        let mut known = Known::default();
+        known.learn(0, 0.25);
+        known.learn(1, 0.5);
+        known.learn(1, 0.125);
+        assert_eq!((known.least, known.peak()), ([0.25, 0.5], 0.5));
+        assert!(!known.is_open(0, 0.2) && known.is_open(0, 0.25) && known.is_open(0, 0.3));
+        assert!(!known.is_open(1, 0.4) && known.is_open(1, 0.6));
+        known.state(0, 0.375);
+        known.state(0, 0.3);
+        assert_eq!(known.stated, [0.375, 0.0]);
+        assert!(!known.is_open(0, 0.375) && known.is_open(0, 0.4));
+        for (bounds, is_open) in [
+            ([0.4, 0.4], true),
+            ([0.3, 0.6], true),
+            ([0.4, 0.6], true),
+            ([0.3, 0.4], false),
+        ] {
+            assert_eq!(known.is_any_open(bounds), is_open, "{bounds:?}");
+        }
+        assert_eq!(known.most_above([0.5, 0.5]), 0.25);
+        assert_eq!(known.most_above([0.25, 0.625]), 0.125);
+        // Infinite is the limit, which nothing is beyond.
+        assert!(!known.is_beyond());
+    }
+
+    #[test]
+    fn a_bound_is_close_by_a_share_or_by_rounding() {
+        let mut known = Known::default();
+        known.learn(0, 2.0);
+        known.learn(1, 4.0);
+        assert!(known.is_close(0, 2.0 + 1.9e-11, 0.0) && !known.is_close(0, 2.0 + 2.1e-11, 0.0));
+        assert!(known.is_close(1, 4.0 + 3.9e-11, 0.0));
+        assert!(known.is_close(0, 2.4, 0.5) && !known.is_close(0, 2.6, 0.5));
+        assert!((known.close_by() - 2e-11).abs() < 1e-20);
+        let mut nearly = Known::nearly(3.0);
+        nearly.learn(0, 2.0);
+        assert!(nearly.is_close(0, 2.019, 0.0) && !nearly.is_close(0, 2.021, 0.0));
+        assert!(!nearly.is_beyond() && nearly.is_open(1, 0.1));
+        nearly.learn(1, 3.0);
+        assert!(!nearly.is_beyond());
+        nearly.learn(1, 3.1);
+        assert!(nearly.is_beyond());
+    }
+
+    #[test]
+    fn within_a_limit_nothing_is_open() {
+        let mut known = Known::within(0.5);
+        assert!(!known.is_any_open([0.5; 2]) && known.is_any_open([0.0, 0.51]));
+        assert!(!known.is_beyond());
+        known.learn(0, 0.51);
+        assert!(known.is_beyond());
+    }
+}

@@ -43,28 +43,34 @@ pub(super) struct Search<'a, F> {
 /// Visits places of a segment as (t, what the distance there lies between). What all of them lie between, and what was known before,
 /// holds for the whole segment.
 pub(super) fn visit(profile: &Profile, known: &mut Known, visit: impl FnMut(f64, [f64; 2])) {
-    let unit = profile.larger_radius();
-    // By quotients: the larger one is 1 to the last digit.
-    let radii = Vec2::new(profile.radii.x / unit, profile.radii.y / unit);
-    let turn = profile.turn();
-    let center = profile.exact.center().map(Double::value);
-    let mut search = Search {
-        profile,
-        tangents: None,
-        turn,
-        visit,
-        radii,
-        center: vector(turn.map(|row| row.dot(vector(center)))),
-        alpha: [radii.x, radii.y].map(|r| 1.0 / (r * r)),
-        known,
-        pending: BinaryHeap::new(),
-        last_place: 0.5 * f64::EPSILON * (profile.largest_coordinate / unit).min(1.0),
-    };
-    let (whole, points) = profile.part([0.0, 1.0], &turn);
+    let mut search = Search::new(profile, known, visit);
+    let (whole, points) = profile.part([0.0, 1.0], &search.turn);
     search.bound_first(&whole);
     search.end(&whole, 0.0, points[0]);
     search.end(&whole, 1.0, points[3]);
     search.close();
+}
+
+impl<'a, F: FnMut(f64, [f64; 2])> Search<'a, F> {
+    pub(super) fn new(profile: &'a Profile, known: &'a mut Known, visit: F) -> Self {
+        let unit = profile.larger_radius();
+        // By quotients: the larger one is 1 to the last digit.
+        let radii = Vec2::new(profile.radii.x / unit, profile.radii.y / unit);
+        let turn = profile.turn();
+        let center = profile.exact.center().map(Double::value);
+        Self {
+            profile,
+            tangents: None,
+            turn,
+            visit,
+            radii,
+            center: vector(turn.map(|row| row.dot(vector(center)))),
+            alpha: [radii.x, radii.y].map(|r| 1.0 / (r * r)),
+            known,
+            pending: BinaryHeap::new(),
+            last_place: 0.5 * f64::EPSILON * (profile.largest_coordinate / unit).min(1.0),
+        }
+    }
 }
 
 impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
@@ -316,3 +322,6 @@ struct Near {
 pub(super) fn vector([x, y]: [f64; 2]) -> Vec2 {
     Vec2::new(x, y)
 }
+
+#[cfg(test)]
+mod checks;

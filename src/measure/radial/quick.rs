@@ -18,7 +18,7 @@ pub(super) struct Look<S> {
 /// How the distance runs along a part that is near.
 pub(super) struct Course<S> {
     /// What |N| is at least: where that is positive, the distance rises or falls all along.
-    steep: S,
+    pub(super) steep: S,
     /// Between what N' lies.
     bend: [S; 2],
 }
@@ -164,5 +164,99 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         let s = first * (S::exact(1.0) + (first * second).scaled(1.5));
         let slopes = motion.slopes(self.alpha, s);
         S::exact(0.0) - slopes.slope / slopes.bend
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kurbo::{Line, PathSeg, Point, Vec2};
+
+    use super::*;
+    use crate::measure::radial::checks::apart;
+    use crate::measure::radial::{Known, Profile};
+    use crate::shape::Truth;
+
+    type Quiet = fn(f64, [f64; 2]);
+
+    /// Does something with a search about a centre, from an ellipse whose radii are 1 and 1/2.
+    fn searched(center: Vec2, act: impl FnOnce(&mut Search<'_, Quiet>)) {
+        let truth = Truth::new(Point::ORIGIN, Vec2::new(1.0, 0.5), Vec2::new(1.0, 0.0));
+        let line = PathSeg::Line(Line::new((1.0, 0.0), (1.0, 0.1)));
+        let profile = Profile::new(&line, &truth);
+        let mut known = Known::default();
+        let quiet: Quiet = |_, _| {};
+        let mut search = Search::new(&profile, &mut known, quiet);
+        search.center = center;
+        act(&mut search);
+    }
+
+    fn assert_close(found: f64, expected: f64) {
+        assert!(apart(found, expected) < 1e-9, "{found} is not {expected}");
+    }
+
+    #[test]
+    fn sizes_tell_what_the_formulas_say() {
+        let (x, y) = ([0.70, 0.74, 0.79, 0.83], [0.75, 0.72, 0.68, 0.66]);
+        let times = |row: [f64; 4], factor: f64| row.map(|value| factor * value);
+        // By the formulas in the comments, in another language.
+        for (excess, points, center, nearness, bounds, steep, bend, step) in [
+            (
+                [0.020, 0.024, 0.03, 0.028, 0.022, 0.021, 0.025],
+                [x, y],
+                (0.02, -0.03),
+                0.025_350_684_468_480_64,
+                [0.010_071_455_891_210_295, -0.006_714_303_927_473_531],
+                -0.021_323_591_127_420_05,
+                [-0.129_905_387_777_309_8, 0.084_905_387_777_309_81],
+                -0.125_540_336_376_643_5,
+            ),
+            (
+                [-0.8, -0.65, -0.49, -0.35, -0.22, -0.11, 0.0],
+                [times(x, 3.0), times(y, 3.0)],
+                (0.06, -0.09),
+                0.075_113_139_165_868_62,
+                [0.0, 0.095_130_697_952_445_8],
+                0.219_098_812_884_345_46,
+                [-0.684_167_169_163_223_2, 0.534_167_169_163_222_3],
+                2.429_502_948_969_597,
+            ),
+            (
+                [0.21, 0.18, 0.14, 0.1, 0.07, 0.04, 0.0],
+                [[-1.2, -1.25, -1.3, -1.33], times(y, 2.0)],
+                (0.02, -0.03),
+                0.047_844_709_742_094_226,
+                [0.037_643_252_902_588_04, 0.0],
+                0.060_591_847_035_666_82,
+                [-0.238_862_762_349_707_57, 0.238_862_762_349_707_85],
+                3.840_295_673_112_774_6,
+            ),
+        ] {
+            searched(center.into(), |search| {
+                let part = Part::new([0.0, 1.0], excess, points, false);
+                let middle = part.motion_at(0.5, search.center);
+                let look = search.look(&part);
+                assert_close(look.nearness, nearness);
+                let course = search.course(&part, &middle, &look);
+                let told = look.bounds().unwrap();
+                for i in 0..2 {
+                    assert_close(told[i], bounds[i]);
+                    assert_close(course.bend[i], bend[i]);
+                }
+                assert_close(course.steep, steep);
+                assert_eq!(course.is_monotone(), steep > 0.0);
+                assert_close(search.step(&middle), step);
+            });
+        }
+    }
+
+    #[test]
+    fn what_is_not_near_has_no_bounds() {
+        searched(Vec2::ZERO, |search| {
+            // x = |F| / (2 G b²) with G = 1 and b² = 1/4.
+            for (excess, is_near) in [(0.049, true), (-0.049, true), (0.051, false)] {
+                let look = search.look_by([excess, 0.0], 1.0);
+                assert_eq!(look.bounds().is_some(), is_near, "{excess}");
+            }
+        });
     }
 }
