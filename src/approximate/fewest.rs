@@ -74,12 +74,10 @@ impl<'a> Marched<'a> {
 
     /// The least count. The largest error takes it, but where a sharp end makes a longer segment err less: there some are looked at.
     fn least_count(&self) -> Option<usize> {
-        let looked_at = if self.balance.is_sharp() {
-            NEARLY.len()
-        } else {
-            1
-        };
-        let some = self.all().take(looked_at).step_by(4).flatten();
+        if !self.balance.is_sharp() {
+            return self.balance.marched_count(NEARLY[0] * self.allowed);
+        }
+        let some = self.all().step_by(4).flatten();
         some.map(Joints::count).min()
     }
 
@@ -240,7 +238,7 @@ impl Request<'_> {
         (first..=MOST_SEGMENTS)
             .take(BELOW + MOST_BEYOND)
             .find_map(|count| {
-                let adaptive = balance.joints_from(count, begun.take());
+                let adaptive = balance.joints_from(count, begun.take(), LUCK * allowed);
                 let equal = || within(Joints::equal(&self.outline.unit, count).ok()?);
                 let greedy = || {
                     // What rounding would have to bring far is not worth a march.
@@ -252,9 +250,7 @@ impl Request<'_> {
                     let mut all = marched.of_count(count);
                     all.find_map(|joints| within(joints.clone()))
                 };
-                let adaptive = adaptive
-                    .ok()
-                    .and_then(|(joints, told)| within_if_told(joints, told));
+                let adaptive = adaptive.and_then(|(joints, told)| within_if_told(joints, told));
                 adaptive.or_else(equal).or_else(greedy)
             })
     }

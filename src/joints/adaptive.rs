@@ -15,15 +15,16 @@ mod errors;
 mod level;
 mod lobes;
 mod march;
+mod told;
 
 use super::Joints;
-use super::cutting::Cutting;
 use crate::error::Result;
 use crate::method::{Ends, Method, Rule};
-use crate::shape::{Axes, Outline, UnitArc};
+use crate::shape::{Outline, UnitArc};
 use errors::Errors;
 use level::Level;
 use lobes::Lobes;
+pub(crate) use told::{around, nearly};
 
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
 const GRID: f64 = 1.0 / (1 << 30) as f64;
@@ -33,10 +34,6 @@ const MOST_STEPS: usize = 40;
 
 /// Beyond this count joints stay at equal angles: the error of this many segments is below the digits of a coordinate.
 const MOST: usize = 4096;
-
-/// How far the peak of a lobe may be off, as a part of it, and how large it has to be beside the coordinates.
-const LOBES_OFF: f64 = 0.01;
-const OVER_ROUNDING: f64 = 4000.0 * f64::EPSILON;
 
 /// Whether the rule's pieces join at uneven angles, each one on its own.
 pub(crate) fn serves(rule: Rule) -> bool {
@@ -48,38 +45,6 @@ pub(crate) fn serves(rule: Rule) -> bool {
         Rule::Chen2(_) => true,
         Rule::Method(method) => method.card().ends == Ends::OnCircle,
     }
-}
-
-/// Between what the peak error of pieces of an ellipse of this larger radius lies; the largest coordinate is about `reach`. `None` where
-/// the lobes do not tell, or rounding counts beside them.
-pub(crate) fn nearly(
-    rule: Rule,
-    axes: Axes,
-    sizes: [f64; 2],
-    cutting: &impl Cutting,
-) -> Option<[f64; 2]> {
-    let lobes = Lobes::new(rule, f64::from(rule.method()?.card().order), axes.short);
-    let mut peak = 0.0_f64;
-    for i in 0..cutting.count() {
-        let from = cutting.sign() * (cutting.angle(i) - axes.angle);
-        peak = peak.max(lobes.of(from, cutting.size(i))?.size);
-    }
-    around(rule, sizes, peak)
-}
-
-/// The same by what the lobes told of the pieces, over the larger radius.
-pub(crate) fn around(rule: Rule, [larger, reach]: [f64; 2], peak: f64) -> Option<[f64; 2]> {
-    // Curves that stay on one side have one lobe, which strays far from its place.
-    let has_three = matches!(
-        rule,
-        Rule::Method(Method::Midpoint | Method::Minimax | Method::Goldapp | Method::Area)
-    );
-    if !has_three {
-        return None;
-    }
-    let peak = larger * peak;
-    (peak > OVER_ROUNDING * reach)
-        .then_some([1.0 - LOBES_OFF, 1.0 + LOBES_OFF].map(|part| part * peak))
 }
 
 /// An arc, and how far the method's segments stray from it.
@@ -161,27 +126,28 @@ impl Balance {
     ///
     /// As [`Joints::equal`], whose joints these are where so few segments have no room to differ.
     pub(crate) fn joints(&self, count: usize) -> Result<Joints> {
-        Ok(self.joints_from(count, None)?.0)
+        match self.joints_from(count, None, f64::INFINITY) {
+            Some((joints, _)) => Ok(joints),
+            None => Joints::equal(&self.arc, count),
+        }
     }
 
     /// The same from a cut of the whole sweep into as many segments that was begun; and the peak error over the larger radius, where the
-    /// lobes tell it.
+    /// lobes tell it. `None` where so few segments have no room to differ, or where marching takes more of them within `allowed`.
     pub(crate) fn joints_from(
         &self,
         count: usize,
         begun: Option<Level>,
-    ) -> Result<(Joints, Option<f64>)> {
-        let equal = || Joints::equal(&self.arc, count).map(|joints| (joints, None));
+        allowed: f64,
+    ) -> Option<(Joints, Option<f64>)> {
         let mirrored = self.mirrors() && count.is_multiple_of(2);
         let pieces = if mirrored { count / 2 } else { count };
         if count > MOST || pieces < 2 {
-            return equal();
+            return None;
         }
         let whole = self.computed(mirrored);
         let begun = begun.filter(|_| !mirrored);
-        let Some((mut ways, peak)) = self.equalised(whole, pieces, begun) else {
-            return equal();
-        };
+        let (mut ways, peak) = self.equalised(whole, pieces, begun, allowed)?;
         let half = whole.copysign(self.arc.sweep.degrees()) / 2.0;
         let symmetric = self.on_axis(self.arc.start.degrees() + half);
         for i in 1..=pieces / 2 {
@@ -204,15 +170,17 @@ impl Balance {
                 ways.push(2.0 * whole - ways[i]);
             }
         }
-        Ok((Joints::after(&self.arc, &ways), peak))
+        Some((Joints::after(&self.arc, &ways), peak))
     }
 
-    /// The ways to the joints of this many segments of equal error, both ends included, and that where the lobes tell it; `None` where the method's largest angle forbids it.
+    /// The ways to the joints of this many segments of equal error, both ends included, and that where the lobes tell it; `None` where the
+    /// method's largest angle forbids it, or as in [`Self::narrowed`].
     fn equalised(
         &self,
         whole: f64,
         pieces: usize,
         begun: Option<Level>,
+        most: f64,
     ) -> Option<(Vec<f64>, Option<f64>)> {
         if let Some(level) = self.levelled(whole, pieces, begun) {
             return Some((level.ways, Some(level.most)));
@@ -221,7 +189,7 @@ impl Balance {
         let mut joints = Vec::with_capacity(pieces + 1);
         let mut allowed = self.error(0.0, whole / count);
         if self.errors.is_worth_a_look(allowed) {
-            return Some((self.narrowed(whole, pieces)?, None));
+            return Some((self.narrowed(whole, pieces, most)?, None));
         }
         for _ in 0..MOST_STEPS {
             let taken = self.march(whole, allowed, 2 * pieces + 8, &mut joints);
@@ -372,8 +340,9 @@ mod tests {
             let (axes, sizes) = (outline.axes(), [100.0; 2]);
             if let Some([low, high]) = nearly(options.rule, axes, sizes, &joints) {
                 told += 1;
-                let off = f64::midpoint(low, high) / drawing.error.peak() - 1.0;
-                assert!(off.abs() < LOBES_OFF / 10.0, "{i}: {off}");
+                let (middle, half) = (f64::midpoint(low, high), (high - low) / 2.0);
+                let off = (middle - drawing.error.peak()).abs() / half;
+                assert!(off < 0.25, "{i}: {off}");
             }
         }
         assert!(told > 1000, "{told}");

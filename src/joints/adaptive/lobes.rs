@@ -81,7 +81,14 @@ impl Lobes {
     /// The peak of the segment of `size` degrees that begins `from` degrees after the short axis; `None` where it is so long that a longer
     /// one may err less.
     pub(super) fn of(&self, from: f64, size: f64) -> Option<Peak> {
-        if size < SHORTEST || !self.is_tame(from, size) {
+        self.is_tame(from, size)
+            .then(|| self.of_any(from, size))
+            .flatten()
+    }
+
+    /// The same of a segment of any length; `None` where it is too short or strays too far.
+    pub(super) fn of_any(&self, from: f64, size: f64) -> Option<Peak> {
+        if size < SHORTEST {
             return None;
         }
         let segment = Segment::new(self, from, size)?;

@@ -8,8 +8,15 @@ use crate::shape::UnitArc;
 
 /// How often joints are marched out for the error that equalises such segments, and by how much the last of them may be too short, as a
 /// part of it.
-const NARROWINGS: u32 = 7;
+const NARROWINGS: u32 = 12;
 const SHORT: f64 = 0.01;
+
+/// The part of a segment up to which the last one may not be needed from the other end on.
+const STUB: f64 = 0.1;
+
+/// How far below the error of equal angles it may lie, and how closely it is narrowed down, both as ratios.
+const WIDE: f64 = 1000.0;
+const NARROW: f64 = 1.02;
 
 /// How many lengths are tried where a longer segment may err less, evenly by their ratio.
 const LONGER: u32 = 12;
@@ -181,7 +188,13 @@ impl Balance {
                 .max(whole / (4 * MOST) as f64);
             let left = whole - way;
             if size >= left || joints.len() > most {
-                return (joints.len() - 1) as f64 + left / size;
+                // Where no more than what is left was looked for, its error tells its part.
+                let part = if is_rough && size >= left {
+                    libm::pow(self.error(way, left) / allowed, 1.0 / self.order).min(1.0)
+                } else {
+                    left / size
+                };
+                return (joints.len() - 1) as f64 + part;
             }
             way += size;
             joints.push(way);
@@ -208,28 +221,40 @@ impl Balance {
     }
 
     /// Joints of this many segments of equal error where longer ones may err less: the error is narrowed down from that of equal angles on,
-    /// by what the order makes of the count that it takes, and evenly where a sharp end makes that leap.
-    pub(super) fn narrowed(&self, whole: f64, pieces: usize) -> Option<Vec<f64>> {
+    /// or from `most` where that is less, by what the order makes of the count that it takes, and evenly where that does not bring
+    /// it down: a sharp end makes the count leap. `None` where more are taken for `most`.
+    pub(super) fn narrowed(&self, whole: f64, pieces: usize, most: f64) -> Option<Vec<f64>> {
         let (count, size) = (pieces as f64, whole / pieces as f64);
         let equal = (0..pieces).map(|i| self.error(i as f64 * size, size));
-        let mut high = equal.fold(0.0, f64::max);
-        let (mut low, mut allowed) = (high / 1000.0, high);
+        let mut high = equal.fold(0.0, f64::max).min(most);
+        let (mut low, mut allowed) = (high / WIDE, high);
         let (mut found, mut joints) = (None, Vec::new());
+        let mut is_narrower = true;
         for _ in 0..NARROWINGS {
+            let ratio = high / low;
             let taken = self.march(whole, allowed, pieces, &mut joints);
             if taken > count {
+                if allowed == most {
+                    return None;
+                }
                 low = allowed;
             } else {
                 high = allowed;
                 joints.push(whole);
-                found = (joints.len() == pieces + 1).then(|| joints.clone());
-                if taken > count - SHORT && !self.is_sharp() {
+                if joints.len() == pieces + 1 {
+                    found = Some(joints.clone());
+                }
+                if taken > count - SHORT {
                     break;
                 }
             }
+            if high <= NARROW * low {
+                break;
+            }
             // The last segment is to be a little too short rather than one too many.
             let next = allowed * libm::pow((taken + 0.5 * SHORT) / count, self.order);
-            let is_between = next > low && next < high && !self.is_sharp();
+            let is_between = next > low && next < high && is_narrower;
+            is_narrower = !is_between || high * high <= ratio * low * low;
             allowed = if is_between {
                 next
             } else {
@@ -237,6 +262,19 @@ impl Balance {
             };
         }
         found
+    }
+
+    /// How many segments are taken that are as long as `allowed` lets them be, from the start on; from the end on too where the last of
+    /// them is so short that one less may do. `None` for more than [`MOST`].
+    pub(crate) fn marched_count(&self, allowed: f64) -> Option<usize> {
+        let whole = self.computed(false);
+        let mut ways = Vec::new();
+        let taken = self.march(whole, allowed, MOST, &mut ways);
+        let forth = ways.len();
+        if !self.arc.closed && taken < forth as f64 - 1.0 + STUB {
+            self.reversed().march(whole, allowed, MOST, &mut ways);
+        }
+        Some(forth.min(ways.len())).filter(|&count| count < MOST)
     }
 
     /// The segments that are as long as `allowed` lets them be, over the larger radius, from the start or from the end on; the

@@ -197,9 +197,9 @@ fn greedy_joints_run_from_either_end() {
 
 #[test]
 fn narrowed_joints_err_less_than_equal_ones() {
-    for (flatness, pieces, part) in [(0.02, 4, 0.13), (0.04, 4, 0.2), (0.05, 3, 1.01)] {
+    for (flatness, pieces, part) in [(0.02, 4, 0.13), (0.04, 4, 0.2), (0.05, 3, 0.3)] {
         let balance = balance(Method::Minimax, flatness, 10.0, 180.0);
-        let ways = balance.narrowed(180.0, pieces).unwrap();
+        let ways = balance.narrowed(180.0, pieces, f64::INFINITY).unwrap();
         assert_eq!(ways.len(), pieces + 1);
         assert_eq!([ways[0], ways[pieces]], [0.0, 180.0]);
         let most = |ways: &[f64]| {
@@ -212,4 +212,22 @@ fn narrowed_joints_err_less_than_equal_ones() {
         let found = most(&ways) / most(&equal);
         assert!(found < part, "{flatness} {pieces}: {found}");
     }
+}
+
+#[test]
+fn the_marched_count_is_the_lesser_of_both_ways() {
+    let (mut rough, mut fewer) = (0, 0);
+    for i in 0..1500 {
+        let at = |k: usize| (i * k % 1511) as f64 / 1511.0;
+        let (flatness, sweep) = (0.14 * libm::pow(0.1, at(7)), 350.0 * at(11) + 10.0);
+        let balance = balance(Method::Minimax, flatness, 360.0 * at(13), sweep);
+        let allowed = 1e-4 * libm::pow(10.0, 2.0 * at(17));
+        if balance.least(allowed).is_none() {
+            let both: Vec<usize> = balance.greedy(allowed).map(|it| it.count()).collect();
+            assert_eq!(balance.marched_count(allowed), both.iter().copied().min());
+            rough += 1;
+            fewer += usize::from(both[1] < both[0]);
+        }
+    }
+    assert!(rough > 700 && fewer > 3, "{rough} {fewer}");
 }

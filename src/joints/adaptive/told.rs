@@ -1,0 +1,52 @@
+//! What the lobes tell of the peak error before it is measured.
+
+use super::lobes::Lobes;
+use crate::joints::cutting::Cutting;
+use crate::method::{Method, Rule};
+use crate::shape::Axes;
+
+/// How far the peak of a lobe may be off, as a part of it, of any segment where the ellipse is flat, and how large it has to be beside the
+/// coordinates.
+const LOBES_OFF: f64 = 0.01;
+const LONG_LOBES_OFF: f64 = 0.05;
+const OVER_ROUNDING: f64 = 4000.0 * f64::EPSILON;
+
+/// Between what the peak error of pieces of an ellipse of this larger radius lies; the largest coordinate is about `reach`. `None` where
+/// the lobes do not tell, or rounding counts beside them.
+pub(crate) fn nearly(
+    rule: Rule,
+    axes: Axes,
+    sizes: [f64; 2],
+    cutting: &impl Cutting,
+) -> Option<[f64; 2]> {
+    let lobes = Lobes::new(rule, f64::from(rule.method()?.card().order), axes.short);
+    let (mut peak, mut off) = (0.0_f64, LOBES_OFF);
+    for i in 0..cutting.count() {
+        let from = cutting.sign() * (cutting.angle(i) - axes.angle);
+        let size = cutting.size(i);
+        let lobe = lobes.of(from, size).or_else(|| {
+            off = LONG_LOBES_OFF;
+            lobes.of_any(from, size)
+        });
+        peak = peak.max(lobe?.size);
+    }
+    between(rule, sizes, peak, off)
+}
+
+/// The same by what the lobes told of the pieces, over the larger radius.
+pub(crate) fn around(rule: Rule, sizes: [f64; 2], peak: f64) -> Option<[f64; 2]> {
+    between(rule, sizes, peak, LOBES_OFF)
+}
+
+fn between(rule: Rule, [larger, reach]: [f64; 2], peak: f64, off: f64) -> Option<[f64; 2]> {
+    // Curves that stay on one side have one lobe, which strays far from its place.
+    let has_three = matches!(
+        rule,
+        Rule::Method(Method::Midpoint | Method::Minimax | Method::Goldapp | Method::Area)
+    );
+    if !has_three {
+        return None;
+    }
+    let peak = larger * peak;
+    (peak > OVER_ROUNDING * reach).then_some([1.0 - off, 1.0 + off].map(|part| part * peak))
+}
