@@ -9,6 +9,7 @@ use std::collections::HashSet;
 
 use kurbo::{ParamCurve as _, PathSeg, Point, Rect};
 
+use crate::angle::Angle;
 use crate::course::{CircularArc, Course, Step, within_a_turn};
 use crate::curve::{Curve, control_points};
 use crate::number::{round, text};
@@ -308,7 +309,7 @@ fn real(x: f64) -> String {
     }
 }
 
-/// The rectangle around what is drawn; that of an arc is that of its circle.
+/// The rectangle around what is drawn.
 fn extent(trace: &Trace<'_>) -> Option<Rect> {
     match trace {
         Trace::Curve(curve) => curve.bounding_box(),
@@ -316,13 +317,24 @@ fn extent(trace: &Trace<'_>) -> Option<Rect> {
             let start = Rect::from_points(course.start, course.start);
             let steps = course.steps.iter().map(|step| match step {
                 Step::Line(_) | Step::Elliptical(_) => Rect::from_points(step.to(), step.to()),
-                Step::Arc(arc) => {
-                    Rect::from_center_size(arc.center, (2.0 * arc.radius, 2.0 * arc.radius))
-                }
+                Step::Arc(arc) => around(arc),
             });
             Some(steps.fold(start, |all, step| all.union(step)))
         }
     }
+}
+
+/// The rectangle around an arc, but for its start: around its end and where it turns back in x and in y.
+fn around(arc: &CircularArc) -> Rect {
+    let (start, sweep) = (arc.start.degrees(), arc.sweep.degrees());
+    let turns = [0.0, 90.0, 180.0, 270.0].into_iter().filter(|angle| {
+        let ahead = (angle - start) * sweep.signum();
+        ahead.rem_euclid(360.0) <= sweep.abs()
+    });
+    let end = Rect::from_points(arc.to, arc.to);
+    turns.fold(end, |all, angle| {
+        all.union_pt(arc.center + arc.radius * Angle::from_degrees(angle).direction())
+    })
 }
 
 fn union(a: Option<Rect>, b: Option<Rect>) -> Option<Rect> {

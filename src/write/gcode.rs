@@ -52,7 +52,7 @@ pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<Str
         // Writing to a string cannot fail.
         let _ = writeln!(out, "G0 {}", at(course.start));
         let mut from = course.start;
-        for step in &course.steps {
+        for step in &moving(&course) {
             let _ = match step {
                 Step::Line(_) | Step::Elliptical(_) => write!(out, "G1 {}", at(step.to())),
                 Step::Arc(arc) => {
@@ -72,6 +72,20 @@ pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<Str
         }
     }
     Ok(out + "M2\n")
+}
+
+/// The steps without the lines of which rounding left no length; one of them stays where there is nothing else.
+fn moving(course: &Course) -> Vec<Step> {
+    let mut from = course.start;
+    let moves = |step: &&Step| {
+        let before = core::mem::replace(&mut from, step.to());
+        matches!(step, Step::Arc(_)) || from != before
+    };
+    let mut steps: Vec<Step> = course.steps.iter().filter(moves).copied().collect();
+    if steps.is_empty() {
+        steps.extend(course.steps.first());
+    }
+    steps
 }
 
 /// Courses as they are drawn.

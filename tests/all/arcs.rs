@@ -424,3 +424,27 @@ fn the_program_draws_arcs_for_machines() {
     let relative = printed(&["path", circle, "--to", "arcs", "--relative"]);
     assert_eq!(relative, "M10 0a10 10 0 0 1-20 0a10 10 0 0 1 20 0z\n");
 }
+
+#[test]
+fn a_machine_gets_no_moves_of_no_length() {
+    for (data, moves) in [
+        ("M0 0L.1 .1L.2 .3L10 10", "G0 X0 Y0\nG1 X10 Y10\n"),
+        (
+            "M9.8 5A5 5 0 0 1 5 9.8L5.2 10.1L5 20",
+            "G0 X10 Y5\nG3 X5 Y10 I-5 J0\nG1 X5 Y20\n",
+        ),
+        // A dot stays one.
+        ("M5 5L5.1 5L5 5", "G0 X5 Y5\nG1 X5 Y5\n"),
+    ] {
+        for to in ["arcs", "lines"] {
+            if to == "lines" && data.contains('A') {
+                continue;
+            }
+            let program = printed(&[
+                "path", data, "--to", to, "-t", "2", "-p", "0", "-f", "gcode",
+            ]);
+            let (_, body) = program.split_once("G90\n").unwrap();
+            assert_eq!(body.strip_suffix("M2\n"), Some(moves), "{data}");
+        }
+    }
+}

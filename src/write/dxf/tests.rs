@@ -91,3 +91,17 @@ fn runs_of_one_degree_are_an_entity_each() {
     assert_eq!(names, ["LINE", "SPLINE", "LINE"]);
     assert_eq!(values(&tags, 73), [7.0]);
 }
+
+#[test]
+fn the_extents_of_an_arc_are_not_those_of_its_circle() {
+    let course = Course {
+        start: Point::new(1.0, 0.0),
+        steps: vec![
+            arc((0.0, 1.0), (0.0, 0.0), 0.0, 90.0),
+            arc((0.6, 0.8), (0.0, 0.0), 90.0, -36.9),
+        ],
+        closed: false,
+    };
+    let bounds = extent(&Trace::Course(course)).unwrap();
+    assert_eq!(bounds, Rect::new(0.0, 0.0, 1.0, 1.0));
+}
