@@ -226,11 +226,10 @@ fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<
     while at < chain.len() {
         let rest = &chain[at..];
         let straight = is_straight(&rest[0], room);
-        let found = if straight {
-            [None; 2]
-        } else {
-            recognize::halves(rest, rules)
-        };
+        let found = (!straight)
+            .then(|| recognize::halves(rest, rules))
+            .flatten();
+        let found = found.map_or([None; 2], |(first, second)| [Some(first), second]);
         let taken: usize = found.iter().flatten().map(|found| found.count).sum();
         if taken == 0 && !straight {
             at += 1;

@@ -11,6 +11,7 @@ use super::near::{
     unlike_by,
 };
 use crate::number::digits::EXACT_POWERS;
+use crate::shape::Truth;
 use crate::shape::endpoint::SvgArc;
 
 /// What rounding may do to a distance, as a part of the radius, and to what it is compared with, as a part of that.
@@ -52,21 +53,36 @@ impl Circle {
     }
 }
 
-/// Whether no run begins with the first of the cubics: where this is true, the closer look finds none.
-pub(super) fn finds_none(cubics: &[CubicBez], rules: &Rules) -> bool {
+/// What a first look says of a run that may begin with the first of some cubics.
+#[derive(Debug)]
+pub(super) enum Glance {
+    /// The closer look finds none.
+    Nothing,
+    /// It finds an arc of about this ellipse, or none.
+    Ellipse(Box<Truth>),
+    /// It has to say.
+    Unknown,
+}
+
+pub(super) fn glance(cubics: &[CubicBez], rules: &Rules) -> Glance {
     let [cubic, ..] = cubics else {
-        return true;
+        return Glance::Nothing;
     };
     let look = Look::new(cubic);
     let (room, noise) = (look.room(rules), NOISE * look.circle.radius);
     if look.off > room + noise {
-        return !rules.elliptic || ellipse_of(cubic, rules).is_none();
+        let ellipse = rules.elliptic.then(|| ellipse_of(cubic, rules)).flatten();
+        return ellipse.map_or(Glance::Nothing, |ellipse| {
+            Glance::Ellipse(Box::new(ellipse))
+        });
     }
     // Written so that what is not a number goes on to the closer look.
-    if !(look.off < room - noise && look.is_minor() && rules.drawn_only) {
-        return false;
+    let is_clear = look.off < room - noise && look.is_minor() && rules.drawn_only;
+    if !is_clear || goes_on(cubics, rules) || look.may_be_meant(rules) {
+        Glance::Unknown
+    } else {
+        Glance::Nothing
     }
-    !goes_on(cubics, rules) && !look.may_be_meant(rules)
 }
 
 /// Whether the first two cubics may be one arc of a circle.
@@ -93,25 +109,72 @@ pub(super) fn is_askew(cubics: &[CubicBez], room: impl Fn(f64) -> f64) -> bool {
 
 /// How far, at least, a few points of a cubic lie from an arc between its ends.
 pub(super) fn strays_from(cubic: &CubicBez, given: &SvgArc) -> f64 {
-    let (axis, larger) = (given.rotation.direction(), given.radii.x.max(given.radii.y));
-    let to_unit = |v: Vec2| Vec2::new(v.dot(axis) / given.radii.x, axis.cross(v) / given.radii.y);
-    let half = to_unit(0.5 * (cubic.p3 - cubic.p0));
-    let square = half.hypot2();
-    let depth = ((1.0 - square) / square).sqrt();
-    let depth = if given.large_arc == given.sweep {
-        -depth
-    } else {
-        depth
+    // Where the radii are too small the closer look decides.
+    Ellipse::of(given).map_or(0.0, |ellipse| {
+        [0.25, 0.5, 0.75]
+            .map(|t| ellipse.off(cubic.eval(t)))
+            .into_iter()
+            .fold(0.0, f64::max)
+    })
+}
+
+/// Whether the cubic after the first one may go on along the ellipse of an arc that the first one is.
+pub(super) fn goes_on_along(cubics: &[CubicBez], given: &SvgArc, rules: &Rules) -> bool {
+    let [_, next, ..] = cubics else {
+        return false;
     };
-    let center = half + Vec2::new(-half.y, half.x) * depth;
-    let off = |t: f64| (to_unit(cubic.eval(t) - cubic.p0) - center).hypot2().sqrt() - 1.0;
-    let off = [0.25, 0.5, 0.75].map(|t| off(t).abs());
-    // Not a number where the radii are too small, and then the closer look decides.
-    let most = off[0].max(off[1]).max(off[2]);
-    if depth.is_nan() {
-        0.0
-    } else {
-        (most - NOISE) * larger
+    let room = rules.room(given.radii.x.max(given.radii.y));
+    Ellipse::of(given).is_none_or(|ellipse| {
+        let is_near = |p: Point| ellipse.off(p) <= room;
+        is_near(next.p3) && is_near(next.eval(0.5))
+    })
+}
+
+/// The ellipse of an arc, seen from its start.
+struct Ellipse {
+    from: Point,
+    axis: Vec2,
+    radii: Vec2,
+    /// The centre, where it is the unit circle.
+    center: Vec2,
+}
+
+impl Ellipse {
+    /// `None` where the radii are too small for the ends.
+    #[inline]
+    fn of(given: &SvgArc) -> Option<Self> {
+        let mut ellipse = Self {
+            from: given.from,
+            axis: given.rotation.direction(),
+            radii: given.radii,
+            center: Vec2::ZERO,
+        };
+        let half = 0.5 * ellipse.unit(given.to);
+        let square = half.hypot2();
+        let depth = ((1.0 - square) / square).sqrt();
+        let depth = if given.large_arc == given.sweep {
+            -depth
+        } else {
+            depth
+        };
+        ellipse.center = half + Vec2::new(-half.y, half.x) * depth;
+        (!depth.is_nan()).then_some(ellipse)
+    }
+
+    #[inline]
+    fn unit(&self, p: Point) -> Vec2 {
+        let v = p - self.from;
+        Vec2::new(
+            v.dot(self.axis) / self.radii.x,
+            self.axis.cross(v) / self.radii.y,
+        )
+    }
+
+    /// How far a point lies from it, at least, in lengths of the larger radius where it is the unit circle.
+    #[inline]
+    fn off(&self, p: Point) -> f64 {
+        let off = (self.unit(p) - self.center).hypot2().sqrt() - 1.0;
+        (off.abs() - NOISE) * self.radii.x.max(self.radii.y)
     }
 }
 

@@ -6,6 +6,7 @@ use crate::Angle;
 use crate::curve::first_direction;
 use crate::number::digits::EXACT_POWERS;
 use crate::number::{Precision, decimals_of};
+use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Given, Truth};
 
 /// What a rough constant, such as 0.55, may have done to a point, as a part of the radius.
@@ -56,26 +57,36 @@ impl Rules {
         self.part * size + self.absolute
     }
 
-    /// How many characters each radius of a circle may take: besides them an arc has at least a letter, a rotation and two flags, with
-    /// what parts these.
-    pub(super) const fn longest_radius(&self) -> usize {
-        self.longest.saturating_sub(7) / 2
-    }
-
     /// The most decimals that the text has room for in place of so many cubics; `None` where it has none for the radius.
+    ///
+    /// Besides both radii an arc has at least a letter, a rotation and two flags, with what parts these, and where the second radius does not
+    /// begin with its point what parts that.
     pub(super) fn most_decimals(&self, count: usize, radius: f64) -> Option<u8> {
         if count > 1 {
             return Some(u8::MAX);
         }
         // The radius that is meant may be a bit smaller, and have a digit less.
-        let whole = (libm::log10(0.9 * radius).floor() + 1.0).max(0.0);
-        let rest = self.longest_radius().checked_sub(whole as usize)?;
+        let whole = whole_digits(0.9 * radius);
+        let room = self.longest.saturating_sub(7 + usize::from(whole > 0)) / 2;
+        let rest = room.checked_sub(whole)?;
         Some(u8::try_from(rest.saturating_sub(1)).unwrap_or(u8::MAX))
     }
 
-    /// Whether there may be room for these numbers.
-    pub(super) fn has_room(&self, numbers: [f64; 3]) -> bool {
-        5 + numbers.map(characters).into_iter().sum::<usize>() <= self.longest
+    /// Whether there is room for the text of an arc in place of a single cubic.
+    pub(super) fn has_room_for(&self, given: &SvgArc) -> bool {
+        // The letter, and both flags with what parts them from what is before each.
+        let (mut length, mut last) = (1 + 2 * 2, Spelled::default());
+        for (index, number) in [given.radii.x, given.radii.y, given.rotation.degrees()]
+            .into_iter()
+            .enumerate()
+        {
+            let spelled = Spelled::of(number);
+            let is_parted =
+                index > 0 && !spelled.is_negative && !(spelled.begins_with_point && last.has_point);
+            length += spelled.length + usize::from(is_parted);
+            last = spelled;
+        }
+        length <= self.longest
     }
 
     /// How far the rounding of the file moves a point.
@@ -89,12 +100,34 @@ impl Rules {
     }
 }
 
-/// How many characters a number takes at least.
-fn characters(number: f64) -> usize {
-    let (size, decimals) = (number.abs(), usize::from(decimals_of(number)));
-    let whole = EXACT_POWERS.iter().take_while(|power| **power <= size);
-    let point = usize::from(decimals > 0);
-    (whole.count() + point + decimals).max(1) + usize::from(number < 0.0)
+/// How many digits a number has before its point, none where that is 0.
+fn whole_digits(size: f64) -> usize {
+    let powers = EXACT_POWERS.iter();
+    powers.take_while(|power| **power <= size).count()
+}
+
+/// How a number is spelled that has few decimals.
+#[derive(Debug, Clone, Copy, Default)]
+struct Spelled {
+    /// In characters.
+    length: usize,
+    is_negative: bool,
+    begins_with_point: bool,
+    has_point: bool,
+}
+
+impl Spelled {
+    fn of(number: f64) -> Self {
+        let (size, decimals) = (number.abs(), usize::from(decimals_of(number)));
+        let whole = whole_digits(size);
+        let (has_point, is_negative) = (decimals > 0, number < 0.0);
+        Self {
+            length: (whole + usize::from(has_point) + decimals).max(1) + usize::from(is_negative),
+            is_negative,
+            begins_with_point: has_point && whole == 0 && !is_negative,
+            has_point,
+        }
+    }
 }
 
 /// What the distance of an arc from its cubics is compared with: the larger radius, or the length of the run where that is less. From

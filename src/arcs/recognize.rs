@@ -8,11 +8,13 @@
 //!
 //! are its centre and two conjugate half diameters. With A = (e₁ e₂) the eigenvalues of A Aᵀ are the squares of its radii.
 
+use core::cell::Cell;
+
 use kurbo::{CubicBez, PathSeg, Point, Vec2};
 
 use super::bound::{is_within, roughly_from_arc};
 use super::diameters::ellipse_of;
-use super::glance::{finds_none, is_askew, strays_from};
+use super::glance::{Glance, glance, goes_on_along, is_askew, strays_from};
 pub(crate) use super::near::Rules;
 use super::near::{
     MARGIN, MORE_DECIMALS, Pencil, THROUGH_MIDDLE, ends_and_middle, is_drawn_like, is_tangent,
@@ -35,7 +37,7 @@ const HALF_TURN: f64 = 180.0 + 1e-9;
 const NEAR_PART: f64 = 0.1;
 
 /// A run of cubics that is one arc.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Found {
     /// How many cubics it takes.
     pub(crate) count: usize,
@@ -53,11 +55,12 @@ impl Found {
 }
 
 /// The longest run of the cubics, from the first, that is one arc; of a whole turn no more than 350 degrees.
-fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
-    if finds_none(cubics, rules) {
-        return None;
+pub(super) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
+    match glance(cubics, rules) {
+        Glance::Nothing => None,
+        Glance::Ellipse(rough) => along_ellipse(cubics, &rough, rules),
+        Glance::Unknown => closer(cubics, rules),
     }
-    closer(cubics, rules)
 }
 
 /// The same without a first look.
@@ -69,10 +72,24 @@ pub(super) fn closer(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
     if !rules.elliptic {
         return None;
     }
-    let rough = ellipse_of(first, rules)?;
+    along_ellipse(cubics, &ellipse_of(first, rules)?, rules)
+}
+
+/// The longest run that is an arc of about this ellipse, of which the first cubic is one.
+fn along_ellipse(cubics: &[CubicBez], rough: &Truth, rules: &Rules) -> Option<Found> {
     // What one cubic says of its ellipse is too little for those after it, unless it is known by its round numbers.
     let only = &cubics[..1];
-    let alone = meant(only, &placed(only, &rough)?, rules, false)?;
+    let is_smooth = !is_alone(cubics);
+    let has_room = Cell::new(true);
+    let alone = meant(only, &placed(only, rough)?, rules, |given| {
+        has_room.set(has_room.get() && rules.has_room_for(given));
+        match has_room.get() {
+            true => Worth::Look,
+            false if !is_smooth => Worth::NoMore,
+            false if goes_on_along(cubics, given, rules) => Worth::Look,
+            false => Worth::None,
+        }
+    })?;
     let ellipse = alone.arc.truth();
     longest(cubics, rules, |count| {
         let run = &cubics[..count];
@@ -81,17 +98,15 @@ pub(super) fn closer(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
 }
 
 /// The run at the beginning of a chain; a whole turn as its halves.
-pub(crate) fn halves(cubics: &[CubicBez], rules: &Rules) -> [Option<Found>; 2] {
-    let Some(found) = run(cubics, rules) else {
-        return [None; 2];
-    };
+pub(crate) fn halves(cubics: &[CubicBez], rules: &Rules) -> Option<(Found, Option<Found>)> {
+    let found = run(cubics, rules)?;
     let from = found.given.from;
     let near = 1e-9 * found.given.radii.x.max(found.given.radii.y);
     let returns = |cubic: &CubicBez| cubic.p3.distance_squared(from) <= near * near;
     // What is left of a turn after 350 degrees takes no more than it took so far.
     let rest = cubics[found.count..].iter().take(2 * found.count);
     let Some(more) = rest.clone().position(returns) else {
-        return [Some(found), None];
+        return Some((found, None));
     };
     let whole = &cubics[..=found.count + more];
     let (first, second) = whole.split_at(whole.len() / 2);
@@ -101,10 +116,10 @@ pub(crate) fn halves(cubics: &[CubicBez], rules: &Rules) -> [Option<Found>; 2] {
     };
     let half =
         |cubics: &[CubicBez]| run(cubics, &rules).filter(|found| found.count == cubics.len());
-    match (half(first), half(second)) {
-        (Some(a), Some(b)) if a.given.radii == b.given.radii => [Some(a), Some(b)],
-        _ => [Some(found), None],
-    }
+    Some(match (half(first), half(second)) {
+        (Some(a), Some(b)) if a.given.radii == b.given.radii => (a, Some(b)),
+        _ => (found, None),
+    })
 }
 
 /// The run of most cubics for which `arc_of` gives an arc that survives a closer look.
@@ -129,10 +144,20 @@ fn longest(
             step /= 2;
         }
     }
-    let fewer = [best, best.div_ceil(2), 1];
-    fewer
-        .into_iter()
-        .find_map(|count| meant(&cubics[..count], &arc_of(count)?, rules, is_alone(cubics)))
+    let is_alone = is_alone(cubics);
+    let worth = |given: &SvgArc| {
+        if !is_alone || rules.has_room_for(given) {
+            Worth::Look
+        } else {
+            Worth::None
+        }
+    };
+    let mut last = 0;
+    [best, best.div_ceil(2), 1].into_iter().find_map(|count| {
+        let again = core::mem::replace(&mut last, count) == count;
+        let found = (!again).then(|| arc_of(count))??;
+        meant(&cubics[..count], &found, rules, worth)
+    })
 }
 
 /// Whether no run goes on after the first of the cubics.
@@ -171,40 +196,62 @@ pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<
     fits.then(|| (arc.sweep.degrees(), roughly_from_arc(cubics, &arc)))
 }
 
+/// Whether an arc with some decimals is worth a closer look.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Worth {
+    Look,
+    /// It is not, but one of more decimals may be.
+    None,
+    /// None of more decimals is.
+    NoMore,
+}
+
 /// The arc that is meant: of all radii with which the cubics are drawn like an arc those with the fewest decimals; else those with as
-/// many as the tolerance needs. What has to be `short` is none where there is no room for its text.
-fn meant(cubics: &[CubicBez], found: &Arc, rules: &Rules, short: bool) -> Option<Found> {
+/// many as the tolerance needs.
+fn meant(
+    cubics: &[CubicBez],
+    found: &Arc,
+    rules: &Rules,
+    worth: impl Fn(&SvgArc) -> Worth,
+) -> Option<Found> {
     let limit = if found.radii.x == found.radii.y {
         rules.most_decimals(cubics.len(), found.radii.x)?
     } else {
         u8::MAX
     };
     let most = rules.decimals.saturating_add(MORE_DECIMALS);
-    // One of more decimals would be longer still; one that is only near may be shorter.
-    let short = short && rules.drawn_only;
     let explained = MARGIN * strays(cubics, found) + rules.moved();
     // What the tangents say does not depend on the constant of the cubics; what the middle says, not on the rounding of handles.
     let guesses = [by_tangents(cubics, found), Some(*found)];
     let pencil = Pencil::new(cubics, found, rules, explained);
     let mut tried = [0.0; 2];
-    let drawn = (0..=most.min(limit)).find_map(|decimals| {
-        let mut guesses = guesses.iter().flatten().zip(&mut tried);
-        guesses.find_map(|(guess, tried)| {
+    for decimals in 0..=most.min(limit) {
+        for (guess, tried) in guesses.iter().flatten().zip(&mut tried) {
             if let Some(pencil) = &pencil {
                 let radius = round(guess.radii.x, decimals);
                 if core::mem::replace(tried, radius) == radius || !pencil.allows(radius) {
-                    return None;
+                    continue;
                 }
             }
-            let given = rounded(cubics, guess, decimals)?;
-            if short && !rules.has_room([given.radii.x, given.radii.y, given.rotation.degrees()]) {
-                return None;
+            let Some(given) = rounded(cubics, guess, decimals) else {
+                continue;
+            };
+            // One that is only near may be shorter.
+            if rules.drawn_only {
+                match worth(&given) {
+                    Worth::Look => {}
+                    Worth::None => continue,
+                    Worth::NoMore => return None,
+                }
             }
-            near_enough(cubics, given, rules, Some(explained))
-        })
-    });
-    if drawn.is_some() || rules.drawn_only {
-        return drawn;
+            let drawn = near_enough(cubics, given, rules, Some(explained));
+            if drawn.is_some() {
+                return drawn;
+            }
+        }
+    }
+    if rules.drawn_only {
+        return None;
     }
     // Nobody meant a radius that is only near: it is rounded by little, however wide the tolerance is.
     let least = Precision::moving_at_most(
@@ -248,13 +295,15 @@ fn near_enough(
 
 /// The arc of a circle with the radius that the directions at its ends give: half the chord over the sine of half the turn.
 fn by_tangents(cubics: &[CubicBez], arc: &Arc) -> Option<Arc> {
+    if arc.radii.x != arc.radii.y {
+        return None;
+    }
     let (first, last) = (cubics.first()?, cubics.last()?);
     let u = first_direction(&PathSeg::Cubic(*first));
     let v = -first_direction(&PathSeg::Cubic(*last).reverse());
     let half = libm::sin(libm::atan2(u.cross(v), u.dot(v)) / 2.0).abs();
     let radius = last.p3.distance_squared(first.p0).sqrt() / (2.0 * half);
-    let is_circle = arc.radii.x == arc.radii.y && radius.is_finite();
-    is_circle.then_some(Arc {
+    radius.is_finite().then_some(Arc {
         radii: Vec2::splat(radius),
         ..*arc
     })

@@ -3,8 +3,8 @@
 use kurbo::{CubicBez, Point, Vec2};
 
 use super::bound::{is_within, roughly_from_arc};
-use super::glance::{finds_none, strays_from};
-use super::recognize::{Rules, closer};
+use super::glance::{Glance, glance, strays_from};
+use super::recognize::{Rules, closer, run};
 use crate::number::{Precision, round};
 
 /// Numbers from 0 to 1.
@@ -57,11 +57,10 @@ fn a_first_look_lets_nothing_go_that_a_closer_one_finds() {
             longest: if round % 2 == 0 { 16 } else { usize::MAX },
         };
         for cubics in [&cubics[..1], &cubics] {
-            let none = finds_none(cubics, &rules);
-            let run = closer(cubics, &rules);
-            assert!(!none || run.is_none(), "{cubics:?} {rules:?} {run:?}");
-            gone += usize::from(none);
-            found += usize::from(run.is_some());
+            gone += usize::from(matches!(glance(cubics, &rules), Glance::Nothing));
+            let (quick, close) = (run(cubics, &rules), closer(cubics, &rules));
+            assert_eq!(quick, close, "{cubics:?} {rules:?}");
+            found += usize::from(close.is_some());
         }
     }
     assert!(gone > 5_000 && found > 2_000, "{gone} {found}");

@@ -17,6 +17,8 @@ pub(super) struct Link {
     pub(super) previous: usize,
     /// Where it ends.
     pub(super) to: Vec2,
+    /// The most decimals of its numbers that are believed.
+    pub(super) decimals: u8,
 }
 
 /// A run of links that becomes one arc.
@@ -57,34 +59,73 @@ impl Edit {
     }
 }
 
-/// The edits for those runs that do not grow the text, in their order, and these runs.
+/// A run that becomes an arc, with what becomes of the text up to the next one.
+struct Taken {
+    edits: [Option<Edit>; 3],
+    /// The index of the next run that becomes one; of none that of the end.
+    next: usize,
+    cost: Cost,
+}
+
+/// By how much the text grows from a run on, and minus the number of arcs: the less, the better.
+type Cost = (isize, isize);
+
+/// The edits for those runs with which the text is shortest, in their order, and these runs; of texts of one length it is that with the most
+/// arcs.
 pub(super) fn edits(text: &str, links: &[Link], runs: &[Run]) -> (Vec<Edit>, Vec<Run>) {
-    let (mut edits, mut taken) = (Vec::new(), Vec::new());
-    // From the last one, so that what follows each is known.
-    let mut next = links.len();
-    for run in runs.iter().rev() {
-        let Some(arc) = arc(text, links, run) else {
-            continue;
-        };
-        let follows = if run.end() == next {
-            Some([None, None])
+    // From the last one, so that what follows each is known: what becomes of it, and which of them is the first to be taken from it on.
+    let mut taken: Vec<Option<Taken>> = runs.iter().map(|_| None).collect();
+    let mut first = vec![runs.len(); runs.len() + 1];
+    let cost_of = |taken: &[Option<Taken>], first: usize| {
+        let found = taken.get(first).and_then(Option::as_ref);
+        found.map_or((0, 0), |found| found.cost)
+    };
+    for (index, run) in runs.iter().enumerate().rev() {
+        let found = arc(text, links, run).and_then(|arc| {
+            let next = nexts(runs, index, &first)
+                .into_iter()
+                .filter(|&next| next == runs.len() || taken[next].is_some());
+            let follows = |next: usize| {
+                let start = runs.get(next).map_or(links.len(), |run| run.start);
+                let follows = after(text, links, run, start)?;
+                let (growth, arcs) = cost_of(&taken, next);
+                let grown: isize = follows.iter().flatten().map(Edit::growth).sum();
+                Some(((growth + grown + arc.growth(), arcs - 1), next, follows))
+            };
+            let best = next
+                .filter_map(follows)
+                .min_by_key(|(cost, next, _)| (*cost, *next));
+            best.map(|(cost, next, [a, b])| Taken {
+                edits: [Some(arc), a, b],
+                next,
+                cost,
+            })
+        });
+        let without = first[index + 1];
+        let is_better = |found: &Taken| found.cost <= cost_of(&taken, without);
+        first[index] = if found.as_ref().is_some_and(is_better) {
+            index
         } else {
-            after(text, links, run, next)
+            without
         };
-        let Some(follows) = follows else {
-            continue;
-        };
-        let growth: isize = follows.iter().flatten().map(Edit::growth).sum();
-        if arc.growth() + growth <= 0 {
-            edits.extend(follows.into_iter().flatten().rev());
-            edits.push(arc);
-            taken.push(*run);
-            next = run.start;
-        }
+        taken[index] = found;
     }
-    edits.reverse();
-    taken.reverse();
-    (edits, taken)
+    let (mut edits, mut chosen, mut at) = (Vec::new(), Vec::new(), first[0]);
+    while let Some(found) = taken.get_mut(at).and_then(Option::take) {
+        edits.extend(found.edits.into_iter().flatten());
+        chosen.push(runs[at]);
+        at = found.next;
+    }
+    (edits, chosen)
+}
+
+/// Which runs may be the next one after a run: what follows it depends on whether one of the next two begins there.
+fn nexts(runs: &[Run], index: usize, first: &[usize]) -> Vec<usize> {
+    let end = runs[index].end() + 1;
+    let begins = |next: &usize| runs.get(*next).is_some_and(|run| run.start <= end);
+    let mut nexts: Vec<usize> = [index + 1, index + 2].into_iter().filter(begins).collect();
+    nexts.push(first[index + 1 + nexts.len()]);
+    nexts
 }
 
 /// Where the text of a link begins: with what parts it from the segment before, unless its own letter does.
@@ -96,17 +137,25 @@ const fn text_start(link: &Link) -> usize {
     }
 }
 
-/// How many characters an arc may take, at most, without its end point in place of the first of these Béziers; a letter for the next one may
-/// stand where several characters parted them.
-pub(super) fn longest(links: &[Link]) -> usize {
-    let [link, rest @ ..] = links else {
+/// How many characters an arc may take, at most, without its end point in place of one Bézier; a letter for the next one may stand where
+/// several characters parted them, and after a run this one would be spelled otherwise.
+pub(super) fn longest(text: &str, links: &[Link], index: usize, before: Option<&Run>) -> usize {
+    let Some(link) = links.get(index) else {
         return 0;
     };
-    let parted = match rest {
-        [next, ..] if !next.segment.explicit => next.segment.arguments - next.previous,
+    let parted = match links.get(index + 1) {
+        Some(next) if !next.segment.explicit => next.segment.arguments - next.previous,
         _ => 0,
     };
-    link.segment.tail - text_start(link) + parted.saturating_sub(1)
+    let spelled = before.and_then(|run| {
+        after(text, links, run, links.len())?[0]
+            .as_ref()
+            .map(Edit::growth)
+    });
+    let before_end = link.segment.tail - text_start(link);
+    let end = usize::from(text.as_bytes().get(link.segment.tail) != Some(&b'-'));
+    let longest = (before_end + parted.saturating_sub(1)).saturating_sub(end);
+    longest.saturating_add_signed(spelled.unwrap_or(0).max(0))
 }
 
 fn arc(text: &str, links: &[Link], run: &Run) -> Option<Edit> {
@@ -176,9 +225,9 @@ fn points(text: &str, link: &Link) -> Option<[[Decimal; 2]; 2]> {
 }
 
 /// What has to be written after a run: a smooth command is spelled out, a repetition gets its letter, and so does one of the
-/// smooth command, unless it begins the `next` run; `None` where a control point has no exact digits.
+/// smooth command, unless one of them begins the next run; `None` where a control point has no exact digits.
 fn after(text: &str, links: &[Link], run: &Run, next_run: usize) -> Option<[Option<Edit>; 2]> {
-    let Some(next) = links.get(run.end()) else {
+    let Some(next) = links.get(run.end()).filter(|_| run.end() != next_run) else {
         return Some([None, None]);
     };
     let last = links.get(run.end() - 1)?;

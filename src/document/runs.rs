@@ -1,8 +1,8 @@
 //! Path data the way back: runs of Béziers that are arcs become arc commands, all other bytes stay.
 //!
 //! What has to be minded: a smooth command after a run reflected a control point that is gone, so that it is spelled out; one that
-//! repeated the letter of a run gets its own; the end point keeps its digits, as the file spells them or as their exact sum; and no
-//! run becomes longer than it was, with all that. Path data with an error stay as they are: renderers may stop at another place.
+//! repeated the letter of a run gets its own; the end point keeps its digits, as the file spells them or as their exact sum; and the
+//! text becomes no longer, with all that. Path data with an error stay as they are: renderers may stop at another place.
 
 use core::ops::Range;
 
@@ -91,7 +91,7 @@ pub(super) fn find(
         control: Vec2::ZERO,
         family: 0,
         end: span.start,
-        decimals: 0,
+        has_exponent: false,
         links: Vec::new(),
         cubics: Vec::new(),
         outcome: Outcome::default(),
@@ -124,8 +124,8 @@ struct Finder<'a> {
     family: u8,
     /// The index of the byte after the last segment.
     end: usize,
-    /// The most decimals of the numbers of the chain.
-    decimals: u8,
+    /// Whether a number of the chain has an exponent.
+    has_exponent: bool,
     /// The Béziers since anything else.
     links: Vec<Link>,
     cubics: Vec<CubicBez>,
@@ -147,11 +147,12 @@ impl Finder<'_> {
                     let points = [from, self.control, self.at.point].map(Vec2::to_point);
                     cubic = QuadBez::new(points[0], points[1], points[2]).raise();
                 }
-                self.decimals = self.decimals.max(handles.decimals);
+                self.has_exponent |= handles.decimals == WITH_EXPONENT;
                 self.links.push(Link {
                     segment: *segment,
                     previous: self.end,
                     to: self.at.point,
+                    decimals: handles.decimals.min(MOST_DECIMALS),
                 });
                 self.cubics.push(cubic);
             }
@@ -187,18 +188,18 @@ impl Finder<'_> {
     /// Ends a chain of Béziers.
     fn flush(&mut self) {
         if !self.links.is_empty() {
-            if self.decimals != WITH_EXPONENT {
-                self.chain(&rules(self.tolerance, self.decimals.min(MOST_DECIMALS)));
+            if !self.has_exponent {
+                self.chain();
             }
             self.links.clear();
             self.cubics.clear();
         }
-        self.decimals = 0;
+        self.has_exponent = false;
     }
 
-    /// Makes arcs of the runs of a chain.
-    fn chain(&mut self, rules: &Rules) {
-        let runs = self.runs(rules);
+    /// Makes arcs of the runs of the chain.
+    fn chain(&mut self) {
+        let runs = self.runs(0..self.links.len(), None);
         if runs.is_empty() {
             return;
         }
@@ -211,25 +212,61 @@ impl Finder<'_> {
         self.outcome.edits.extend(edits);
     }
 
-    fn runs(&mut self, rules: &Rules) -> Vec<Run> {
-        let (mut runs, mut start) = (Vec::new(), 0);
-        while start < self.cubics.len() {
+    /// The runs of a part of the chain, at the beginning of which the run before it may end. What lies between them may have fewer decimals,
+    /// and is looked at again by these, so that nothing is left that a second conversion would find.
+    fn runs(&mut self, part: Range<usize>, before: Option<Run>) -> Vec<Run> {
+        let decimals = self.decimals(part.clone());
+        let mut runs = self.runs_by(part.clone(), before, &rules(self.tolerance, decimals));
+        let has_fewer = |link: &Link| link.decimals < decimals;
+        if runs.is_empty() || !self.links[part.clone()].iter().any(has_fewer) {
+            return runs;
+        }
+        let (_, taken) = run_text::edits(self.text, &self.links, &runs);
+        let (mut more, mut start, mut last) = (Vec::new(), part.start, before);
+        for next in taken.iter().copied().map(Some).chain([None]) {
+            let between = start..next.map_or(part.end, |run| run.start);
+            if !between.is_empty() && self.decimals(between.clone()) < decimals {
+                more.extend(self.runs(between, last));
+            }
+            start = next.map_or(part.end, |run| run.end());
+            last = next;
+        }
+        if !more.is_empty() {
+            runs = taken;
+            runs.extend(more);
+            runs.sort_by_key(|run| run.start);
+        }
+        runs
+    }
+
+    /// The most decimals of the numbers of a part of the chain.
+    fn decimals(&self, part: Range<usize>) -> u8 {
+        let links = self.links[part].iter();
+        links.map(|link| link.decimals).max().unwrap_or(0)
+    }
+
+    fn runs_by(&mut self, part: Range<usize>, before: Option<Run>, rules: &Rules) -> Vec<Run> {
+        let (mut runs, mut start) = (Vec::<Run>::new(), part.start);
+        while start < part.end {
+            let before = runs.last().or(before.as_ref());
+            let before = before.filter(|run| run.end() == start);
             let rules = Rules {
-                longest: run_text::longest(&self.links[start..]),
+                longest: run_text::longest(self.text, &self.links, start, before),
                 ..*rules
             };
-            let found = recognize::halves(&self.cubics[start..], &rules);
-            let mut from = start;
-            let taken: usize = found.iter().flatten().map(|found| found.count).sum();
-            start += taken.max(1);
-            for found in found.into_iter().flatten() {
+            let Some((found, half)) = recognize::halves(&self.cubics[start..part.end], &rules)
+            else {
+                start += 1;
+                continue;
+            };
+            for found in [Some(found), half].into_iter().flatten() {
                 if self.keeps_vertices && found.count > 1 {
-                    let at = self.links[from].segment.start;
+                    let at = self.links[start].segment.start;
                     self.outcome.left.get_or_insert((at, Reason::MarkerOnRun));
                 } else {
-                    runs.push(Run { start: from, found });
+                    runs.push(Run { start, found });
                 }
-                from += found.count;
+                start += found.count;
             }
         }
         runs

@@ -116,6 +116,30 @@ fn what_follows_a_run_keeps_its_meaning() {
 }
 
 #[test]
+fn a_second_conversion_finds_nothing() {
+    for (before, after) in [
+        // What the arcs leave has one decimal.
+        (
+            "M20.5,5V3.5C20.5,2.7 19.8,2.2 19,2.2C18.31,2.2 17.69,2.58 17.54,3.2C17.5,3.29 17.5,3.39 17.5,3.5V5",
+            "M20.5,5V3.5A1.4 1.4 0 0 0 19,2.2A1.6 1.3 7 0 0 17.54,3.2A.73.73 0 0 0 17.5,3.5V5",
+        ),
+        // Each is longer than its curve, but for the smooth command that would have to be spelled out after the first one.
+        (
+            "M6 10C5.47 10 5 10.19 4.59 10.59S4 11.47 4 12V17",
+            "M6 10A2 2 0 0 0 4.59 10.59A1.9 1.9 0 0 0 4 12V17",
+        ),
+        // Without the arc before it the last one would need no letter as a curve, and be shorter as that.
+        (
+            "M24 19.801c0 2.268-1.841 4.105-4.109 4.105s-4.107-1.838-4.107-4.105 1.839-4.107 4.107-4.107 4.109 1.839 4.109 4.107z",
+            "M24 19.801a4.107 4.107 0 1 1-4.109-4.107a4.11 4.11 0 0 1 4.109 4.107z",
+        ),
+    ] {
+        assert_eq!(path(before), after);
+        assert_eq!(path(after), after);
+    }
+}
+
+#[test]
 fn what_is_no_arc_keeps_every_byte() {
     for d in [
         "M0 0c1 2 3 4 5 6s7 8 9 9",
