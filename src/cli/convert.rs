@@ -5,7 +5,7 @@ mod report;
 mod tree;
 
 use std::fs::{File, Metadata};
-use std::io::{self, IsTerminal, Read, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -25,12 +25,11 @@ use self::tree::{Destination, Input, Job};
 use super::Outcome;
 use super::args::{ConvertArgs, DestinationArgs};
 use super::failure::{Failure, tell};
+use super::input;
 use super::output::{Durability, Target, write_file, write_file_unless};
 #[cfg(unix)]
 use super::signals;
 
-/// The largest file, packed or unpacked.
-const MOST_BYTES: u64 = 1 << 28;
 /// The most threads.
 const MOST_THREADS: usize = 256;
 /// From this many files on, a terminal sees how far it is.
@@ -179,8 +178,11 @@ fn is_svgz(path: &Path) -> bool {
 
 fn read(input: &Input) -> Result<Vec<u8>, Trouble> {
     match input {
-        Input::File(path) => read_limited(File::open(path).context("cannot read it")?),
-        Input::Stdin => read_limited(io::stdin().lock()),
+        Input::File(path) => {
+            let file = File::open(path).context("cannot read it")?;
+            Ok(input::bytes(file, "it")?)
+        }
+        Input::Stdin => Ok(input::bytes(io::stdin().lock(), "it")?),
         Input::Unreadable(_, why) => Err(anyhow::anyhow!("{why}").into()),
     }
 }
@@ -276,19 +278,7 @@ impl Interrupt {
 }
 
 fn inflate(bytes: &[u8]) -> Result<Vec<u8>, Trouble> {
-    read_limited(MultiGzDecoder::new(bytes))
-}
-
-fn read_limited(input: impl Read) -> Result<Vec<u8>, Trouble> {
-    let mut bytes = Vec::new();
-    input
-        .take(MOST_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .context("cannot read it")?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(anyhow::anyhow!("it is larger than 256 MiB").into());
-    }
-    Ok(bytes)
+    Ok(input::bytes(MultiGzDecoder::new(bytes), "it")?)
 }
 
 fn deflate(bytes: &[u8]) -> Result<Vec<u8>, Trouble> {

@@ -67,15 +67,31 @@ pub(crate) fn coefficients(words: &str) -> Result<String, Failure> {
     Ok(text(Path::new(words))?.0)
 }
 
-fn read(input: impl Read, name: &str) -> Result<String, Failure> {
+/// All bytes of an input that messages call so.
+///
+/// # Errors
+///
+/// Where it cannot be read, or is larger than 256 MiB.
+pub(crate) fn bytes(input: impl Read, name: &str) -> anyhow::Result<Vec<u8>> {
+    bytes_up_to(MOST_BYTES, input, name)
+}
+
+fn bytes_up_to(most: u64, input: impl Read, name: &str) -> anyhow::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input
-        .take(MOST_BYTES + 1)
+        .take(most + 1)
         .read_to_end(&mut bytes)
         .with_context(|| format!("cannot read {name}"))?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(anyhow::anyhow!("{name} is larger than 256 MiB").into());
-    }
+    anyhow::ensure!(
+        bytes.len() as u64 <= most,
+        "{name} is larger than {} MiB",
+        most >> 20
+    );
+    Ok(bytes)
+}
+
+fn read(input: impl Read, name: &str) -> Result<String, Failure> {
+    let bytes = bytes(input, name)?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let byte = error.utf8_error().valid_up_to() + 1;
         anyhow::anyhow!("cannot read {name}: it is no text in UTF-8, from byte {byte} on")
@@ -84,4 +100,23 @@ fn read(input: impl Read, name: &str) -> Result<String, Failure> {
         Some(rest) => rest.to_owned(),
         None => text,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_input_is_read_to_its_last_byte_or_refused() {
+        let read = |size: usize| bytes_up_to(1 << 20, &vec![7; size][..], "it");
+        for size in [0, 1, (1 << 20) - 1, 1 << 20] {
+            assert_eq!(read(size).unwrap(), vec![7; size]);
+        }
+        for size in [(1 << 20) + 1, (1 << 20) + 2, 1 << 21] {
+            assert_eq!(
+                read(size).unwrap_err().to_string(),
+                "it is larger than 1 MiB"
+            );
+        }
+    }
 }
