@@ -341,4 +341,21 @@ mod tests {
         assert!(at(right).x > 7.0 && at(left).x < 7.0);
         assert!(at(upper).y > 9.0 && at(lower).y < 9.0);
     }
+
+    #[test]
+    fn a_chord_tells_more_than_the_centre_up_to_three_quarters_of_a_turn() {
+        let circle = Truth::circle((1.0, 2.0).into(), 5.0);
+        for (sweep, is_about_start) in [(10.0, true), (-260.0, true), (280.0, false)] {
+            let ends = [0.0, sweep].map(|degrees| {
+                circle.center + Angle::from_degrees(degrees).direction() * circle.radii.x
+            });
+            let truth = circle.through(ends, Angle::from_degrees(sweep), Given::Sweep);
+            let exact = truth.frame.exact(truth.radii);
+            let start = exact.point(ends[0]).map(Double::value);
+            assert_eq!(start == [0.0; 2], is_about_start, "{sweep}");
+            let [x, y] = exact.center().map(Double::value);
+            let arm = Vec2::new(x - start[0], y - start[1]).hypot();
+            assert!((arm - 5.0).abs() < 1e-14, "{sweep}: {arm}");
+        }
+    }
 }

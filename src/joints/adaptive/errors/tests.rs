@@ -101,3 +101,23 @@ fn the_peak_of_samples_is_that_of_a_parabola() {
     // 5 - (t - 1.25)² at 0, 1, 2 and 3.
     assert_eq!(peak(&[3.4375, 4.9375, 4.4375, 1.9375]), 5.0);
 }
+
+#[test]
+fn a_sharp_end_between_samples_is_looked_at() {
+    // There the distance has a peak that is far narrower than samples are apart.
+    for short in [0.02, 0.005] {
+        let errors = errors(Method::QuadraticMinimax, short);
+        for (from, size) in [(-100.0, 24.0), (60.0, 50.0), (260.0, 33.0)] {
+            let piece = errors.rule.piece(&Span::from_degrees(size)).unwrap();
+            let ends = [from, from + size].map(|d| Angle::from_degrees(d).direction());
+            let segment = piece.between(ends);
+            let strays = |i: u32| errors.strays(segment.eval(f64::from(i) / 20_000.0));
+            let most = (0..=20_000).map(strays).fold(0.0, f64::max);
+            let found = errors.of(from, size);
+            assert!(
+                (found / most - 1.0).abs() < 1e-2,
+                "{short} {from}: {found} {most}"
+            );
+        }
+    }
+}
