@@ -122,15 +122,19 @@ fn only_plain_files_of_the_folder_are_taken() {
 #[test]
 fn a_folder_of_results_is_not_walked_and_not_the_input() {
     let folder = folder();
+    fs::create_dir(folder.path().join("inner")).unwrap();
+    fs::write(folder.path().join("inner/b.svg"), SVG).unwrap();
     for _ in 0..2 {
         assert!(
             run_in(folder.path(), &["convert", ".", "--out-dir", "out"])
                 .status
                 .success()
         );
+        assert!(!folder.path().join("out/out").exists());
+        // The next time they are made anew: other folders are walked though there is one of results.
+        fs::remove_file(folder.path().join("out/a.svg")).unwrap();
+        fs::remove_file(folder.path().join("out/inner/b.svg")).unwrap();
     }
-    assert!(folder.path().join("out/a.svg").is_file());
-    assert!(!folder.path().join("out/out").exists());
     let output = run_in(folder.path(), &["convert", "a.svg", "--out-dir", "."]);
     assert_eq!(output.status.code(), Some(2), "{}", said(&output));
     assert_eq!(

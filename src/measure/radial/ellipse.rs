@@ -9,9 +9,6 @@ use crate::numeric::bernstein::Polynomial;
 use crate::numeric::double::Twice;
 use crate::numeric::foot::{Foot, foot_by_excess};
 
-/// From this ratio of the radii on, the tips of an ellipse are looked for on their own.
-const FLAT: f64 = 10.0;
-
 impl Profile {
     /// The nearest point of the ellipse at t.
     pub(super) fn foot(&self, t: f64) -> Foot {
@@ -73,24 +70,13 @@ impl Profile {
     /// Visits the ends and the extremes that a search finds, with which pictures are drawn.
     pub(super) fn visit_by_search(&self, mut visit: impl FnMut(f64, f64)) {
         let [x, y] = self.coordinates();
-        let is_wide = self.radii.x >= self.radii.y;
-        let (along, across) = if is_wide { (x, y) } else { (y, x) };
+        let across = if self.radii.x >= self.radii.y { y } else { x };
         // Where the curve crosses the long axis, the nearest point jumps to the other side, and the distance has a peak without a slope.
         let axis = across.sign_changes();
         for t in axis.iter() {
             visit(t, self.at(t));
         }
-        let mut cuts: Vec<f64> = self.crossings().iter().chain(axis.iter()).collect();
-        let larger = self.larger_radius();
-        let flatness = larger / self.radii.x.min(self.radii.y);
-        if flatness > FLAT {
-            // Between the centre of curvature of a tip and the tip the normal makes half a turn.
-            let center = larger * (1.0 - 1.0 / (flatness * flatness));
-            for level in [larger, center, -center, -larger] {
-                let from_level = along.minus(&Polynomial::new(&[level]));
-                cuts.extend(from_level.sign_changes().iter());
-            }
-        }
+        let cuts: Vec<f64> = self.crossings().iter().chain(axis.iter()).collect();
         visit_between(&self.own, &cuts, |t| self.foot(t), &mut visit);
     }
 

@@ -274,20 +274,18 @@ fn slopes_bound_a_part_that_bends_both_ways() {
 }
 
 #[test]
-fn halving_ends() {
-    // With no last place at which to stop, what lies on the ellipse but for its rounding would be halved for ever.
-    let profile = straying(&mut Dice(12), 0.0);
+fn what_halving_does_not_tell_is_stated_by_its_bound() {
+    // A curve that stands still has an extreme nowhere, and no last place ends the search for one.
+    let profile = profile([(0.0, 0.51); 4]);
     let ((), visits) = searched(&profile, &mut Known::default(), |search| {
         search.last_place = -1.0;
         let (whole, _) = search.profile.part([0.0, 1.0], &search.turn);
         search.leave(&whole, MOST_CUTS, [1.0; 2]);
         search.close();
     });
-    let most = visits
-        .iter()
-        .map(|(_, [_, high])| *high)
-        .fold(0.0, f64::max);
-    assert!(most < 1e-3, "{most}");
+    assert_eq!(visits.len(), 1);
+    let [low, high] = visits[0].1;
+    assert!(low == high && high > 0.01 && high < 0.01 + 1e-14, "{high}");
 }
 
 #[test]
