@@ -358,4 +358,34 @@ mod tests {
             assert!((arm - 5.0).abs() < 1e-14, "{sweep}: {arm}");
         }
     }
+
+    #[test]
+    fn similarities_keep_a_circle_and_nothing_else_does() {
+        for (columns, radius) in [
+            ([0.6, 0.8, -0.8, 0.6], Some(1.0)),
+            ([0.6, 0.8, 0.8, -0.6], Some(1.0)),
+            ([-3.0, 0.0, 0.0, -3.0], Some(3.0)),
+            ([2.0, 1.0, 1.0, 2.0], None),
+            ([2.0, 1.0, -1.0, -2.0], None),
+            ([2.0, 0.0, 0.0, 3.0], None),
+        ] {
+            let [a, b, c, d] = columns;
+            let truth = Truth::of(Affine::new([a, b, c, d, 0.0, 0.0])).unwrap();
+            assert_eq!(
+                truth.is_circle().then_some(truth.radii.x),
+                radius,
+                "{columns:?}"
+            );
+        }
+        assert_eq!(Axes::of(Vec2::new(2.0, 1.0)).angle, 90.0);
+        assert_eq!(Axes::of(Vec2::new(1.0, 2.0)).angle, 0.0);
+        // By the ratio of the radii, whatever their size.
+        for (radii, serves) in [
+            ((1e13, 1e2), true),
+            ((1e13, 1.0), false),
+            ((1e-16, 1e-3), false),
+        ] {
+            assert_eq!(positive_radii(radii.into()).is_ok(), serves, "{radii:?}");
+        }
+    }
 }

@@ -128,3 +128,95 @@ fn on_sides([low, high]: [f64; 2], [outer, inner]: [f64; 2]) -> [f64; 2] {
     let unless = |none: bool, bound: f64| if none { 0.0 } else { bound };
     [unless(high <= 0.0, outer), unless(low >= 0.0, inner)]
 }
+
+#[cfg(test)]
+mod tests {
+    use kurbo::{Line, PathSeg, Point};
+
+    use super::*;
+    use crate::measure::radial::{Known, Profile};
+    use crate::shape::Truth;
+
+    type Quiet = fn(f64, [f64; 2]);
+
+    /// Does something with a search along a line, from the ellipse whose radii are 1 and 1/2.
+    fn searched<R>(
+        ends: [(f64, f64); 2],
+        known: &mut Known,
+        act: impl FnOnce(&mut Search<'_, Quiet>, &Part) -> R,
+    ) -> R {
+        let truth = Truth::new(Point::ORIGIN, Vec2::new(1.0, 0.5), Vec2::new(1.0, 0.0));
+        let profile = Profile::new(&PathSeg::Line(Line::new(ends[0], ends[1])), &truth);
+        let quiet: Quiet = |_, _| {};
+        let mut search = Search::new(&profile, known, quiet);
+        let (whole, _) = profile.part([0.0, 1.0], &profile.turn());
+        act(&mut search, &whole)
+    }
+
+    #[test]
+    fn a_far_part_lies_no_farther_than_its_points() {
+        for (ends, expected) in [
+            ([(2.0, 0.0), (3.0, 0.0)], [2.0, 0.0]),
+            ([(0.0, -1.5), (0.0, -2.5)], [2.0, 0.0]),
+            // Within, by the tangent at the point that is nearest to an end or to the middle.
+            ([(0.0, 0.1), (0.0, 0.3)], [0.0, 0.4]),
+            ([(0.0, -0.1), (0.0, -0.3)], [0.0, 0.4]),
+            // From the centre of the flattest place outwards.
+            ([(0.0, 0.1), (0.0, 1.5)], [1.0, 0.4]),
+        ] {
+            let mut known = Known::default();
+            searched(ends, &mut known, |search, part| {
+                let middle = part.motion_at(0.5, search.center);
+                let Roughly { bounds, slack } = search.bounds_roughly(part, &middle).unwrap();
+                // Four times what the points may be off, and sixteen roundings of the largest size.
+                let size = f64::max(ends[1].0.abs(), ends[1].1.abs());
+                let [x, y] = part.moved();
+                let counted =
+                    4.0 * Vec2::new(x, y / 2.0).hypot() + 16.0 * f64::EPSILON * (1.0 + size);
+                assert!((slack - counted).abs() < 1e-9 * counted, "{slack:e}");
+                for (bound, expected) in bounds.into_iter().zip(expected) {
+                    assert!(bound >= expected, "{ends:?}: {bound}");
+                    let more = if expected > 0.0 { slack + 1e-15 } else { 0.0 };
+                    assert!(bound <= expected + more, "{ends:?}: {bound}");
+                }
+            });
+            // The middle and the ends are learnt from.
+            let most = expected[0].max(expected[1]);
+            assert!(known.peak() <= most && known.peak() > most - 1e-12);
+            for (side, expected) in expected.into_iter().enumerate() {
+                assert!(!known.is_open(side, 0.9 * expected - 1e-9), "{ends:?}");
+                assert!(known.is_open(side, expected + 1e-9), "{ends:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_part_that_is_known_to_lie_within_needs_no_look() {
+        let mut known = Known::within(2.1);
+        let is_told = searched([(2.0, 0.0), (3.0, 0.0)], &mut known, |search, part| {
+            let middle = part.motion_at(0.5, search.center);
+            search.bounds_roughly(part, &middle).is_some()
+        });
+        assert!(!is_told);
+    }
+
+    #[test]
+    fn the_digits_of_f64_decide_far_above_what_is_known() {
+        for (ends, limit, is_left, digits) in [
+            // Far above it the part is left to be halved; hardly above it, it is looked at exactly.
+            ([(2.0, 0.3), (3.0, 0.0)], 0.0, true, false),
+            ([(2.0, 0.0), (3.0, 0.0)], 2.0 - 1e-14, false, true),
+        ] {
+            let mut known = Known::default();
+            known.learn(0, limit);
+            searched(ends, &mut known, |search, part| {
+                // What the ends tell is above that already: the middle of a hump is not.
+                let middle = part.motion_at(0.5, search.center);
+                search.last_place = 1e-15;
+                search.bound_far(part, &middle, 3);
+                let found = search.tangents.is_some();
+                assert!(found == digits || is_left, "{ends:?}");
+            });
+        }
+    }
+}

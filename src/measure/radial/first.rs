@@ -207,7 +207,11 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
 #[cfg(test)]
 mod tests {
+    use kurbo::{CubicBez, PathSeg, Point};
+
     use super::*;
+    use crate::measure::radial::{Known, Profile};
+    use crate::shape::Truth;
 
     #[test]
     fn the_first_parts_are_pieces_of_the_whole_one_after_the_other() {
@@ -237,6 +241,66 @@ mod tests {
                 }
             }
             assert_eq!(end, 1.0);
+            // Every sum of seven products, or of four, is rounded.
+            let part = parts.one(3);
+            assert_eq!(part.rounding, whole.rounding + 4.0 * f64::EPSILON * 3.0);
+            for (i, reach) in [2.0, 1.5].into_iter().enumerate() {
+                assert_eq!(part.moved[i], whole.moved[i] + 2.5 * f64::EPSILON * reach);
+            }
+        }
+    }
+
+    #[test]
+    fn the_middle_of_a_first_part_tells_how_far_it_lies_at_least() {
+        let truth = Truth::new(Point::ORIGIN, Vec2::new(1.0, 0.5), Vec2::new(1.0, 0.0));
+        // Outside, inside, and across.
+        for off in [
+            [0.01, 0.02, 0.01, 0.03],
+            [-0.02, -0.01, -0.03, -0.01],
+            [0.02, -0.02, 0.01, -0.01],
+        ] {
+            let k = 0.5523;
+            let ideal = [(1.0, 0.0), (1.0, k), (k, 1.0), (0.0, 1.0)];
+            let mut ends = [Point::ORIGIN; 4];
+            for ((end, (x, y)), off) in ends.iter_mut().zip(ideal).zip(off) {
+                *end = Point::new(x * (1.0 + off), 0.5 * y * (1.0 + off));
+            }
+            let curve = CubicBez::new(ends[0], ends[1], ends[2], ends[3]);
+            let profile = Profile::new(&PathSeg::Cubic(curve), &truth);
+            let mut known = Known::default();
+            let mut search = Search::new(&profile, &mut known, |_, _| {});
+            let (whole, _) = profile.part([0.0, 1.0], &profile.turn());
+            let first = First::new(&search, &whole);
+            let lanes = || 0..LANES;
+            let middle = |lane: usize| first.middle.0[lane];
+            let [most, least] = [1.0, -1.0].map(|sign| first.farthest(sign));
+            assert!(lanes().all(|lane| middle(lane) <= middle(most)));
+            assert!(lanes().all(|lane| middle(lane) >= middle(least)));
+            for lane in lanes() {
+                let t = first.parts.one(lane).parameter(0.5);
+                let distance = profile.at(t);
+                assert!(first.nearness.0[lane] < NEAR);
+                assert_eq!(middle(lane) > 0.0, distance > 0.0);
+                let share = first.least.0[lane] / distance.abs();
+                assert!(share <= 1.0 && share > 0.75, "{share}");
+            }
+            search.bound_first(&whole);
+            for t in [0.0, 1.0] {
+                search.take(t, [profile.at(t); 2]);
+            }
+            let (mut outward, mut inward) = (0.0_f64, 0.0_f64);
+            for i in 0..=4000 {
+                let distance = profile.at(f64::from(i) / 4000.0);
+                outward = outward.max(distance);
+                inward = inward.max(-distance);
+            }
+            for (side, most) in [outward, inward].into_iter().enumerate() {
+                assert!(!known.is_open(side, 0.999 * most - 1e-12) || most == 0.0);
+                assert!(
+                    known.is_close(side, 1.001 * most, 1.0)
+                        && known.peak() < 1.001 * outward.max(inward)
+                );
+            }
         }
     }
 }

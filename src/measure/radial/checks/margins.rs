@@ -1,9 +1,9 @@
 //! Between what a distance lies that is stated, and where its extremes are looked for.
 
-use kurbo::{Affine, CubicBez, Line, ParamCurve, PathSeg, Point, Vec2};
+use kurbo::{Affine, CubicBez, Line, ParamCurve, PathSeg, Point, QuadBez, Vec2};
 
 use super::{EPSILON, apart};
-use crate::measure::radial::{NOISE, Profile, error};
+use crate::measure::radial::{NOISE, Profile, error, peak_nearly};
 use crate::numeric::bernstein::Polynomial;
 use crate::shape::Truth;
 use crate::{Angle, Circle, Ellipse, Shape};
@@ -71,7 +71,7 @@ fn another_step_makes_an_extreme_exact() {
             for off in [-1e-7, 0.0, 1e-7] {
                 let [low, high] = profile.bounds_exactly(t + off).unwrap();
                 assert!(high - low < 1e-18 * factor, "{}", high - low);
-                assert!(apart(high, distance) < 1e-15 * factor && low <= high);
+                assert!(apart(high, distance) < 1e-15 * factor && low < high);
             }
         }
         // Farther inside than a tenth of the radius it says nothing.
@@ -163,5 +163,85 @@ fn the_coordinates_of_a_profile_are_about_its_centre() {
     for t in [0.0, 1.0] {
         let q = Vec2::new(x.at(t) / radii.x, y.at(t) / radii.y);
         assert!(apart(q.x * q.x + q.y * q.y, 1.0) < 1e-12, "{q:?}");
+    }
+}
+
+#[test]
+fn another_step_is_off_by_the_square_of_what_it_leaves() {
+    let truth = Truth::circle(Point::ORIGIN, 3.0);
+    let profile = Profile::new(&PathSeg::Cubic(quarter(3.0, 0.0)), &truth);
+    let mut told = 0;
+    profile.visit_extremes(|t, distance| {
+        if t == 0.0 || t == 1.0 {
+            return;
+        }
+        for off in [-1e-4, 1e-4] {
+            let bend = |t: f64| profile.excess.derivative().derivative().at(t);
+            let slope = |t: f64| profile.excess.derivative().at(t);
+            let next = t + off - slope(t + off) / bend(t + off);
+            let [excess, slope] = profile.framed.excess_at(next);
+            let found = excess / (3.0 + libm::sqrt(9.0 + excess));
+            // Half of F'²/F'' over twice the radius is what it is off, a little more is stated.
+            let expected = 0.6 * slope * slope / (bend(next).abs() * 3.0);
+            let [low, high] = profile.bounds_exactly(t + off).unwrap();
+            let rounding = 4.0 * EPSILON * distance.abs();
+            assert!(apart((high - low) / 2.0, expected + rounding) < 0.01 * expected + 1e-19);
+            assert!(low <= distance + 1e-18 && distance <= high + 1e-18);
+            assert!(apart(f64::midpoint(low, high), found) < 1e-18);
+            told += 1;
+        }
+    });
+    assert_eq!(told, 6);
+}
+
+#[test]
+fn a_root_beside_the_centre_is_off_by_what_its_derivatives_leave() {
+    let truth = Truth::circle(Point::ORIGIN, 2.0);
+    for (v, w) in [
+        (3.0, 0.0),
+        (0.0, 4.0),
+        (1e-4, 5.0),
+        (0.5, 4.0),
+        (1e-9, 1e-9),
+    ] {
+        // p' is v and p'' is w at t = 1/2.
+        let at = |t: f64| Point::new(v * (t - 0.5), 0.5 * w * (t - 0.5) * (t - 0.5));
+        let middle = Point::new(0.0, -0.125 * w);
+        let quad = QuadBez::new(at(0.0), middle, at(1.0));
+        let mut profile = Profile::new(&PathSeg::Quad(quad), &truth);
+        profile.excess = Polynomial::new(&[4.0; 5]);
+        let rounding = 64.0 * EPSILON * 4.0;
+        let roots = [
+            rounding / (v * v),
+            libm::sqrt(rounding / (v * w)),
+            libm::cbrt(rounding / (w * w)),
+        ];
+        let off = roots.into_iter().fold(1.0_f64, f64::min);
+        let expected = v * off + w * off * off;
+        let found = profile.nearer(0.5);
+        assert!(apart(found, expected) < 1e-9 * expected, "{v} {w}: {found}");
+    }
+}
+
+#[test]
+fn a_peak_is_known_nearly_or_beyond_a_limit() {
+    let truth = Truth::new(Point::ORIGIN, Vec2::new(50.0, 25.0), Vec2::new(1.0, 0.0));
+    for off in [0.02, -0.02, 0.001, -0.001] {
+        let flat = |p: Point| Point::new(p.x, 0.5 * p.y);
+        let CubicBez { p0, p1, p2, p3 } = quarter(50.0, off);
+        let segment = PathSeg::Cubic(CubicBez::new(flat(p0), flat(p1), flat(p2), flat(p3)));
+        let peak = error([&segment], &truth).peak();
+        let [least, most] = peak_nearly([&segment], &truth, f64::INFINITY);
+        assert!(
+            least <= peak && peak <= most && most < 1.02 * least,
+            "{off}"
+        );
+        let [least, most] = peak_nearly([&segment], &truth, 1.1 * peak);
+        assert!(
+            least <= peak && peak <= most && most < 1.02 * least,
+            "{off}"
+        );
+        let [least, most] = peak_nearly([&segment], &truth, 0.9 * peak);
+        assert!(least > 0.9 * peak && least <= peak && most == f64::INFINITY);
     }
 }

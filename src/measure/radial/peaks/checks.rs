@@ -261,6 +261,25 @@ fn slopes_tell_a_part_without_an_extreme() {
 }
 
 #[test]
+fn slopes_count_what_rounding_may_have_done() {
+    // N' is a and may be off by 60 roundings, N in the middle by 6 more than half of that.
+    let a = 0.1;
+    let rounding = 1e-4 * a;
+    for (beyond, visits) in [(32.0, 1), (38.0, 0)] {
+        let mut part = rising(-a, 0.0, -beyond * rounding / a);
+        part.rounding = rounding;
+        let (left, visited) = by_slopes(&part, [true, false]);
+        assert!(left.is_none() || visits == 1, "{beyond}");
+        assert!(visited.is_empty() || visits == 1, "{beyond}");
+        assert_eq!(
+            left.is_none() && visited.is_empty(),
+            visits == 0,
+            "{beyond}"
+        );
+    }
+}
+
+#[test]
 fn slopes_bound_a_part_that_bends_both_ways() {
     // N is 1.5 b (t - 1/2)² and N' is 3 b (t - 1/2): with N about 0 in the middle it is at most 0.75 b.
     for b in [-1e-3, 1e-3] {

@@ -156,3 +156,48 @@ fn a_part_that_halving_made_coarse_is_made_anew() {
         assert_eq!(waiting(true), waiting(false));
     }
 }
+
+#[test]
+fn what_slopes_say_holds_every_place_of_a_part() {
+    let mut dice = Dice(16);
+    let (mut told, mut left) = (0, 0);
+    for round in 0..120 {
+        let stray = 0.12 * libm::exp(-0.4 * f64::from(round % 12));
+        let profile = straying(&mut dice, stray);
+        for (i, parts) in [5, 16]
+            .into_iter()
+            .flat_map(|n| (0..n).map(move |i| (i, n)))
+        {
+            let ends = [i, i + 1].map(|i| f64::from(i) / f64::from(parts));
+            let ((), _) = searched(&profile, &mut Known::default(), |search| {
+                let (part, _) = search.profile.part(ends, &search.turn);
+                let near = near(search, &part);
+                let excess = part.certain_excess();
+                if search.bounds(excess, near.gradients[0]).is_none() || !near.place.foot.is_exact {
+                    return;
+                }
+                let distances: Vec<f64> = (0..=32)
+                    .map(|i| {
+                        let motion = part.motion_at(f64::from(i) / 32.0, search.center);
+                        search.place(&part, &motion, 0.0).foot.foot.distance
+                    })
+                    .collect();
+                let bounds = search.bound_by_slopes(&part, &near, [9.0; 2], [true; 2]);
+                told += usize::from(bounds.is_none());
+                left += usize::from(bounds.is_some());
+                // Without bounds an end, or a place that was visited, lies the farthest on either side.
+                for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
+                    let most = distances.iter().fold(0.0_f64, |most, d| most.max(sign * d));
+                    let ends = f64::max(sign * distances[0], sign * distances[32]);
+                    let known = match bounds {
+                        Some(bounds) => bounds[side].max(0.0),
+                        None if search.known.is_open(side, most) => ends,
+                        None => most,
+                    };
+                    assert!(most <= known + 1e-15, "{round} {i}: {most} beyond {known}");
+                }
+            });
+        }
+    }
+    assert!(told > 2000 && left > 5, "{told} {left}");
+}
