@@ -25,6 +25,12 @@ pub(super) struct Part<S = f64> {
     pub(super) is_fresh: bool,
 }
 
+#[cfg(test)]
+thread_local! {
+    /// How often a motion was asked for: what a search costs, to one who counts.
+    pub(super) static MOTIONS: core::cell::Cell<usize> = const { core::cell::Cell::new(0) };
+}
+
 /// A place of a part, or all places: q about the centre and F, with their derivatives.
 pub(super) struct Motion<T> {
     pub(super) place: [T; 2],
@@ -90,6 +96,8 @@ impl<S: Real> Part<S> {
     /// The motion at a place.
     #[inline(always)]
     pub(super) fn motion_at(&self, t: S, center: Vec2) -> Motion<S> {
+        #[cfg(test)]
+        MOTIONS.set(MOTIONS.get() + 1);
         let [excess, rising, bending] = derivatives(&self.excess, t);
         let [x, vx, ax] = derivatives(&self.points[0], t);
         let [y, vy, ay] = derivatives(&self.points[1], t);

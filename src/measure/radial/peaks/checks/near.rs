@@ -1,6 +1,7 @@
 //! What a search makes of curves that are near the ellipse, as those are that a method draws.
 
 use super::*;
+use crate::measure::radial::part::MOTIONS;
 use crate::numeric::foot::foot;
 
 /// The places of [0, 1] where N vanishes along a profile.
@@ -200,4 +201,47 @@ fn what_slopes_say_holds_every_place_of_a_part() {
         }
     }
     assert!(told > 2000 && left > 5, "{told} {left}");
+}
+
+/// How many motions a search asks for.
+fn motions(profile: &Profile, known: &mut Known) -> usize {
+    let before = MOTIONS.get();
+    visit(profile, known, |_, _| {});
+    MOTIONS.get() - before
+}
+
+#[test]
+fn a_search_costs_little() {
+    let mut dice = Dice(17);
+    // A hundred curves that stray by a tenth, a hundredth, ...: the peak, whether it is within a limit, and the peak nearly.
+    let costs = [
+        [1375, 310, 880],
+        [715, 310, 700],
+        [675, 310, 635],
+        [695, 310, 655],
+        [725, 310, 715],
+        [850, 310, 850],
+    ];
+    for (decade, costs) in (1..).zip(costs) {
+        let mut counts = [0; 3];
+        for _ in 0..100 {
+            let profile = straying(&mut dice, libm::pow(10.0, -f64::from(decade)));
+            counts[0] += motions(&profile, &mut Known::default());
+            counts[1] += motions(&profile, &mut Known::within(1e-2));
+            counts[2] += motions(&profile, &mut Known::nearly(f64::INFINITY));
+        }
+        for (count, cost) in counts.into_iter().zip(costs) {
+            assert!(count <= cost, "{decade}: {counts:?}");
+        }
+    }
+    // Curves that run anywhere within so much of the centre.
+    for (reach, cost) in [(0.3, 6450), (1.0, 7150), (3.0, 5400)] {
+        let counts = (0..100).map(|_| {
+            let [a, b, c, d, e, f, g, h] = dice.some::<8>().map(|x| reach * x);
+            let profile = profile([(a, b), (c, d), (e, f), (g, h)]);
+            motions(&profile, &mut Known::default())
+        });
+        let count: usize = counts.sum();
+        assert!(count <= cost, "{reach}: {count}");
+    }
 }
