@@ -257,6 +257,24 @@ impl Chord {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::joints::cutting::Cutting;
+
+    #[test]
+    fn a_chord_knows_the_angles_of_its_ends() {
+        let arc = SvgArc {
+            from: (2.0, 0.0).into(),
+            radii: Vec2::new(2.0, 1.0),
+            rotation: Angle::ZERO,
+            large_arc: false,
+            sweep: true,
+            to: (0.0, 1.0).into(),
+        };
+        let chord = arc.chord().unwrap().unwrap();
+        let angles = [0, 1].map(|joint| chord.angle(joint));
+        assert!(angles[0].abs() < 1e-13 && (angles[1] - 90.0).abs() < 1e-13);
+        assert_eq!((Cutting::count(&chord), chord.sign()), (1, 1.0));
+        assert!((chord.size(0) - 90.0).abs() < 1e-13);
+    }
 
     #[test]
     fn a_depth_lacks_digits_near_a_semicircle_only() {

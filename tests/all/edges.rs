@@ -967,3 +967,41 @@ fn what_is_stated_of_far_curves_is_the_largest_of_many_places() {
         }
     }
 }
+
+#[test]
+fn joints_for_a_count_err_no_more_than_equal_ones() {
+    let mut fewer = 0;
+    for (part, count) in [0.9, 0.3, 0.1, 0.03, 0.01]
+        .into_iter()
+        .flat_map(|p| (2..10).map(move |n| (p, n)))
+    {
+        for (start, sweep) in [(0.0, 360.0), (20.0, 200.0)] {
+            let shape = Shape::Arc(flat_arc(part, start, sweep));
+            let peak = |cut| {
+                drawn(&shape, Method::Minimax, cut, Some(Precision::Full))
+                    .error
+                    .peak()
+            };
+            let (equal, adaptive) = (peak(Cut::Count(count)), peak(Cut::Adaptive(count)));
+            assert!(
+                adaptive <= equal,
+                "{part} {count} {start}: {adaptive} {equal}"
+            );
+            fewer += usize::from(adaptive < 0.9 * equal);
+        }
+    }
+    assert!(fewer > 20, "{fewer}");
+}
+
+#[test]
+fn a_joint_that_is_given_twice_is_told() {
+    for sign in [1.0, -1.0] {
+        let outline = Shape::Arc(flat_arc(0.5, 10.0, sign * 200.0))
+            .outline()
+            .unwrap();
+        let joints = [40.0, 90.0, 90.0].map(|way| degrees(10.0 + sign * way));
+        let refusal = Joints::at(&outline.unit, &joints).unwrap_err().to_string();
+        let at = 10.0 + sign * 90.0;
+        assert!(refusal.contains(&format!("{at}")), "{refusal}");
+    }
+}

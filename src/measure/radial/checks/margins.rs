@@ -245,3 +245,22 @@ fn a_peak_is_known_nearly_or_beyond_a_limit() {
         assert!(least > 0.9 * peak && least <= peak && most == f64::INFINITY);
     }
 }
+
+#[test]
+fn lines_and_quadratics_keep_their_parameter() {
+    let truth = Truth::circle(Point::ORIGIN, 1.0);
+    let (a, b) = (Point::new(-1.0, 0.1), Point::new(1.0, 0.1));
+    let line = PathSeg::Line(Line::new(a, b));
+    let quad = PathSeg::Quad(QuadBez::new(a, Point::new(0.2, 0.1), b));
+    for (segment, x) in [(line, -0.5), (quad, -0.425)] {
+        // Near the centre the point itself is taken, farther out its excess.
+        let distance = Profile::new(&segment, &truth).at(0.25);
+        assert!(
+            apart(distance, f64::hypot(x, 0.1) - 1.0) < 1e-15,
+            "{distance}"
+        );
+        let ellipse = Truth::new(Point::ORIGIN, Vec2::new(4.0, 2.0), Vec2::new(1.0, 0.0));
+        let stated = error([&segment], &ellipse);
+        assert!(apart(stated.inward, 1.9) < 1e-12 && stated.outward == 0.0);
+    }
+}
