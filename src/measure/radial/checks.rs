@@ -217,6 +217,8 @@ fn sizes_along_a_part_are_those_of_its_places_and_attained() {
         assert!(apart(spread.bending.size(), most(&|m| m.bending.abs())) < tiny);
         let [low, high] = sizes.rising;
         assert!(high > most(&|m| m.rising) - tiny && -low > most(&|m| -m.rising) - tiny);
+        let excess = middle.excess.abs() + spread.rising.size() / 2.0;
+        assert!(apart(spread.excess.size(), excess) < tiny);
         for i in 0..2 {
             let acceleration = most(&|m| m.acceleration[i].abs());
             assert!(apart(sizes.acceleration[i], acceleration) < tiny);
@@ -320,6 +322,9 @@ fn the_multiplier_lies_between_the_quotients() {
         ([-0.03, 0.01], [1.0, 2.0], 0.1, 0.0, [-0.0195, 0.0065]),
         ([-0.01, 0.03], [1.0, 2.0], 0.1, 0.0, [-0.0065, 0.0195]),
         ([0.0, 0.03], [1.0, 2.0], 0.1, 0.0195, [0.0, 0.0195]),
+        ([0.01, 0.02], [1.0, 2.0], 0.1, 0.012, [0.00175, 0.013]),
+        ([-0.02, -0.01], [1.0, 2.0], 0.1, -0.012, [-0.013, -0.00175]),
+        ([0.01, 0.02], [1.0, 2.0], 0.1, 0.001, [0.00175, 0.013]),
         ([-0.03, 0.0], [1.0, 2.0], 0.1, -0.0195, [-0.0195, 0.0]),
     ];
     for (excess, gradients, x, middle, [low, high]) in cases {

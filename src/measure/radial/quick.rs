@@ -20,7 +20,7 @@ pub(super) struct Course<S> {
     /// What |N| is at least: where that is positive, the distance rises or falls all along.
     pub(super) steep: S,
     /// Between what N' lies.
-    bend: [S; 2],
+    pub(super) bend: [S; 2],
 }
 
 /// What the roundings of a few sums are off at most, as a part of those of sizes.
@@ -178,9 +178,9 @@ mod tests {
 
     type Quiet = fn(f64, [f64; 2]);
 
-    /// Does something with a search about a centre, from an ellipse whose radii are 1 and 1/2.
-    fn searched(center: Vec2, act: impl FnOnce(&mut Search<'_, Quiet>)) {
-        let truth = Truth::new(Point::ORIGIN, Vec2::new(1.0, 0.5), Vec2::new(1.0, 0.0));
+    /// Does something with a search about a centre, from an ellipse of these radii.
+    fn searched(radii: (f64, f64), center: Vec2, act: impl FnOnce(&mut Search<'_, Quiet>)) {
+        let truth = Truth::new(Point::ORIGIN, radii.into(), Vec2::new(1.0, 0.0));
         let line = PathSeg::Line(Line::new((1.0, 0.0), (1.0, 0.1)));
         let profile = Profile::new(&line, &truth);
         let mut known = Known::default();
@@ -231,27 +231,33 @@ mod tests {
                 3.840_295_673_112_774_6,
             ),
         ] {
-            searched(center.into(), |search| {
-                let part = Part::new([0.0, 1.0], excess, points, false);
-                let middle = part.motion_at(0.5, search.center);
-                let look = search.look(&part);
-                assert_close(look.nearness, nearness);
-                let course = search.course(&part, &middle, &look);
-                let told = look.bounds().unwrap();
-                for i in 0..2 {
-                    assert_close(told[i], bounds[i]);
-                    assert_close(course.bend[i], bend[i]);
-                }
-                assert_close(course.steep, steep);
-                assert_eq!(course.is_monotone(), steep > 0.0);
-                assert_close(search.step(&middle), step);
-            });
+            // And the same with the axes exchanged.
+            for (radii, points, (x, y)) in [
+                ((1.0, 0.5), points, center),
+                ((0.5, 1.0), [points[1], points[0]], (center.1, center.0)),
+            ] {
+                searched(radii, Vec2::new(x, y), |search| {
+                    let part = Part::new([0.0, 1.0], excess, points, false);
+                    let middle = part.motion_at(0.5, search.center);
+                    let look = search.look(&part);
+                    assert_close(look.nearness, nearness);
+                    let course = search.course(&part, &middle, &look);
+                    let told = look.bounds().unwrap();
+                    for i in 0..2 {
+                        assert_close(told[i], bounds[i]);
+                        assert_close(course.bend[i], bend[i]);
+                    }
+                    assert_close(course.steep, steep);
+                    assert_eq!(course.is_monotone(), steep > 0.0);
+                    assert_close(search.step(&middle), step);
+                });
+            }
         }
     }
 
     #[test]
     fn what_is_not_near_has_no_bounds() {
-        searched(Vec2::ZERO, |search| {
+        searched((1.0, 0.5), Vec2::ZERO, |search| {
             // x = |F| / (2 G b²) with G = 1 and b² = 1/4.
             for (excess, is_near) in [(0.049, true), (-0.049, true), (0.051, false)] {
                 let look = search.look_by([excess, 0.0], 1.0);

@@ -4,10 +4,11 @@ mod near;
 
 use core::cell::RefCell;
 
-use kurbo::{CubicBez, PathSeg, Point};
+use kurbo::{CubicBez, PathSeg, Point, QuadBez};
 
 use super::*;
 use crate::measure::radial::checks::{Dice, apart};
+use crate::measure::radial::quick::Course;
 use crate::shape::Truth;
 
 /// What was visited.
@@ -148,6 +149,18 @@ fn a_part_is_coarse_from_some_rounding_on() {
             assert_eq!(is_coarse(0.0, moved, 1.0), is_so, "{moved:?}");
         }
     });
+    let truth = Truth::new(Point::ORIGIN, Vec2::new(0.5, 1.0), Vec2::new(1.0, 0.0));
+    let upright = Profile::new(
+        &PathSeg::Quad(QuadBez::new((0.5, 0.0), (0.5, 0.5), (0.0, 1.0))),
+        &truth,
+    );
+    let ((), _) = searched(&upright, &mut Known::default(), |search| {
+        let mut part = Part::new([0.0, 1.0], [0.0; 7], [[0.0; 4]; 2], false);
+        for (moved, is_so) in [(0.49e-11, false), (0.51e-11, true)] {
+            part.moved = [moved, 0.0];
+            assert_eq!(search.is_coarse(&part, 1.0), is_so, "{moved}");
+        }
+    });
     // Or what of the distance may be stated without a closer look.
     let mut known = Known::default();
     known.learn(0, 0.25);
@@ -234,6 +247,24 @@ fn what_a_step_leaves_is_added_where_it_is_little() {
     let (done, visits) = settled(curving(1e-6), 1.0);
     let [low, high] = visits[0].1;
     assert!(done && apart((high - low) / 2.0, 1e-6 + margin) < 2e-7);
+    // The same where sizes tell how N' is bent at least, the other way round too.
+    for a in [-1e-7, 1e-7] {
+        let part = rising(a, 0.0, 0.4);
+        let less = curving(1e-6);
+        let bend = if a > 0.0 { [less, 1.0] } else { [-1.0, -less] };
+        for open in [9.0, 0.0] {
+            let (done, visits) = searched(&any(), &mut Known::default(), |search| {
+                search.last_place = if open > 0.0 { 1.0 } else { 1e-9 };
+                let (steep, bounds) = (-1.0, [open; 2]);
+                let course = Course { steep, bend };
+                search.leads_to_extreme(&part, &course, bounds, 0.4)
+            });
+            assert_eq!((done, visits.len()), (true, usize::from(open > 0.0)));
+            for (_, [low, high]) in visits {
+                assert!(apart((high - low) / 2.0, 1e-6 + margin) < 3e-7, "{a}");
+            }
+        }
+    }
     // Up to a share of the distance, and to the last place.
     for (last_place, allowed) in [(0.0, 5e-14), (1e-9, 1e-9 + 5e-14)] {
         assert!(settled(curving(0.8 * allowed), last_place).0);
