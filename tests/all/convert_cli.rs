@@ -246,6 +246,12 @@ fn the_report_is_one_json_object() {
             .as_str()
             .is_some_and(|error| error.starts_with("in/bad.svg:2:4:"))
     }));
+    // How far it strays is said of what was converted.
+    for file in files {
+        let strays = file["strayed"].as_f64();
+        assert_eq!(strays.is_some(), file["changed"] == true, "{file}");
+        assert!(strays.is_none_or(|distance| distance > 0.0), "{file}");
+    }
 }
 
 #[test]

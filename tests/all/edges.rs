@@ -1005,3 +1005,14 @@ fn a_joint_that_is_given_twice_is_told() {
         assert!(refusal.contains(&format!("{at}")), "{refusal}");
     }
 }
+
+#[test]
+fn dxf_says_exact_of_arcs_that_it_writes_as_such() {
+    for (more, is_exact) in [("", true), (" -n 3", false)] {
+        let arguments = format!("arc --svg M0,0A5,5,0,0,1,10,0 -f dxf --verbose{more}");
+        let output = run(&words(&arguments));
+        let stated = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(stated.contains("exact"), is_exact, "{stated}");
+        assert_eq!(stated.contains("3 segments"), !is_exact, "{stated}");
+    }
+}
