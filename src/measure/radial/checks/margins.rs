@@ -5,6 +5,7 @@ use kurbo::{Affine, CubicBez, Line, ParamCurve, PathSeg, Point, QuadBez, Vec2};
 use super::{EPSILON, apart};
 use crate::measure::radial::{NOISE, Profile, error, peak_nearly};
 use crate::numeric::bernstein::Polynomial;
+use crate::numeric::double::Double;
 use crate::shape::Truth;
 use crate::{Angle, Circle, Ellipse, Shape};
 
@@ -159,7 +160,15 @@ fn the_coordinates_of_a_profile_are_about_its_centre() {
     let ends = outline.ends.unwrap();
     let segment = PathSeg::Line(Line::new(ends[0], ends[1]));
     let radii = outline.truth.radii;
-    let [x, y] = Profile::new(&segment, &outline.truth).coordinates();
+    let profile = Profile::new(&segment, &outline.truth);
+    let [first, .., last] = *profile.framed.points();
+    for point in [first, last] {
+        // In the frame the ellipse is a circle.
+        let [x, y] = profile.about_center(point).map(Double::value);
+        let radius = profile.exact.radius().value();
+        assert!(apart(Vec2::new(x, y).hypot(), radius) < 1e-14, "{x} {y}");
+    }
+    let [x, y] = profile.coordinates();
     for t in [0.0, 1.0] {
         let q = Vec2::new(x.at(t) / radii.x, y.at(t) / radii.y);
         assert!(apart(q.x * q.x + q.y * q.y, 1.0) < 1e-12, "{q:?}");
