@@ -62,32 +62,60 @@ pub(crate) fn roughly_from_arc(parts: &[CubicBez], arc: &Arc) -> f64 {
 
 /// Whether that is within a limit, which mostly a look at the sizes of a few coefficients says.
 pub(super) fn is_within(parts: &[CubicBez], arc: &Arc, limit: f64) -> bool {
-    let ([cubic], Some(ends)) = (parts, arc.ends) else {
-        return roughly_from_arc(parts, arc) <= limit;
-    };
-    let surely = if is_circle(arc) {
-        is_surely_within(cubic, ends, arc, limit)
-    } else {
-        let (cubic, ends, unit) = mapped(*cubic, ends, arc);
-        let limit = (limit - margin(parts, arc)) / arc.radii.x.max(arc.radii.y);
-        is_surely_within(&cubic, ends, &unit, limit)
-    };
-    surely || roughly_from_arc(parts, arc) <= limit
+    is_surely_within(parts, arc, limit) || roughly_from_arc(parts, arc) <= limit
 }
 
-/// One cubic between the ends of the arc of a circle, about its centre all the way: the Bernstein coefficients of |q - c|² - r² over four
-/// parts of it bound how far it strays.
-fn is_surely_within(cubic: &CubicBez, ends: [Point; 2], arc: &Arc, limit: f64) -> bool {
+/// Whether that look says so.
+pub(super) fn is_surely_within(parts: &[CubicBez], arc: &Arc, limit: f64) -> bool {
+    let Some(ends) = arc.ends else {
+        return false;
+    };
+    if is_circle(arc) {
+        return runs_within(parts, ends, arc, limit);
+    }
+    let limit = (limit - margin(parts, arc)) / arc.radii.x.max(arc.radii.y);
+    if let [cubic] = parts {
+        let (cubic, ends, unit) = mapped(*cubic, ends, arc);
+        return runs_within(&[cubic], ends, &unit, limit);
+    }
+    let (parts, ends, unit) = all_mapped(parts, ends, arc);
+    runs_within(&parts, ends, &unit, limit)
+}
+
+/// Cubics between the ends of the arc of a circle, about its centre all the way: the Bernstein coefficients of |q - c|² - r² over four
+/// parts of each bound how far it strays.
+fn runs_within(parts: &[CubicBez], ends: [Point; 2], arc: &Arc, limit: f64) -> bool {
     /// What rounding may do, as a part of the radius.
     const NOISE: f64 = 1e-13;
     let (center, radius) = (arc.center, arc.radii.x);
-    let sign = arc.sweep.degrees().signum();
-    if ends != [cubic.p0, cubic.p3] || !runs_about(cubic, center, sign) {
-        return false;
-    }
+    let runs = match parts {
+        [] => false,
+        [cubic] => {
+            ends == [cubic.p0, cubic.p3] && runs_about(cubic, center, arc.sweep.degrees().signum())
+        }
+        [first, .., last] => {
+            ends == [first.p0, last.p3]
+                && overshoot(parts, center, arc.sweep.radians()) == Some(0.0)
+        }
+    };
+    let largest = |cubic: &CubicBez| {
+        let quarters = halves(excess(cubic, center, radius)).map(halves);
+        let all = quarters.iter().flatten().flatten();
+        all.fold(0.0_f64, |most, c| most.max(c.abs()))
+    };
+    runs && parts.iter().all(|cubic| {
+        let largest = largest(cubic);
+        // From inside, r - sqrt(r² - e) = e / (r + sqrt(r² - e)).
+        let inner = (radius * radius - largest).max(0.0).sqrt();
+        largest / (radius + inner) + NOISE * radius < limit
+    })
+}
+
+/// The Bernstein coefficients of |q - c|² - r² over a cubic.
+fn excess(cubic: &CubicBez, center: Point, radius: f64) -> [f64; 7] {
     let p = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(|p| p - center);
     let square = radius * radius;
-    let coefficients = [
+    [
         p[0].hypot2() - square,
         p[0].dot(p[1]) - square,
         (2.0 * p[0].dot(p[2]) + 3.0 * p[1].hypot2()) / 5.0 - square,
@@ -95,16 +123,7 @@ fn is_surely_within(cubic: &CubicBez, ends: [Point; 2], arc: &Arc, limit: f64) -
         (2.0 * p[1].dot(p[3]) + 3.0 * p[2].hypot2()) / 5.0 - square,
         p[2].dot(p[3]) - square,
         p[3].hypot2() - square,
-    ];
-    let quarters = halves(coefficients).map(halves);
-    let largest = quarters
-        .iter()
-        .flatten()
-        .flatten()
-        .fold(0.0_f64, |most, c| most.max(c.abs()));
-    // From inside, r - sqrt(r² - e) = e / (r + sqrt(r² - e)).
-    let inner = (square - largest).max(0.0).sqrt();
-    largest / (radius + inner) + NOISE * radius < limit
+    ]
 }
 
 fn is_circle(arc: &Arc) -> bool {

@@ -17,7 +17,7 @@ const LENGTH_PART: f64 = 0.08;
 
 /// How far a control point may lie from where the arc has it, in units of what the rounding of the file moves a point: it and the end
 /// that it is counted from are rounded.
-pub(super) const MARGIN: f64 = 1.2;
+pub(crate) const MARGIN: f64 = 1.2;
 
 /// The largest turn at a joint that rounding explains, in degrees: anything beyond is a corner, which stays.
 pub(super) const LARGEST_TURN: f64 = 8.0;
@@ -90,7 +90,7 @@ impl Rules {
     }
 
     /// How far the rounding of the file moves a point.
-    pub(super) fn moved(&self) -> f64 {
+    pub(crate) fn moved(&self) -> f64 {
         Precision::Fixed(self.decimals).farthest_moved()
     }
 

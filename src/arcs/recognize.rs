@@ -12,12 +12,12 @@ use core::cell::Cell;
 
 use kurbo::{CubicBez, PathSeg, Point, Vec2};
 
-use super::bound::{is_within, roughly_from_arc};
+use super::bound::{is_surely_within, is_within, roughly_from_arc};
 use super::diameters::ellipse_of;
 use super::glance::{Glance, glance, goes_on_along, is_askew, strays_from};
-pub(crate) use super::near::Rules;
+pub(crate) use super::near::{MARGIN, Rules};
 use super::near::{
-    MARGIN, MORE_DECIMALS, Pencil, THROUGH_MIDDLE, ends_and_middle, is_drawn_like, is_tangent,
+    MORE_DECIMALS, Pencil, THROUGH_MIDDLE, ends_and_middle, is_drawn_like, is_tangent,
     joins_smoothly, larger, size, strays, swept,
 };
 use crate::Angle;
@@ -34,7 +34,7 @@ const SWEEPS: [f64; 2] = [4.0, 350.0];
 const HALF_TURN: f64 = 180.0 + 1e-9;
 
 /// The part of the tolerance by which a radius is rounded that nobody meant.
-const NEAR_PART: f64 = 0.1;
+const NEAR_PART: f64 = 0.3;
 
 /// A run of cubics that is one arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,9 +48,13 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    /// A bound, both ways, of its distance from the cubics.
-    pub(crate) fn strayed(&self, cubics: &[CubicBez]) -> f64 {
-        roughly_from_arc(cubics, &self.arc)
+    /// A bound, both ways, of its distance from the cubics, or what is known already where that is no less.
+    pub(crate) fn strayed(&self, cubics: &[CubicBez], known: f64) -> f64 {
+        if is_surely_within(cubics, &self.arc, known) {
+            known
+        } else {
+            roughly_from_arc(cubics, &self.arc).max(known)
+        }
     }
 }
 
@@ -66,8 +70,9 @@ pub(super) fn run(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
 /// The same without a first look.
 pub(super) fn closer(cubics: &[CubicBez], rules: &Rules) -> Option<Found> {
     let (first, _) = cubics.split_first()?;
-    if circle_of(&cubics[..1], rules).is_some() {
-        return longest(cubics, rules, |count| circle_of(&cubics[..count], rules));
+    if let Some(alone) = circle_of(&cubics[..1], rules) {
+        let circle = |count| circle_of(&cubics[..count], rules);
+        return longest(cubics, rules, Some(alone), circle);
     }
     if !rules.elliptic {
         return None;
@@ -91,7 +96,7 @@ fn along_ellipse(cubics: &[CubicBez], rough: &Truth, rules: &Rules) -> Option<Fo
         }
     })?;
     let ellipse = alone.arc.truth();
-    longest(cubics, rules, |count| {
+    longest(cubics, rules, None, |count| {
         let run = &cubics[..count];
         placed(run, &ellipse).filter(|arc| strays(run, arc) <= rules.room(size(run, larger(arc))))
     })
@@ -122,21 +127,25 @@ pub(crate) fn halves(cubics: &[CubicBez], rules: &Rules) -> Option<(Found, Optio
     })
 }
 
-/// The run of most cubics for which `arc_of` gives an arc that survives a closer look.
+/// The run of most cubics for which `arc_of` gives an arc that survives a closer look; that of the first one may be known.
 fn longest(
     cubics: &[CubicBez],
     rules: &Rules,
+    first: Option<Arc>,
     arc_of: impl Fn(usize) -> Option<Arc>,
 ) -> Option<Found> {
     let smooth = cubics.windows(2).take_while(|pair| joins_smoothly(pair));
     // Doubling, then halving: the longest run takes as many looks as its length has bits.
     let mut smooth = smooth.fuse();
     let (mut best, mut most, mut step, mut growing) = (1, 1, 1, true);
+    let mut longest = first;
     while step > 0 {
         while most < best + step && smooth.next().is_some() {
             most += 1;
         }
-        if best + step <= most && arc_of(best + step).is_some() {
+        let longer = (best + step <= most).then(|| arc_of(best + step)).flatten();
+        if longer.is_some() {
+            longest = longer;
             best += step;
             step = if growing { 2 * step } else { step / 2 };
         } else {
@@ -155,7 +164,7 @@ fn longest(
     let mut last = 0;
     [best, best.div_ceil(2), 1].into_iter().find_map(|count| {
         let again = core::mem::replace(&mut last, count) == count;
-        let found = (!again).then(|| arc_of(count))??;
+        let found = (!again).then(|| longest.take().or_else(|| arc_of(count)))??;
         meant(&cubics[..count], &found, rules, worth)
     })
 }
@@ -285,7 +294,9 @@ fn near_enough(
     };
     let room = rules.room(size(cubics, larger(&arc)));
     let off = strays(cubics, &arc);
-    let is_drawn = |explained| off <= explained && is_drawn_like(cubics, &arc, rules);
+    // A radius that is too small for its ends is drawn larger: what was meant is that one.
+    let enlarged = larger(&arc) - given.radii.x.max(given.radii.y);
+    let is_drawn = |explained| off.max(enlarged) <= explained && is_drawn_like(cubics, &arc, rules);
     if !(off <= room && is_tangent(cubics, &arc) && explained.is_none_or(is_drawn)) {
         return None;
     }

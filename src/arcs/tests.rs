@@ -68,7 +68,7 @@ fn a_first_look_lets_nothing_go_that_a_closer_one_finds() {
 
 #[test]
 fn the_sizes_of_coefficients_tell_what_the_bound_tells() {
-    let (mut state, mut within) = (3, 0);
+    let (mut state, mut within) = (3, [0; 2]);
     for round in 0..20_000 {
         let decimals = (round % 5) as u8;
         let cubics = drawn(&mut state, decimals);
@@ -80,23 +80,24 @@ fn the_sizes_of_coefficients_tell_what_the_bound_tells() {
             drawn_only: false,
             longest: usize::MAX,
         };
-        let Some(found) = closer(&cubics[..1], &rules) else {
-            continue;
-        };
-        let bound = roughly_from_arc(&cubics[..1], &found.arc);
-        for (limit, fits) in [
-            (0.999 * bound, false),
-            (1.001 * bound, true),
-            (2.0 * bound, true),
-        ] {
-            assert_eq!(
-                is_within(&cubics[..1], &found.arc, limit),
-                fits,
-                "{cubics:?}"
-            );
+        for cubics in [&cubics[..1], &cubics] {
+            let found = closer(cubics, &rules);
+            let Some(found) = found.filter(|found| found.count == cubics.len()) else {
+                continue;
+            };
+            let bound = roughly_from_arc(cubics, &found.arc);
+            for (limit, fits) in [
+                (0.999 * bound, false),
+                (1.001 * bound, true),
+                (2.0 * bound, true),
+            ] {
+                assert_eq!(is_within(cubics, &found.arc, limit), fits, "{cubics:?}");
+                let known = found.strayed(cubics, limit);
+                assert_eq!(known, bound.max(limit), "{cubics:?}");
+            }
+            assert!(strays_from(&cubics[0], &found.given) <= bound, "{cubics:?}");
+            within[cubics.len() - 1] += 1;
         }
-        assert!(strays_from(&cubics[0], &found.given) <= bound, "{cubics:?}");
-        within += 1;
     }
-    assert!(within > 5_000, "{within}");
+    assert!(within[0] > 5_000 && within[1] > 1_000, "{within:?}");
 }

@@ -304,6 +304,16 @@ impl<'a> Rewriter<'a, '_> {
         }
     }
 
+    /// The runs of path data that become arcs, on the way back.
+    fn runs(&self, text: &str, span: Range<usize>, markers: Markers) -> Option<runs::Outcome> {
+        let Target::Arcs { tolerance, .. } = self.options.to else {
+            return None;
+        };
+        let keeps_vertices = markers.middle && Reason::MarkerOnRun.counts(self.options.trust);
+        let known = self.strayed;
+        Some(runs::find(text, span, tolerance, keeps_vertices, known))
+    }
+
     /// The arcs of an attribute that holds path data.
     fn path_data(
         &mut self,
@@ -334,14 +344,7 @@ impl<'a> Rewriter<'a, '_> {
             ),
             None => (scanner.source, d.value_span.clone(), None),
         };
-        let found = match self.options.to {
-            Target::Beziers => None,
-            Target::Arcs { tolerance, .. } => {
-                let trust = self.options.trust;
-                let keeps_vertices = markers.middle && Reason::MarkerOnRun.counts(trust);
-                Some(runs::find(text, span.clone(), tolerance, keeps_vertices))
-            }
-        };
+        let found = self.runs(text, span.clone(), markers);
         if found.as_ref().is_none_or(|found| !found.is_empty())
             && let Some(reason) = forbidden(self)
         {

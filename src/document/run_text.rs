@@ -45,6 +45,9 @@ pub(super) const fn family(kind: u8) -> u8 {
     }
 }
 
+/// Room for the text of most arcs.
+const TEXT: usize = 48;
+
 /// A range of the path data and what stands in its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Edit {
@@ -163,7 +166,8 @@ fn arc(text: &str, links: &[Link], run: &Run) -> Option<Edit> {
     let (first, last) = (run_links.first()?, run_links.last()?);
     let given = &run.found.given;
     let (letter, end) = end_point(text, run_links)?;
-    let mut out = vec![letter];
+    let mut out = Vec::with_capacity(TEXT);
+    out.push(letter);
     let mut after = After::Letter;
     for number in [given.radii.x, given.radii.y, given.rotation.degrees()] {
         after.push(

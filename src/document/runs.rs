@@ -31,7 +31,7 @@ pub(super) struct Outcome {
     pub(super) edits: Vec<Edit>,
     /// The arc commands in them.
     pub(super) arcs: usize,
-    /// A bound of the distance of all arcs from their runs.
+    /// A bound of the distance of all arcs from their runs, of those before them too.
     pub(super) strayed: f64,
     /// Why a run was left, and where it is.
     pub(super) left: Option<(usize, Reason)>,
@@ -76,12 +76,13 @@ pub(super) fn decimals(text: &[u8]) -> Option<u8> {
     Some(decimals_spelled(text)?.min(MOST_DECIMALS))
 }
 
-/// Finds the runs of the path data in `text[span]`, after which the text ends or goes on with a quote.
+/// Finds the runs of the path data in `text[span]`, after which the text ends or goes on with a quote; `strayed` is how far those before them do.
 pub(super) fn find(
     text: &str,
     span: Range<usize>,
     tolerance: Option<Tolerance>,
     keeps_vertices: bool,
+    strayed: f64,
 ) -> Outcome {
     let mut finder = Finder {
         text,
@@ -94,7 +95,10 @@ pub(super) fn find(
         has_exponent: false,
         links: Vec::new(),
         cubics: Vec::new(),
-        outcome: Outcome::default(),
+        outcome: Outcome {
+            strayed,
+            ..Outcome::default()
+        },
     };
     let mut segments = Segments::new(text, span).with_handles();
     while let Some(segment) = segments.next() {
@@ -205,8 +209,8 @@ impl Finder<'_> {
         }
         let (edits, taken) = run_text::edits(self.text, &self.links, &runs);
         for run in &taken {
-            let strayed = run.found.strayed(&self.cubics[run.start..run.end()]);
-            self.outcome.strayed = self.outcome.strayed.max(strayed);
+            let cubics = &self.cubics[run.start..run.end()];
+            self.outcome.strayed = run.found.strayed(cubics, self.outcome.strayed);
         }
         self.outcome.arcs += taken.len();
         self.outcome.edits.extend(edits);

@@ -6,7 +6,7 @@ use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Rect, Shape as _, Vec2};
 
 use super::runs::{decimals, rules};
 use super::style::property::Kind;
-use crate::arcs::recognize::{Rules, Turn, turned};
+use crate::arcs::recognize::{MARGIN, Rules, Turn, turned};
 use crate::contour::{Contour, Step};
 use crate::joints::Tolerance;
 use crate::number::{push_shortest, round};
@@ -17,6 +17,9 @@ const LONGEST: usize = 2000;
 
 /// How many decimals more than the file a shape's numbers may have.
 const MORE_DECIMALS: u8 = 1;
+
+/// What the last bits of a number may be off, as a part of it.
+const NOISE: f64 = 1e-12;
 
 /// A whole shape.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,11 +67,31 @@ pub(super) fn find(text: &str, span: Range<usize>, tolerance: Option<Tolerance>)
         .iter()
         .map(PathSeg::bounding_box)
         .reduce(|a, b| a.union(b))?;
-    let attempt = |decimals| {
-        let shape = ellipse(&segments, bounds, decimals, &rules);
-        shape.or_else(|| rect(&segments, bounds, decimals, &rules))
+    ellipse(&segments, bounds, &rules).or_else(|| rect(&segments, bounds, &rules))
+}
+
+/// The shape of the fewest decimals, of its place and of its radii, that is as good as that of these numbers but for what rounding of the
+/// file explains: nobody meant others, however wide the tolerance is.
+fn meant<const P: usize>(
+    (place, radii): ([f64; P], [f64; 2]),
+    rules: &Rules,
+    shape: impl Fn([f64; P], [f64; 2]) -> Option<Whole>,
+) -> Option<Whole> {
+    let explained = MARGIN * shape(place, radii)?.strayed + 2.0 * rules.moved();
+    let is_near = |a: f64, b: f64| (a - b).abs() <= explained;
+    let attempt = |(a, b)| {
+        let (near, few) = (rounded(place, a), rounded(radii, b));
+        let (mut places, mut sizes) = (near.iter().zip(&place), few.iter().zip(&radii));
+        let is_explained =
+            places.all(|(a, b)| is_near(*a, *b)) && sizes.all(|(a, b)| is_near(*a, *b));
+        let drawn = is_explained.then(|| shape(near, few)).flatten();
+        drawn.filter(|shape| shape.strayed <= explained)
     };
-    (0..=rules.decimals.saturating_add(MORE_DECIMALS)).find_map(attempt)
+    (0..=rules.decimals.saturating_add(MORE_DECIMALS)).find_map(|most| {
+        let fewer_of_radii = (0..=most).map(|few| (most, few));
+        let fewer_of_place = (0..most).map(|few| (few, most));
+        fewer_of_radii.chain(fewer_of_place).find_map(attempt)
+    })
 }
 
 /// The steps that lead anywhere, where none is an arc.
@@ -98,36 +121,38 @@ fn evened(radii: Vec2, rules: &Rules) -> (Vec2, bool) {
     (if is_even { Vec2::splat(mean) } else { radii }, is_even)
 }
 
-fn ellipse(segments: &[PathSeg], bounds: Rect, decimals: u8, rules: &Rules) -> Option<Whole> {
+fn ellipse(segments: &[PathSeg], bounds: Rect, rules: &Rules) -> Option<Whole> {
     let cubics: Vec<CubicBez> = segments
         .iter()
         .map(|segment| (!matches!(segment, PathSeg::Line(_))).then(|| segment.to_cubic()))
         .collect::<Option<_>>()?;
     let (center, size) = (bounds.center(), bounds.size());
     let (radii, is_circle) = evened(size.to_vec2() / 2.0, rules);
-    let [cx, cy, rx, ry] = rounded([center.x, center.y, radii.x, radii.y], decimals);
-    let turn = Turn {
-        center: Point::new(cx, cy),
-        radii: Vec2::new(rx, ry),
-    };
-    let (swept, strayed) = turned(&cubics, &turn, rules)?;
-    let fits = (swept.abs() - 360.0).abs() < 1.0 && strayed <= rules.room(rx.max(ry));
     let start = segments.first()?.start();
-    fits.then(|| Whole {
-        kind: if is_circle {
-            Kind::Circle
-        } else {
-            Kind::Ellipse
-        },
-        numbers: if is_circle {
-            vec![cx, cy, rx]
-        } else {
-            vec![cx, cy, rx, ry]
-        },
-        strayed,
-        starts_alike: swept > 0.0
-            && start.distance(turn.center + Vec2::new(rx, 0.0)) <= rules.slack(rx),
-    })
+    let shape = |[cx, cy]: [f64; 2], [rx, ry]: [f64; 2]| {
+        let turn = Turn {
+            center: Point::new(cx, cy),
+            radii: Vec2::new(rx, ry),
+        };
+        let (swept, strayed) = turned(&cubics, &turn, rules)?;
+        let fits = (swept.abs() - 360.0).abs() < 1.0 && strayed <= rules.room(rx.max(ry));
+        fits.then(|| Whole {
+            kind: if is_circle {
+                Kind::Circle
+            } else {
+                Kind::Ellipse
+            },
+            numbers: if is_circle {
+                vec![cx, cy, rx]
+            } else {
+                vec![cx, cy, rx, ry]
+            },
+            strayed,
+            starts_alike: swept > 0.0
+                && start.distance(turn.center + Vec2::new(rx, 0.0)) <= rules.slack(rx),
+        })
+    };
+    meant(([center.x, center.y], [radii.x, radii.y]), rules, shape)
 }
 
 /// A rectangle with round corners.
@@ -179,24 +204,29 @@ impl RoundRect {
     }
 }
 
-fn rect(segments: &[PathSeg], bounds: Rect, decimals: u8, rules: &Rules) -> Option<Whole> {
-    let radii = corner_radii(segments)?;
-    let (room, (radii, _)) = (rules.slack(radii.x.max(radii.y)), evened(radii, rules));
-    let size = bounds.size();
-    let numbers = [
-        bounds.x0,
-        bounds.y0,
-        size.width,
-        size.height,
-        radii.x,
-        radii.y,
-    ];
-    let [x, y, width, height, rx, ry] = rounded(numbers, decimals);
+fn rect(segments: &[PathSeg], bounds: Rect, rules: &Rules) -> Option<Whole> {
+    let (radii, _) = evened(corner_radii(segments)?, rules);
+    let (place, size) = (bounds.origin(), bounds.size());
+    let place = [place.x, place.y, size.width, size.height];
+    meant((place, [radii.x, radii.y]), rules, |place, radii| {
+        round_rect(segments, place, radii, rules)
+    })
+}
+
+fn round_rect(
+    segments: &[PathSeg],
+    [x, y, width, height]: [f64; 4],
+    [rx, ry]: [f64; 2],
+    rules: &Rules,
+) -> Option<Whole> {
+    let room = rules.slack(rx.max(ry));
     let shape = RoundRect {
         bounds: Rect::new(x, y, x + width, y + height),
         radii: Vec2::new(rx, ry),
     };
-    if !(rx > 0.0 && ry > 0.0 && 2.0 * rx <= width && 2.0 * ry <= height) {
+    // Numbers that are not yet rounded have their noise.
+    let fit = 2.0 * rx <= width * (1.0 + NOISE) && 2.0 * ry <= height * (1.0 + NOISE);
+    if !(rx > 0.0 && ry > 0.0 && fit) {
         return None;
     }
     let (mut swept, mut sense, mut strayed) = (0.0, 0.0, 0.0_f64);

@@ -115,6 +115,64 @@ fn what_follows_a_run_keeps_its_meaning() {
     }
 }
 
+/// A circle of so many cubics, from an angle in radians on.
+fn circle([x, y]: [f64; 2], radius: f64, count: u32, start: f64, decimals: usize) -> String {
+    let step = std::f64::consts::TAU / f64::from(count);
+    let handle = 4.0 / 3.0 * (step / 4.0).tan();
+    let at = |angle: f64, along: f64| {
+        let (sin, cos) = angle.sin_cos();
+        let (dx, dy) = (cos - along * sin, sin + along * cos);
+        format!(
+            "{:.decimals$} {:.decimals$} ",
+            x + radius * dx,
+            y + radius * dy
+        )
+    };
+    let curves = (0..count).map(|i| {
+        let [from, to] = [i, i + 1].map(|i| start + step * f64::from(i));
+        format!("C{}{}{}", at(from, handle), at(to, -handle), at(to, 0.0))
+    });
+    format!("M{}{}Z", at(start, 0.0), curves.collect::<String>())
+}
+
+#[test]
+fn half_a_turn_has_the_radius_that_its_ends_have() {
+    for (radius, start, spelled) in [
+        (2.25, 0.0, "2.25 2.25"),
+        (7.5, 0.0, "7.5 7.5"),
+        (24.0, 0.0, "24 24"),
+        // The ends were rounded.
+        (7.5, 0.8, "7.5 7.5"),
+        (300.25, 1.571, "300.25 300.25"),
+    ] {
+        let new = path(&circle([0.0, 12.0], radius, 4, start, 4));
+        assert_eq!(
+            new.matches(&format!("A{spelled} 0 0 1")).count(),
+            2,
+            "{new}"
+        );
+    }
+}
+
+#[test]
+fn a_shape_has_the_place_that_was_meant_however_large_it_is() {
+    for (center, radius, count, tolerance) in [
+        ([25.5, 12.0], 300.0, 4, Some(Tolerance::Relative(0.01))),
+        ([25.5, 12.0], 100.0, 12, Some(Tolerance::Relative(0.01))),
+        ([25.5, 12.0], 300.0, 4, None),
+        ([100.0, 7.5], 1000.0, 8, None),
+    ] {
+        for start in [0.0, std::f64::consts::FRAC_PI_4, 0.3] {
+            let data = circle(center, radius, count, start, 2);
+            let text = svg(&format!("<path d=\"{data}\"/>"));
+            let new = document::convert(&text, &options(tolerance, true)).unwrap();
+            let [x, y] = center;
+            let shape = format!(r#"<circle cx="{x}" cy="{y}" r="{radius}"/>"#);
+            assert!(new.text.contains(&shape), "{} for {shape}", new.text);
+        }
+    }
+}
+
 #[test]
 fn a_second_conversion_finds_nothing() {
     for (before, after) in [
