@@ -60,6 +60,9 @@ struct Nearest {
     off_line: f64,
 }
 
+/// How many times as long as the piece before it the next one may be without a second look.
+const MOST_LONGER: f64 = 16.0;
+
 /// Looks for the fewest pieces of chains.
 pub(super) struct Search {
     room: f64,
@@ -95,8 +98,7 @@ impl Search {
         let chain = Chain::new(cubics);
         let (mut fits, mut from, mut guess) = (Vec::new(), 0.0, 1.0);
         while from < chain.end() && fits.len() <= most {
-            let to = self.farthest(&chain, from, guess);
-            let mut piece = self.piece(&chain, from, to);
+            let mut piece = self.longest(&chain, from, guess);
             if elliptic {
                 piece = self.farther(&chain, from, piece);
             }
@@ -106,6 +108,20 @@ impl Search {
             from = to;
         }
         fits
+    }
+
+    /// The longest piece from here, one of about so many cubics at first: where a chain comes back to itself again and again all of it may
+    /// seem near an arc, and be too much to look at for each piece.
+    fn longest(&mut self, chain: &Chain<'_>, from: f64, mut guess: f64) -> (f64, Fit) {
+        loop {
+            let most = MOST_LONGER * guess;
+            let to = self.farthest(chain, from, guess, most);
+            let piece = self.piece(chain, from, to);
+            if piece.0 < from + most || most >= chain.reach() {
+                return piece;
+            }
+            guess = most;
+        }
     }
 
     /// The piece up to where an arc of an ellipse reaches from here, or the one that there is.
@@ -144,9 +160,9 @@ impl Search {
             .filter(|fit| fit.bound() <= self.room)
     }
 
-    /// The farthest end of an arc from here, as points of the chain have it.
-    fn farthest(&mut self, chain: &Chain<'_>, from: f64, guess: f64) -> f64 {
-        let end = chain.end().min(from + chain.reach());
+    /// The farthest end of an arc from here, as points of the chain have it, after so many cubics at most.
+    fn farthest(&mut self, chain: &Chain<'_>, from: f64, guess: f64, most: f64) -> f64 {
+        let end = chain.end().min(from + chain.reach().min(most));
         if end - from <= 2.0 && self.nearest(chain, (from, end), POINTS).off <= self.room {
             return end;
         }

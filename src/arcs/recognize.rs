@@ -161,12 +161,11 @@ fn longest(
             Worth::None
         }
     };
-    let mut last = 0;
-    [best, best.div_ceil(2), 1].into_iter().find_map(|count| {
-        let again = core::mem::replace(&mut last, count) == count;
-        let found = (!again).then(|| longest.take().or_else(|| arc_of(count)))??;
-        meant(&cubics[..count], &found, rules, worth)
-    })
+    let fewer = core::iter::successors(Some(best), |&count| {
+        (count > 1).then_some(count.div_ceil(2))
+    });
+    let mut fewer = fewer.map(|count| (count, longest.take().or_else(|| arc_of(count))));
+    fewer.find_map(|(count, found)| meant(&cubics[..count], &found?, rules, worth))
 }
 
 /// Whether no run goes on after the first of the cubics.

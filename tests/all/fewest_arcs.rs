@@ -483,3 +483,16 @@ fn radii_are_those_that_were_meant() {
         }
     }
 }
+
+#[test]
+fn a_chain_that_comes_back_to_itself_takes_time_in_proportion() {
+    // All of it seems near an arc, by its points.
+    let length = |count: usize| {
+        let data = format!("M0 0C5.5 0 10 4.5 10 10{}", "S5 5 0 0".repeat(count));
+        let (error, drawn) = stated(&data, &["--to", "arcs"], "5");
+        assert!(error <= 5.0);
+        drawn.len()
+    };
+    let (few, many) = (length(100), length(2000));
+    assert!(many < 30 * few, "{few} {many}");
+}
