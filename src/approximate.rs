@@ -1,6 +1,7 @@
 //! A shape, a rule and a cut become a curve whose error is known.
 
 mod decimals;
+mod doubling;
 mod extremes;
 pub(crate) mod fewest;
 mod rounding;

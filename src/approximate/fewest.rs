@@ -32,7 +32,9 @@ const BELOW: usize = 2;
 const LUCK: f64 = 1.03;
 
 /// The parts of a tolerance, the largest first, for which joints are marched out: the measure decides which of them serves.
-const NEARLY: [f64; 10] = [1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7];
+const NEARLY: [f64; 14] = [
+    1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7, 0.6, 0.5, 0.4, 0.33,
+];
 
 /// A bound on how far rounding may bring a curve nearer to the true shape.
 pub(crate) fn rounding(precision: Option<Precision>, tolerance: f64) -> f64 {
@@ -98,19 +100,22 @@ impl Request<'_> {
         let tolerance = tolerance.for_radius(truth.larger_radius());
         self.check_tolerance(tolerance)?;
         self.check_ends(tolerance)?;
-        if let Some(balance) = Balance::new(&self.outline, self.options.rule)
-            && let Some(sketch) = self.fewest_adaptive(&balance, tolerance)
+        let balance = Balance::new(&self.outline, self.options.rule);
+        if let Some(balance) = &balance
+            && let Some(sketch) = self.fewest_adaptive(balance, tolerance)
         {
             return Ok(sketch);
         }
         let counts = self.counts(tolerance);
+        let beyond = || self.fewest_by_doubling(balance.as_ref(), *counts.start(), tolerance);
         if *counts.start() > MANY {
-            return self
-                .fewest_of_many(counts, tolerance)?
+            let found = self.fewest_of_many(counts.clone(), tolerance)?;
+            return found
+                .or_else(beyond)
                 .ok_or_else(|| self.refusal(tolerance, None));
         }
         let (mut serves, mut last_refusal) = (false, None);
-        for count in counts {
+        for count in counts.clone() {
             match self.within(Joints::equal(&self.outline.unit, count)?, None, tolerance) {
                 Ok(Some(sketch)) => return Ok(sketch),
                 Ok(None) => serves = true,
@@ -118,7 +123,8 @@ impl Request<'_> {
                 Err(other) => return Err(other),
             }
         }
-        Err(self.refusal(tolerance, last_refusal.filter(|_| !serves)))
+        let found = serves.then(beyond).flatten();
+        found.ok_or_else(|| self.refusal(tolerance, last_refusal.filter(|_| !serves)))
     }
 
     /// The fewest of many: halving, since trying one after the other would take as long as the square of their number.
@@ -154,7 +160,7 @@ impl Request<'_> {
     }
 
     /// Whether rounding alone moves a joint of the true shape beyond the tolerance: then nothing else needs to be looked at.
-    fn has_joint_beyond(&self, joints: &Joints, tolerance: f64) -> bool {
+    pub(super) fn has_joint_beyond(&self, joints: &Joints, tolerance: f64) -> bool {
         let truth = &self.outline.truth;
         match self.options.precision {
             Some(precision @ Precision::Fixed(_)) if adaptive::serves(self.options.rule) => {
@@ -191,23 +197,28 @@ impl Request<'_> {
 
     /// Why no count was found; `refused` is what the method said where it serves none.
     pub(super) fn refusal(&self, tolerance: f64, refused: Option<Error>) -> Error {
-        match (refused, self.options.precision) {
+        match (refused, self.too_few_decimals(tolerance)) {
             (Some(refused), _) => refused,
-            (None, Some(Precision::Fixed(decimals)))
-                if power(10.0, -i32::from(decimals)) > tolerance =>
-            {
-                self.out_of_reach(
-                    tolerance,
-                    format!("rounding to {decimals} decimals moves points farther than that"),
-                    Remedy::MoreDecimals,
-                )
-            }
+            (None, Some(decimals)) => self.out_of_reach(
+                tolerance,
+                format!("rounding to {decimals} decimals moves points farther than that"),
+                Remedy::MoreDecimals,
+            ),
             _ => self.out_of_reach(
                 tolerance,
                 "its error does not fall that far",
                 Remedy::LargerToleranceOrOrder("minimax"),
             ),
         }
+    }
+
+    /// The decimals that were asked for where their last one is larger than the tolerance.
+    pub(super) fn too_few_decimals(&self, tolerance: f64) -> Option<u8> {
+        match self.options.precision {
+            Some(Precision::Fixed(decimals)) => Some(decimals),
+            _ => None,
+        }
+        .filter(|&decimals| power(10.0, -i32::from(decimals)) > tolerance)
     }
 
     fn out_of_reach(&self, tolerance: f64, why: impl Into<String>, remedy: Remedy) -> Error {

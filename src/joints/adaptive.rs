@@ -29,6 +29,9 @@ pub(crate) use told::{around, nearly};
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
 const GRID: f64 = 1.0 / (1 << 30) as f64;
 
+/// By how much more joints may err that mirror one another.
+const BARE: f64 = 1.5;
+
 /// The most steps for the length of one segment, and for the error that makes the count whole.
 const MOST_STEPS: usize = 40;
 
@@ -149,21 +152,21 @@ impl Balance {
         let begun = begun.filter(|_| !mirrored);
         let (mut ways, peak) = self.equalised(whole, pieces, begun, allowed)?;
         let half = whole.copysign(self.arc.sweep.degrees()) / 2.0;
-        let symmetric = self.on_axis(self.arc.start.degrees() + half);
-        for i in 1..=pieces / 2 {
-            let opposite = pieces - i;
-            let mut pair = [ways[i], ways[opposite]];
-            if symmetric {
-                let way = f64::midpoint(pair[0], whole - pair[1]);
-                pair = [way, whole - way];
+        let on_grid = |way: f64| (way / GRID).round() * GRID;
+        ways[1..pieces]
+            .iter_mut()
+            .for_each(|way| *way = on_grid(*way));
+        if self.on_axis(self.arc.start.degrees() + half) {
+            let mut even = ways.clone();
+            for i in 1..=pieces / 2 {
+                even[i] = on_grid(f64::midpoint(ways[i], whole - ways[pieces - i]));
+                even[pieces - i] = whole - even[i];
             }
-            let on_grid = |way: f64| (way / GRID).round() * GRID;
-            ways[i] = on_grid(pair[0]);
-            ways[opposite] = if symmetric {
-                whole - ways[i]
-            } else {
-                on_grid(pair[1])
-            };
+            // A sharp end that hides behind a joint on one side is bare on the other.
+            let is_bare = peak.is_none() && self.most(&even) > BARE * self.most(&ways);
+            if !is_bare {
+                ways = even;
+            }
         }
         if mirrored {
             for i in (0..pieces).rev() {
@@ -171,6 +174,12 @@ impl Balance {
             }
         }
         Some((Joints::after(&self.arc, &ways), peak))
+    }
+
+    /// The largest error of the segments between joints.
+    fn most(&self, ways: &[f64]) -> f64 {
+        let errors = ways.windows(2).map(|w| self.error(w[0], w[1] - w[0]));
+        errors.fold(0.0, f64::max)
     }
 
     /// The ways to the joints of this many segments of equal error, both ends included, and that where the lobes tell it; `None` where the
@@ -185,10 +194,14 @@ impl Balance {
         if let Some(level) = self.levelled(whole, pieces, begun) {
             return Some((level.ways, Some(level.most)));
         }
-        let count = pieces as f64;
+        let (count, size) = (pieces as f64, whole / pieces as f64);
         let mut joints = Vec::with_capacity(pieces + 1);
-        let mut allowed = self.error(0.0, whole / count);
-        if self.errors.is_worth_a_look(allowed) {
+        let mut allowed = self.error(0.0, size);
+        let is_rough = |i| {
+            let error = self.error(i as f64 * size, size);
+            self.errors.is_worth_a_look(error)
+        };
+        if (0..pieces).any(is_rough) {
             return Some((self.narrowed(whole, pieces, most)?, None));
         }
         for _ in 0..MOST_STEPS {
@@ -200,7 +213,8 @@ impl Balance {
             }
             allowed *= libm::pow(taken / count, self.order).clamp(1e-3, 1e3);
         }
-        None
+        // What samples tell of a peak may leap.
+        Some((self.narrowed(whole, pieces, most)?, None))
     }
 }
 

@@ -242,6 +242,40 @@ fn coarse_tolerances_of_flat_ellipses_take_what_equal_angles_need() {
     }
 }
 
+/// Estimates of the count are far too low here: it is looked for by doubling.
+#[test]
+fn what_estimates_fall_short_of_is_found() {
+    for (method, tolerance, most) in [
+        (Method::Chen1, 1e-6, 400),
+        (Method::QuadraticTangent, 1e-5, 80),
+        (Method::Chen2, 1e-6, 130),
+    ] {
+        let shape = elliptic_arc((1000.0, 10.0), 0.0, 360.0);
+        let drawing = within(&shape, method, tolerance);
+        let count = drawing.curve.segments.len();
+        assert!(
+            drawing.error.peak() <= tolerance && count <= most,
+            "{method:?}: {count}"
+        );
+    }
+}
+
+#[test]
+fn adaptive_joints_equalise_the_error_on_the_flattest_ellipses() {
+    for (radii, start, count, most) in [
+        ((100.0, 0.5423), 255.166, 12, 1e-6),
+        ((0.6692, 100.0), 0.0, 11, 1.3e-6),
+        ((100.0, 0.6), 0.0, 7, 2.2e-5),
+        ((100.0, 1.0), 0.0, 5, 4e-4),
+    ] {
+        let shape = elliptic_arc(radii, start, 360.0);
+        let adaptive = draw(&shape, Method::Minimax, Cut::Adaptive(count))
+            .error
+            .peak();
+        assert!(adaptive < most, "{radii:?} {count}: {adaptive}");
+    }
+}
+
 /// An arc of an ellipse about the origin, in degrees.
 fn elliptic_arc(radii: (f64, f64), start: f64, sweep: f64) -> Shape {
     let angle = Angle::from_degrees;

@@ -241,9 +241,8 @@ impl Balance {
             } else {
                 high = allowed;
                 joints.push(whole);
-                if joints.len() == pieces + 1 {
-                    found = Some(joints.clone());
-                }
+                self.fill(&mut joints, pieces);
+                found = Some(joints.clone());
                 if taken > count - SHORT {
                     break;
                 }
@@ -262,6 +261,16 @@ impl Balance {
             };
         }
         found
+    }
+
+    /// Halves the segments of the largest error until there are as many.
+    fn fill(&self, joints: &mut Vec<f64>, pieces: usize) {
+        while joints.len() <= pieces {
+            let errors = joints.windows(2).map(|w| self.error(w[0], w[1] - w[0]));
+            let worst = errors.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+            let Some((at, _)) = worst else { return };
+            joints.insert(at + 1, f64::midpoint(joints[at], joints[at + 1]));
+        }
     }
 
     /// How many segments are taken that are as long as `allowed` lets them be, from the start on; from the end on too where the last of
