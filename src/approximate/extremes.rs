@@ -1,8 +1,9 @@
 //! Joints at the extremes, as type wants them.
 
 use super::{Drawing, Options, Request, approximate, straight};
-use crate::error::{Error, Result};
-use crate::joints::{Cut, Joints, MOST_SEGMENTS};
+use crate::angle::Angle;
+use crate::error::{Error, Remedy, Result};
+use crate::joints::{Cut, Joints, MOST_SEGMENTS, Tolerance};
 use crate::measure::radial;
 use crate::shape::{Shape, Truth};
 
@@ -10,7 +11,7 @@ use crate::shape::{Shape, Truth};
 const MOST_PARTS: usize = 256;
 
 /// Draws a shape with joints at all of its horizontal and vertical extremes, as type wants them; `cut` tells into how many parts
-/// each piece between them is cut, one by default, or for which tolerance: then each into as few as it takes. `with_start`: a closed
+/// each piece between them is cut, as few as the method serves by default, or for which tolerance: then each into as few as it takes. `with_start`: a closed
 /// shape begins at its own start, which is a joint too, and not at the first extreme from there on.
 ///
 /// # Errors
@@ -35,19 +36,8 @@ pub fn approximate_at_extremes(
     let Some(request) = Request::new(shape, options)? else {
         return straight(shape, options);
     };
-    let outline = &request.outline;
-    let mut extremes = outline.extremes().to_vec();
-    extremes.extend(with_start.then_some(outline.unit.start));
-    let pieces = Joints::pieces(&outline.unit, &extremes);
-    let draw = |parts: &[usize]| {
-        let cut = Cut::At(Joints::of_pieces(&outline.unit, &pieces, parts));
-        let options = Options {
-            cut,
-            ..options.clone()
-        };
-        approximate(shape, &options)
-    };
-    let mut parts = vec![1; pieces.len().saturating_sub(1)];
+    let pieces = Pieces::new(request, with_start);
+    let mut parts = pieces.fewest();
     match options.cut {
         Cut::Count(count @ 0) => Err(Error::Count {
             count,
@@ -55,31 +45,112 @@ pub fn approximate_at_extremes(
         }),
         Cut::Count(count) => {
             parts.fill(count);
-            draw(&parts)
+            let drawn = pieces.draw(&parts);
+            drawn.map_err(|error| with_more_parts(error, pieces.largest))
         }
-        Cut::Tolerance(tolerance) => {
-            let tolerance = tolerance.for_radius(outline.truth.larger_radius());
-            request.check_tolerance(tolerance)?;
-            loop {
-                let most = parts.iter().copied().max().unwrap_or(1);
-                let drawing = match draw(&parts) {
-                    // Where ends lie off the circle, pieces are alike.
-                    Err(Error::Impossible { .. }) if parts.iter().any(|&count| count < most) => {
-                        parts.fill(most);
-                        draw(&parts)?
-                    }
-                    drawn => drawn?,
-                };
-                if drawing.error.peak() <= tolerance {
-                    return Ok(drawing);
+        Cut::Tolerance(tolerance) => pieces.within(parts, tolerance),
+        _ => pieces.draw(&parts),
+    }
+}
+
+/// A shape between its extremes.
+struct Pieces<'a> {
+    request: Request<'a>,
+    /// How many degrees after the start the pieces meet, both ends included.
+    ways: Vec<f64>,
+    /// The largest angle that the method serves, in degrees, where it serves uneven ones.
+    largest: Option<f64>,
+}
+
+impl<'a> Pieces<'a> {
+    fn new(request: Request<'a>, with_start: bool) -> Self {
+        let outline = &request.outline;
+        let mut extremes = outline.extremes().to_vec();
+        extremes.extend(with_start.then_some(outline.unit.start));
+        let rule = request.options.rule;
+        Self {
+            ways: Joints::pieces(&outline.unit, &extremes),
+            largest: rule.largest_uneven_angle(outline.axes().short),
+            request,
+        }
+    }
+
+    /// Into how many parts each has to be cut at least for the method to serve.
+    fn fewest(&self) -> Vec<usize> {
+        let largest = self.largest.unwrap_or(f64::INFINITY);
+        let parts = |pair: &[f64]| ((pair[1] - pair[0]) / largest - 1e-9).ceil().max(1.0) as usize;
+        self.ways.windows(2).map(parts).collect()
+    }
+
+    fn joints(&self, parts: &[usize]) -> Vec<Angle> {
+        Joints::of_pieces(&self.request.outline.unit, &self.ways, parts)
+    }
+
+    fn draw(&self, parts: &[usize]) -> Result<Drawing> {
+        let options = Options {
+            cut: Cut::At(self.joints(parts)),
+            ..self.request.options.clone()
+        };
+        approximate(self.request.shape, &options)
+    }
+
+    /// Whether rounding alone moves a joint beyond the tolerance.
+    fn has_joint_beyond(&self, parts: &[usize], tolerance: f64) -> Result<bool> {
+        let joints = Joints::at(&self.request.outline.unit, &self.joints(parts))?;
+        Ok(self.request.has_joint_beyond(&joints, tolerance))
+    }
+
+    /// From so many parts on, each cut into as few as a tolerance takes.
+    fn within(&self, mut parts: Vec<usize>, tolerance: Tolerance) -> Result<Drawing> {
+        let truth = &self.request.outline.truth;
+        let tolerance = tolerance.for_radius(truth.larger_radius());
+        self.request.check_tolerance(tolerance)?;
+        if self.has_joint_beyond(&vec![1; parts.len()], tolerance)? {
+            return Err(self.request.refusal(tolerance, None));
+        }
+        loop {
+            let most = parts.iter().copied().max().unwrap_or(1);
+            if most < MOST_PARTS && self.has_joint_beyond(&parts, tolerance)? {
+                for count in &mut parts {
+                    *count += 1;
                 }
-                if most == MOST_PARTS {
-                    return Err(request.refusal(tolerance, None));
-                }
-                cut_where_beyond(&mut parts, &drawing, &outline.truth, tolerance);
+                continue;
             }
+            let drawing = match self.draw(&parts) {
+                // Where ends lie off the circle, pieces are alike.
+                Err(Error::Impossible { .. }) if parts.iter().any(|&count| count < most) => {
+                    parts.fill(most);
+                    self.draw(&parts)?
+                }
+                drawn => drawn?,
+            };
+            if drawing.error.peak() <= tolerance {
+                return Ok(drawing);
+            }
+            if most >= MOST_PARTS {
+                return Err(self.request.refusal(tolerance, None));
+            }
+            cut_where_beyond(&mut parts, &drawing, truth, tolerance);
         }
-        _ => draw(&parts),
+    }
+}
+
+/// Joints that are too far apart ask for more parts here, since the extremes are given.
+fn with_more_parts(error: Error, largest: Option<f64>) -> Error {
+    match error {
+        Error::Impossible {
+            method,
+            why,
+            remedy: Remedy::Joints(_),
+        } => Error::Impossible {
+            method,
+            why,
+            remedy: Remedy::MoreSegments {
+                degrees: largest,
+                methods: &["minimax"],
+            },
+        },
+        other => other,
     }
 }
 

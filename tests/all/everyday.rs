@@ -365,6 +365,12 @@ fn extremes_are_joints() {
         ("ellipse 50 20 --rotation 30 --extremes -t 0.0001", 12),
         ("circle 50 --extremes -t 0.001", 8),
         ("circle 50 --extremes -t 0.0001 -m minimax-free", 12),
+        // Between two extremes lie 162 degrees, and the method serves 120.
+        ("ellipse 5000 200 --rotation 7 --extremes -m apprich", 6),
+        (
+            "ellipse 5000 200 --rotation 7 --extremes -m apprich -t 200",
+            6,
+        ),
     ] {
         let document = json(&program::words(&format!("{words} -f json")));
         assert_eq!(

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 143] = [
+const MISTAKES: [(&str, &str); 145] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -35,6 +35,14 @@ const MISTAKES: [(&str, &str); 143] = [
     ("circle 50 --center 5", "both coordinates: 5,0"),
     ("circle 50 --adaptive", "-n 5 --adaptive"),
     ("circle 50 -t 1um", "lengths are numbers in user units: 1"),
+    (
+        "ellipse 5000 200 --rotation 7 -m apprich --extremes -n 1",
+        "take more segments, at least one for every 120 degrees",
+    ),
+    (
+        "ellipse 9 .1 --rotation 33 --center .33,.33 -t 1e-7 --extremes -p 1",
+        "more decimals",
+    ),
     ("circle 50 --extremes -n 0", "from 1 to 1000000"),
     ("ellipse --diameters 60x40", "--diameters 60,40"),
     ("measure circle 50 --quantity error", "--plot error.svg"),
