@@ -194,7 +194,8 @@ fn of_count_or_angle(value: &str, argument: &str) -> Option<&'static str> {
     if has_unit && takes(&["<N>", "<N,N>", "<P>"]) {
         return Some("numbers of things have no unit");
     }
-    let has_decimals = value.replace(',', ".").parse::<f64>().is_ok();
+    let has_decimals =
+        value.parse::<i64>().is_err() && value.replace(',', ".").parse::<f64>().is_ok();
     (takes(&["<N>", "<P>"]) && has_decimals).then_some("it is a whole number, without decimals")
 }
 

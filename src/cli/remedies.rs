@@ -26,6 +26,11 @@ pub(crate) fn message(error: &Error) -> String {
 pub(crate) fn hint(error: &Error) -> Option<String> {
     let hint = match error {
         Error::UnknownMethod { name, nearest } => return Some(known_methods(name, nearest)),
+        Error::ToleranceOutOfReach {
+            method,
+            remedy: Remedy::LargerTolerance(other) | Remedy::LargerToleranceOrOrder(other),
+            ..
+        } if method == other => "take a larger tolerance",
         Error::Impossible { remedy, .. }
         | Error::ToleranceOutOfReach { remedy, .. }
         | Error::Format { remedy, .. } => return Some(advice(remedy)),

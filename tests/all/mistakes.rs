@@ -276,6 +276,28 @@ fn a_mistake_of_the_first_hour_is_answered_by_what_to_do() {
 }
 
 #[test]
+fn no_hint_asks_for_what_is_there() {
+    for (words, idle) in [
+        ("circle 50 -p 400", "whole number"),
+        ("circle 50 -p -1", "whole number"),
+        (
+            "conic --from 0,0 --control 5,5 --to 9,0 --weight 2 -t 1e-20",
+            "-m minimax",
+        ),
+    ] {
+        let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
+            .args(words.split(' '))
+            .output()
+            .unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(
+            said.starts_with("error: ") && !said.contains(idle),
+            "{words}: {said}"
+        );
+    }
+}
+
+#[test]
 fn a_failure_of_the_system_is_told_without_its_number() {
     for words in [
         "circle 5 -o no/such/folder/x.svg",
