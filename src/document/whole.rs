@@ -18,6 +18,9 @@ const LONGEST: usize = 2000;
 /// How many decimals more than the file a shape's numbers may have.
 const MORE_DECIMALS: u8 = 1;
 
+/// Curves that keep to one side stray so many times as far from the circle that was meant as from the one in their middle.
+const ONE_SIDED: f64 = 2.0;
+
 /// What the last bits of a number may be off, as a part of it.
 const NOISE: f64 = 1e-12;
 
@@ -77,7 +80,7 @@ fn meant<const P: usize>(
     rules: &Rules,
     shape: impl Fn([f64; P], [f64; 2]) -> Option<Whole>,
 ) -> Option<Whole> {
-    let explained = MARGIN * shape(place, radii)?.strayed + 2.0 * rules.moved();
+    let explained = ONE_SIDED * MARGIN * shape(place, radii)?.strayed + 2.0 * rules.moved();
     let is_near = |a: f64, b: f64| (a - b).abs() <= explained;
     let attempt = |(a, b)| {
         let (near, few) = (rounded(place, a), rounded(radii, b));

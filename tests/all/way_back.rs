@@ -248,6 +248,25 @@ fn a_wide_tolerance_rounds_no_radius() {
     );
 }
 
+/// What keeps to one side of the circle, as equal thirds and fifths with their middles on it do, is of the radius at its joints.
+#[test]
+fn circles_of_odd_segments_have_the_radius_that_was_meant() {
+    for (segments, tolerance) in [(3, Some(Tolerance::Relative(0.005))), (5, None), (7, None)] {
+        for decimals in 1..=5 {
+            let words = format!("circle 16 --center 20,20 -m midpoint -n {segments} -p {decimals}");
+            let data = printed(&words.split(' ').collect::<Vec<_>>());
+            let drawn = svg(&format!(r#"<path d="{}"/>"#, data.trim()));
+            let text = document::convert(&drawn, &options(tolerance, true))
+                .unwrap()
+                .text;
+            assert!(
+                text.contains(r#"<circle cx="20" cy="20" r="16"/>"#),
+                "{segments} {decimals}: {text}"
+            );
+        }
+    }
+}
+
 #[test]
 fn whole_paths_become_shapes() {
     for shape in [
