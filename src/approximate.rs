@@ -240,7 +240,10 @@ impl<'a> Request<'a> {
         let Some(balance) = Balance::new(&self.outline, self.options.rule) else {
             return equal;
         };
-        let adaptive = self.finish(self.cut(balance.joints(count)?, None, None)?);
+        let Some((joints, _)) = balance.joints_from(count, None, f64::INFINITY) else {
+            return equal;
+        };
+        let adaptive = self.finish(self.cut(joints, None, None)?);
         Ok(match equal {
             Ok(equal) if equal.error.peak() < adaptive.error.peak() => equal,
             _ => adaptive,

@@ -27,9 +27,11 @@ impl Request<'_> {
             let equal = Joints::equal(&self.outline.unit, count).ok();
             let joints = adaptive.map(|(joints, _)| joints).into_iter().chain(equal);
             let sketches = joints.filter_map(|joints| self.cut(joints, None, Some(tolerance)).ok());
-            let measured = sketches.map(|sketch| {
-                let error = radial::error(&sketch.rounded().segments, truth).peak();
-                (sketch, error)
+            let measured = sketches.map(|mut sketch| {
+                let curve = sketch.rounded();
+                let error = radial::error(&curve.segments, truth);
+                (sketch.measured, sketch.written) = (Some(error), Some(curve));
+                (sketch, error.peak())
             });
             measured.min_by(|a, b| a.1.total_cmp(&b.1))
         };

@@ -136,22 +136,18 @@ impl<'a> Pieces<'a> {
 }
 
 /// Joints that are too far apart ask for more parts here, since the extremes are given.
-fn with_more_parts(error: Error, largest: Option<f64>) -> Error {
-    match error {
-        Error::Impossible {
-            method,
-            why,
-            remedy: Remedy::Joints(_),
-        } => Error::Impossible {
-            method,
-            why,
-            remedy: Remedy::MoreSegments {
-                degrees: largest,
-                methods: &["minimax"],
-            },
-        },
-        other => other,
+fn with_more_parts(mut error: Error, largest: Option<f64>) -> Error {
+    if let Error::Impossible {
+        remedy: remedy @ Remedy::Joints(_),
+        ..
+    } = &mut error
+    {
+        *remedy = Remedy::MoreSegments {
+            degrees: largest,
+            methods: &["minimax"],
+        };
     }
+    error
 }
 
 /// Cuts the pieces that are beyond the tolerance once more, or all where none seems to be.

@@ -18,7 +18,6 @@ mod march;
 mod told;
 
 use super::Joints;
-use crate::error::Result;
 use crate::method::{Ends, Method, Rule};
 use crate::shape::{Outline, UnitArc};
 use errors::Errors;
@@ -123,20 +122,9 @@ impl Balance {
         self.arc.sweep.degrees().abs() / if mirrored { 2.0 } else { 1.0 }
     }
 
-    /// Joints that equalise the error of this many segments; an even number of a closed shape's mirror in both axes.
-    ///
-    /// # Errors
-    ///
-    /// As [`Joints::equal`], whose joints these are where so few segments have no room to differ.
-    pub(crate) fn joints(&self, count: usize) -> Result<Joints> {
-        match self.joints_from(count, None, f64::INFINITY) {
-            Some((joints, _)) => Ok(joints),
-            None => Joints::equal(&self.arc, count),
-        }
-    }
-
-    /// The same from a cut of the whole sweep into as many segments that was begun; and the peak error over the larger radius, where the
-    /// lobes tell it. `None` where so few segments have no room to differ, or where marching takes more of them within `allowed`.
+    /// Joints that equalise the error of this many segments, from a cut of the whole sweep into as many that was begun; an even number of a
+    /// closed shape's mirror in both axes. And the peak error over the larger radius, where the lobes tell it. `None` where so few segments
+    /// have no room to differ, or where marching takes more of them within `allowed`.
     pub(crate) fn joints_from(
         &self,
         count: usize,
@@ -176,9 +164,21 @@ impl Balance {
         Some((Joints::after(&self.arc, &ways), peak))
     }
 
-    /// The largest error of the segments between joints.
+    /// The errors of the segments between joints.
+    fn errors_between(&self, ways: &[f64]) -> impl Iterator<Item = f64> {
+        ways.windows(2)
+            .map(|pair| self.error(pair[0], pair[1] - pair[0]))
+    }
+
+    /// The largest of them.
     fn most(&self, ways: &[f64]) -> f64 {
-        let errors = ways.windows(2).map(|w| self.error(w[0], w[1] - w[0]));
+        self.errors_between(ways).fold(0.0, f64::max)
+    }
+
+    /// The error of as many equal segments.
+    fn equal(&self, whole: f64, pieces: usize) -> f64 {
+        let size = whole / pieces as f64;
+        let errors = (0..pieces).map(|i| self.error(i as f64 * size, size));
         errors.fold(0.0, f64::max)
     }
 
@@ -194,16 +194,19 @@ impl Balance {
         if let Some(level) = self.levelled(whole, pieces, begun) {
             return Some((level.ways, Some(level.most)));
         }
-        let (count, size) = (pieces as f64, whole / pieces as f64);
-        let mut joints = Vec::with_capacity(pieces + 1);
-        let mut allowed = self.error(0.0, size);
-        let is_rough = |i| {
-            let error = self.error(i as f64 * size, size);
-            self.errors.is_worth_a_look(error)
+        let narrowed = |equal: f64| {
+            let ways = self.narrowed(whole, pieces, equal, most)?;
+            Some((ways, None))
         };
-        if (0..pieces).any(is_rough) {
-            return Some((self.narrowed(whole, pieces, most)?, None));
+        if self.errors.is_quick() {
+            let equal = self.equal(whole, pieces);
+            if self.errors.is_worth_a_look(equal) {
+                return narrowed(equal);
+            }
         }
+        let count = pieces as f64;
+        let mut joints = Vec::with_capacity(pieces + 1);
+        let mut allowed = self.error(0.0, whole / count);
         for _ in 0..MOST_STEPS {
             let taken = self.march(whole, allowed, 2 * pieces + 8, &mut joints);
             if (taken / count - 1.0).abs() <= 1e-7 {
@@ -214,7 +217,7 @@ impl Balance {
             allowed *= libm::pow(taken / count, self.order).clamp(1e-3, 1e3);
         }
         // What samples tell of a peak may leap.
-        Some((self.narrowed(whole, pieces, most)?, None))
+        narrowed(self.equal(whole, pieces))
     }
 }
 
@@ -374,7 +377,11 @@ mod tests {
             let outline = Shape::Arc(arc.unwrap()).outline().unwrap();
             let balance = Balance::new(&outline, Rule::default()).unwrap();
             for count in [2, 5] {
-                let angles = balance.joints(count).unwrap().angles;
+                let angles = balance
+                    .joints_from(count, None, f64::INFINITY)
+                    .unwrap()
+                    .0
+                    .angles;
                 let off = angles[1] + angles[count - 1] - (2.0 * start + sweep);
                 assert_eq!(off.abs() < 1e-12, symmetric, "{start} {count}: {off}");
             }

@@ -220,13 +220,17 @@ impl Balance {
         None
     }
 
-    /// Joints of this many segments of equal error where longer ones may err less: the error is narrowed down from that of equal angles on,
+    /// Joints of this many segments of equal error where longer ones may err less: the error is narrowed down from that of `equal` angles on,
     /// or from `most` where that is less, by what the order makes of the count that it takes, and evenly where that does not bring
     /// it down: a sharp end makes the count leap. `None` where more are taken for `most`.
-    pub(super) fn narrowed(&self, whole: f64, pieces: usize, most: f64) -> Option<Vec<f64>> {
-        let (count, size) = (pieces as f64, whole / pieces as f64);
-        let equal = (0..pieces).map(|i| self.error(i as f64 * size, size));
-        let mut high = equal.fold(0.0, f64::max).min(most);
+    pub(super) fn narrowed(
+        &self,
+        whole: f64,
+        pieces: usize,
+        equal: f64,
+        most: f64,
+    ) -> Option<Vec<f64>> {
+        let (count, mut high) = (pieces as f64, equal.min(most));
         let (mut low, mut allowed) = (high / WIDE, high);
         let (mut found, mut joints) = (None, Vec::new());
         let mut is_narrower = true;
@@ -266,8 +270,8 @@ impl Balance {
     /// Halves the segments of the largest error until there are as many.
     fn fill(&self, joints: &mut Vec<f64>, pieces: usize) {
         while joints.len() <= pieces {
-            let errors = joints.windows(2).map(|w| self.error(w[0], w[1] - w[0]));
-            let worst = errors.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+            let errors = self.errors_between(joints).enumerate();
+            let worst = errors.max_by(|a, b| a.1.total_cmp(&b.1));
             let Some((at, _)) = worst else { return };
             joints.insert(at + 1, f64::midpoint(joints[at], joints[at + 1]));
         }

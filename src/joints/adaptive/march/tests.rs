@@ -199,7 +199,9 @@ fn greedy_joints_run_from_either_end() {
 fn narrowed_joints_err_less_than_equal_ones() {
     for (flatness, pieces, part) in [(0.02, 4, 0.13), (0.04, 4, 0.2), (0.05, 3, 0.3)] {
         let balance = balance(Method::Minimax, flatness, 10.0, 180.0);
-        let ways = balance.narrowed(180.0, pieces, f64::INFINITY).unwrap();
+        let ways = balance
+            .narrowed(180.0, pieces, balance.equal(180.0, pieces), f64::INFINITY)
+            .unwrap();
         assert_eq!(ways.len(), pieces + 1);
         assert_eq!([ways[0], ways[pieces]], [0.0, 180.0]);
         let most = |ways: &[f64]| {
