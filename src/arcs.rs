@@ -122,7 +122,7 @@ fn advised(
     options: &Options,
 ) -> Result<Subpath> {
     /// By how much the tolerance that is named is larger than that which seems enough.
-    const MARGIN: f64 = 1.2;
+    const MARGIN: f64 = 1.1;
     let drawn = draw(contour, options);
     let Err(Error::TooManySegments {
         tolerance, most, ..
@@ -130,21 +130,26 @@ fn advised(
     else {
         return drawn;
     };
-    let mut enough = f64::INFINITY;
-    for exponent in 1..10 {
-        let wide = tolerance * power(1e3, root * exponent);
+    let count_within = |wide: f64| {
         let options = Options {
             tolerance: Some(Tolerance::Absolute(wide)),
             ..*options
         };
-        if let Ok(subpath) = draw(contour, &options) {
-            let course = subpath.course.map(|course| course.steps.len());
-            let count = course.unwrap_or(subpath.curve.segments.len());
-            let part = count as f64 / most as f64;
-            enough = rounded_up(MARGIN * wide * power(part, root), 1).max(tolerance);
-            break;
-        }
+        let subpath = draw(contour, &options).ok()?;
+        let course = subpath.course.map(|course| course.steps.len());
+        Some((wide, course.unwrap_or(subpath.curve.segments.len())))
+    };
+    let mut found =
+        (1..10).find_map(|exponent| count_within(tolerance * power(1e3, root * exponent)));
+    // Many curves are a segment each at the least, so that far above the law fails.
+    for _ in 0..2 {
+        let nearer = found.and_then(|(wide, _)| count_within((tolerance * wide).sqrt()));
+        found = nearer.or(found);
     }
+    let enough = found.map_or(f64::INFINITY, |(wide, count)| {
+        let part = count as f64 / most as f64;
+        rounded_up(MARGIN * wide * power(part, root), 1).max(tolerance)
+    });
     Err(Error::TooManySegments {
         tolerance,
         most,

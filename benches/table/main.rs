@@ -7,6 +7,7 @@
 #![allow(clippy::disallowed_methods, clippy::expect_used)]
 
 mod documents;
+mod text;
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -22,6 +23,8 @@ use lyon_geom::{Angle as LyonAngle, ArcFlags, point, vector};
 /// How many arcs; `CURVETO_BENCH_ARCS` overrides it.
 const ARCS: usize = 1_000_000;
 const ROUNDS: usize = 15;
+/// How many lines of text of each kind.
+const LINES: usize = 20_000;
 /// Every so many arcs one is measured.
 const SAMPLE: usize = 997;
 
@@ -231,6 +234,34 @@ fn documents_rows() {
     }
 }
 
+/// What a line of text costs and how long its answer is, on one thread.
+fn text_rows() {
+    println!(
+        "\n| lines of text | ours, us a line | kurbo | ours / kurbo | lines a second | bytes out / kurbo's |"
+    );
+    println!("| --- | ---: | ---: | ---: | ---: | ---: |");
+    for case in text::cases(LINES) {
+        let run = |answer: fn(&text::Case) -> usize| {
+            let clock = Instant::now();
+            let written = answer(black_box(&case));
+            (
+                clock.elapsed().as_secs_f64() * 1e6 / LINES as f64,
+                written as f64,
+            )
+        };
+        let [ours, kurbo] = best([Box::new(|| run(text::ours)), Box::new(|| run(text::kurbos))]);
+        println!(
+            "| {} | {:.2} | {:.2} | {:.2} | {:.0} | {:.2} |",
+            case.name,
+            ours.0,
+            kurbo.0,
+            ours.0 / kurbo.0,
+            1e6 / ours.0,
+            ours.1 / kurbo.1
+        );
+    }
+}
+
 fn kurbo_arc(arc: &kurbo::Arc, tolerance: f64, sum: &mut Sum) {
     for el in arc.append_iter(tolerance * arc.radii.x.max(arc.radii.y)) {
         if let PathEl::CurveTo(a, b, c) = el {
@@ -337,6 +368,7 @@ fn main() {
         svg_row(&inputs, tolerance);
     }
     errors(&inputs);
+    text_rows();
     documents_rows();
 }
 
