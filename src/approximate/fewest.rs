@@ -66,9 +66,9 @@ impl<'a> Marched<'a> {
         }
     }
 
-    /// Those for each of the parts of a tolerance.
-    fn all(&self) -> impl Iterator<Item = &Vec<Joints>> {
-        let parts = self.parts.iter().zip(NEARLY);
+    /// Those for every so many of the parts of a tolerance.
+    fn every(&self, step: usize) -> impl Iterator<Item = &Vec<Joints>> {
+        let parts = self.parts.iter().zip(NEARLY).step_by(step);
         parts.map(|(joints, part)| {
             joints.get_or_init(|| self.balance.greedy(part * self.allowed).collect())
         })
@@ -79,8 +79,7 @@ impl<'a> Marched<'a> {
         if !self.balance.is_sharp() {
             return self.balance.marched_count(NEARLY[0] * self.allowed);
         }
-        let some = self.all().step_by(4).flatten();
-        some.map(Joints::count).min()
+        self.every(4).flatten().map(Joints::count).min()
     }
 
     /// Those of this count; a smaller error takes no fewer, with the same exception.
@@ -88,7 +87,7 @@ impl<'a> Marched<'a> {
         let is_sharp = self.balance.is_sharp();
         let reaches =
             move |joints: &&Vec<Joints>| is_sharp || joints.iter().any(|all| all.count() <= count);
-        let marched = self.all().take_while(reaches).flatten();
+        let marched = self.every(1).take_while(reaches).flatten();
         marched.filter(move |joints| joints.count() == count)
     }
 }
