@@ -221,8 +221,8 @@ impl Balance {
     }
 
     /// Joints of this many segments of equal error where longer ones may err less: the error is narrowed down from that of `equal` angles on,
-    /// or from `most` where that is less, by what the order makes of the count that it takes, and evenly where that does not bring
-    /// it down: a sharp end makes the count leap. `None` where more are taken for `most`.
+    /// or from `most` where that is less, between errors that take more and no more of them: by secants of both logarithms, and evenly
+    /// where these do not bring it down, as a sharp end makes the count leap. `None` where more are taken for `most`.
     pub(super) fn narrowed(
         &self,
         whole: f64,
@@ -232,8 +232,12 @@ impl Balance {
     ) -> Option<Vec<f64>> {
         let (count, mut high) = (pieces as f64, equal.min(most));
         let (mut low, mut allowed) = (high / WIDE, high);
+        // The last segment is to be a little too short rather than one too many.
+        let aim = count - 0.5 * SHORT;
+        // The one before, and how the logarithm of the error falls with that of the count.
+        let (mut before, mut fall) = (None, self.order);
         let (mut found, mut joints) = (None, Vec::new());
-        let mut is_narrower = true;
+        let (mut is_enclosed, mut is_narrower) = (false, true);
         for _ in 0..NARROWINGS {
             let ratio = high / low;
             let taken = self.march(whole, allowed, pieces, &mut joints);
@@ -242,6 +246,7 @@ impl Balance {
                     return None;
                 }
                 low = allowed;
+                is_enclosed = true;
             } else {
                 high = allowed;
                 joints.push(whole);
@@ -254,10 +259,15 @@ impl Balance {
             if high <= NARROW * low {
                 break;
             }
-            // The last segment is to be a little too short rather than one too many.
-            let next = allowed * libm::pow((taken + 0.5 * SHORT) / count, self.order);
+            if let Some((error, count)) = before.replace((allowed, taken)) {
+                let secant = libm::log(error / allowed) / libm::log(taken / count);
+                let is_falling = secant > 0.0;
+                fall = if is_falling { secant } else { self.order };
+                fall = fall.clamp(0.5 * self.order, 4.0 * self.order);
+            }
+            let next = allowed * libm::pow(taken / aim, fall);
             let is_between = next > low && next < high && is_narrower;
-            is_narrower = !is_between || high * high <= ratio * low * low;
+            is_narrower = !is_between || !is_enclosed || high * high <= ratio * low * low;
             allowed = if is_between {
                 next
             } else {
