@@ -292,3 +292,92 @@ fn push_json(out: &mut Vec<u8>, id: Option<&str>, document: &impl Serialize) -> 
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::figure;
+    use crate::joints::Cut;
+    use crate::method::Method;
+    use crate::number::Precision;
+    use crate::shape::Circle;
+
+    fn worker(format: Format, measure: bool) -> Worker {
+        Worker::new(Options {
+            format,
+            measure,
+            precision: Some(Precision::Fixed(3)),
+            on_error: OnError::Report,
+            ..Options::default()
+        })
+    }
+
+    fn answer(worker: &mut Worker, lines: &str) -> String {
+        let mut answers = Answers::default();
+        worker.answer(lines.as_bytes(), &mut answers);
+        String::from_utf8(answers.text).unwrap()
+    }
+
+    #[test]
+    fn what_a_line_says_holds_for_it() {
+        let shape = Shape::Circle(Circle::new((1.0, 2.0), 3.0).unwrap());
+        for (said, method, count) in [
+            ("", Method::Minimax, 4),
+            (r#","method":"chen-3""#, Method::Chen3, 4),
+            (r#","segments":5"#, Method::Minimax, 5),
+            (r#","method":"midpoint","segments":3"#, Method::Midpoint, 3),
+        ] {
+            let line = format!(r#"{{"circle":{{"center":[1,2],"radius":3}}{said}}}"#);
+            let options = approximate::Options {
+                rule: method.into(),
+                cut: Cut::Count(count),
+                precision: Some(Precision::Fixed(3)),
+                ..approximate::Options::default()
+            };
+            let drawing = approximate(&shape, &options).unwrap();
+            let data = path::data([&drawing.curve], false);
+            for measure in [false, true] {
+                let mut worker = worker(Format::Path, measure);
+                assert_eq!(answer(&mut worker, &line).trim_end(), data, "{said}");
+            }
+            let batch = Options {
+                precision: options.precision,
+                ..Options::default()
+            };
+            let picture = figure(line.as_bytes(), &batch, |_, _| ()).unwrap();
+            assert_eq!(picture.figure.layers[0].curves[0], drawing.curve, "{said}");
+        }
+    }
+
+    #[test]
+    fn what_is_measured_is_drawn_as_what_is_not() {
+        let lines =
+            "circle 0 0 5\nellipse 1 2 5 3 20\narc 0 0 5 10 70\npath M0 0A3 3 0 0 1 4 4L9 9\n";
+        for format in [Format::Path, Format::Ps] {
+            let text = answer(&mut worker(format, false), lines);
+            assert_eq!(text.lines().count(), 4);
+            assert_eq!(answer(&mut worker(format, true), lines), text);
+        }
+    }
+
+    #[test]
+    fn answers_come_in_parts_once_they_are_long() {
+        let lines = b"#\n#\narc 0 0 1 0 90\n#\narc 0 0 1 0 90";
+        let mut worker = worker(Format::Path, false);
+        let mut answers = Answers::default();
+        let length = worker.answer_some(lines, usize::MAX, &mut answers);
+        assert_eq!((length, answers.lines), (None, 5));
+        let left = worker.answer_some(lines, 5, &mut answers);
+        assert_eq!((left, answers.lines), (Some(19), 3));
+        let left = worker.answer_some(&lines[19..], 5, &mut answers);
+        assert_eq!((left, answers.lines), (None, 2));
+    }
+
+    #[test]
+    fn a_byte_that_is_no_text_is_pointed_at() {
+        let Err(Error::Syntax { column, .. }) = text_of(b"circle 0 \xff 3") else {
+            panic!("it was read");
+        };
+        assert_eq!(column, 10);
+    }
+}
