@@ -12,7 +12,7 @@ use curveto::write::{self, Image};
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, approximate,
 };
-use kurbo::{Affine, CubicBez, PathSeg, Point, QuadBez, Vec2};
+use kurbo::{Affine, CubicBez, ParamCurve, PathSeg, Point, QuadBez, Vec2};
 use oracle::{Real, int, real, to_f64};
 use proptest::prelude::*;
 
@@ -557,4 +557,150 @@ fn a_curve_that_turns_back_at_the_centre_is_as_near_as_it_is() {
             "{k}: {found} {least}"
         );
     }
+}
+
+/// Every figure that names an angle or the true shape, against many samples of the true arc and of the curve.
+#[test]
+fn figures_of_arcs_of_an_ellipse_are_those_of_many_samples() {
+    let transforms = [
+        Affine::IDENTITY,
+        Affine::new([-1.0, 0.0, 0.0, 1.0, 5.0, 0.0]),
+        Affine::new([1.0, 0.25, -0.5, 2.0, 0.0, 3.0]),
+    ];
+    for transform in transforms {
+        for (start, sweep) in [
+            (0.0, 50.0),
+            (10.0, 60.0),
+            (20.0, 150.0),
+            (100.0, -130.0),
+            (-75.0, 340.0),
+            (700.0, -300.0),
+        ] {
+            let [rotation, from, by] = [25.0, start, sweep].map(Angle::from_degrees);
+            let arc = Arc::new((1.0, 2.0), (3.0, 2.0), rotation, from, by).unwrap();
+            let drawing = drawn(Shape::Arc(arc), Method::Chen3, Cut::Count(4), transform);
+            figures_are_those_of_samples(&drawing, &format!("{transform:?} {start} {sweep}"));
+        }
+    }
+}
+
+fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
+    let near = |found: f64, right: f64, allowed: f64, name: &str| {
+        assert!(
+            (found - right).abs() <= allowed * right.abs().max(1.0),
+            "{what} {name}: {found} {right}"
+        );
+    };
+    let found = measured(drawing);
+    let placement = drawing.outline.unwrap().placement;
+    let (start, sweep) = (found.reference.start, found.reference.sweep);
+    // The true arc is M u(θ) + c.
+    let [a, b, c, d, ..] = placement.as_coeffs();
+    let determinant = (a * d - b * c).abs();
+    let speed = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        (c * cos - a * sin).hypot(d * cos - b * sin)
+    };
+    const STEPS: i32 = 20_000;
+    let (mut length, mut least, mut most) = (0.0, f64::INFINITY, 0.0_f64);
+    for step in 0..=STEPS {
+        let at = |step: f64| speed(start + sweep * step / f64::from(STEPS));
+        length += at(f64::from(step) + 0.5) * f64::from(i32::from(step < STEPS));
+        let curvature = determinant / at(f64::from(step)).powi(3);
+        (least, most) = (least.min(curvature), most.max(curvature));
+    }
+    length *= sweep.abs().to_radians() / f64::from(STEPS);
+    near(found.length.truth, length, 1e-8, "length");
+    near(
+        found.curvature.true_least,
+        least,
+        1e-6,
+        "least true curvature",
+    );
+    near(
+        found.curvature.true_largest,
+        most,
+        1e-6,
+        "largest true curvature",
+    );
+    // Places have the angle of their point.
+    let segments = &drawing.curve.segments;
+    let angle_is_of = |p: Point, degrees: f64, name: &str| {
+        let angle = (placement.inverse() * p).to_vec2().atan2().to_degrees();
+        let turns = (degrees - angle) / 360.0;
+        near(turns - turns.round(), 0.0, 1e-11, name);
+        let part = (degrees - start) / sweep;
+        assert!(
+            (-1e-9..1.0 + 1e-9).contains(&part),
+            "{what} {name}: {degrees}"
+        );
+    };
+    let place = |at: curveto::measure::report::Place, name: &str| {
+        angle_is_of(segments[at.segment - 1].eval(at.t), at.angle, name);
+    };
+    place(
+        found.error.inward_at.or(found.error.outward_at).unwrap(),
+        "farthest",
+    );
+    place(found.angle_lag.at, "lag");
+    let (low, high) = (
+        found.curvature.least.unwrap(),
+        found.curvature.largest.unwrap(),
+    );
+    place(low.at, "least curvature");
+    place(high.at, "largest curvature");
+    let sampled = segments.iter().flat_map(|segment| {
+        (0..=1000).map(move |i| {
+            curvature::at(segment, f64::from(i) / 1000.0)
+                .unwrap()
+                .value
+                .abs()
+        })
+    });
+    let (least, most) = sampled.fold((f64::INFINITY, 0.0_f64), |(a, b), k| (a.min(k), b.max(k)));
+    near(low.value, least, 1e-4, "least curvature");
+    near(high.value, most, 1e-4, "largest curvature");
+    assert_eq!(found.continuity.joints.len(), segments.len() - 1);
+    for joint in &found.continuity.joints {
+        angle_is_of(
+            Point::new(joint.point[0], joint.point[1]),
+            joint.angle,
+            "joint",
+        );
+        assert!(
+            joint.before.unwrap().value > 0.0 && joint.after.unwrap().value > 0.0,
+            "{what}"
+        );
+    }
+    let reference = Reference::from(&drawing.outline.unwrap());
+    let lags = profile::along(&drawing.curve, &reference, Quantity::AngleLag, 1000);
+    let farthest = lags
+        .concat()
+        .into_iter()
+        .map(|(_, lag)| lag)
+        .fold(
+            0.0_f64,
+            |most, lag| {
+                if lag.abs() > most.abs() { lag } else { most }
+            },
+        );
+    near(found.angle_lag.largest.abs(), farthest.abs(), 1e-4, "lag");
+}
+
+/// Straight out of the centre and back: no angle to take a mean over, so that it is taken over t.
+#[test]
+fn a_curve_that_does_not_turn_has_the_mean_over_t() {
+    let line = |from: f64, to: f64| PathSeg::Line(kurbo::Line::new((from, 0.0), (to, 0.0)));
+    let curve = Curve {
+        segments: vec![line(0.5, 1.5), line(1.5, 0.5)],
+        closed: false,
+    };
+    let error = report(
+        &curve,
+        &Reference::from(Truth::circle(Point::ORIGIN, 1.0)),
+        None,
+    )
+    .unwrap()
+    .error;
+    assert_eq!((error.mean, error.mean_angle), (0.25, 0.25));
 }
