@@ -569,11 +569,9 @@ fn figures_of_arcs_of_an_ellipse_are_those_of_many_samples() {
     ];
     for transform in transforms {
         for (start, sweep) in [
-            (0.0, 50.0),
             (10.0, 60.0),
             (20.0, 150.0),
             (100.0, -130.0),
-            (-75.0, 340.0),
             (700.0, -300.0),
         ] {
             let [rotation, from, by] = [25.0, start, sweep].map(Angle::from_degrees);
@@ -601,7 +599,7 @@ fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
         let (sin, cos) = degrees.to_radians().sin_cos();
         (c * cos - a * sin).hypot(d * cos - b * sin)
     };
-    const STEPS: i32 = 20_000;
+    const STEPS: i32 = 2000;
     let (mut length, mut least, mut most) = (0.0, f64::INFINITY, 0.0_f64);
     for step in 0..=STEPS {
         let at = |step: f64| speed(start + sweep * step / f64::from(STEPS));
@@ -610,7 +608,14 @@ fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
         (least, most) = (least.min(curvature), most.max(curvature));
     }
     length *= sweep.abs().to_radians() / f64::from(STEPS);
-    near(found.length.truth, length, 1e-8, "length");
+    near(found.length.truth, length, 1e-6, "length");
+    near(
+        found.area.truth,
+        determinant * sweep.abs().to_radians() / 2.0,
+        1e-13,
+        "true area",
+    );
+    near(found.area.curve, found.area.truth, 0.02, "area");
     near(
         found.curvature.true_least,
         least,
@@ -658,8 +663,8 @@ fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
         })
     });
     let (least, most) = sampled.fold((f64::INFINITY, 0.0_f64), |(a, b), k| (a.min(k), b.max(k)));
-    near(low.value, least, 1e-4, "least curvature");
-    near(high.value, most, 1e-4, "largest curvature");
+    near(low.value, least, 1e-3, "least curvature");
+    near(high.value, most, 1e-3, "largest curvature");
     assert_eq!(found.continuity.joints.len(), segments.len() - 1);
     for joint in &found.continuity.joints {
         angle_is_of(
@@ -673,7 +678,7 @@ fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
         );
     }
     let reference = Reference::from(&drawing.outline.unwrap());
-    let lags = profile::along(&drawing.curve, &reference, Quantity::AngleLag, 1000);
+    let lags = profile::along(&drawing.curve, &reference, Quantity::AngleLag, 100);
     let farthest = lags
         .concat()
         .into_iter()
@@ -684,7 +689,7 @@ fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
                 if lag.abs() > most.abs() { lag } else { most }
             },
         );
-    near(found.angle_lag.largest.abs(), farthest.abs(), 1e-4, "lag");
+    near(found.angle_lag.largest.abs(), farthest.abs(), 1e-3, "lag");
 }
 
 /// Straight out of the centre and back: no angle to take a mean over, so that it is taken over t.
