@@ -619,13 +619,13 @@ fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
     near(
         found.curvature.true_least,
         least,
-        1e-6,
+        1e-5,
         "least true curvature",
     );
     near(
         found.curvature.true_largest,
         most,
-        1e-6,
+        1e-5,
         "largest true curvature",
     );
     // Places have the angle of their point.
