@@ -157,6 +157,9 @@ fn a_smooth_curve_behind_an_arc_keeps_its_meaning() {
     assert!(path("M0 0A5 5 0 0 1 5 5S1 2 3 4").ends_with("C5 5 1 2 3 4"));
     assert!(path("M1 2a5 5 0 0 1 5 5S1 2 3 4").ends_with("C6 7 1 2 3 4"));
     assert!(path("M0 0a5 5 0 0 1 5 5s.1.2.3.4.5.6.7.8").ends_with("c0 0 .1.2.3.4s.5.6.7.8"));
+    assert!(path("M1 2A5 5 0 0 1 5 5s1 2 3 4").ends_with("5 5c0 0 1 2 3 4"));
+    // A current point that was summed has the digits of its numbers.
+    assert!(path("M100.1 100.2a5 5 0 0 1 1.7 1.3S1 2 3 4").ends_with("C101.8 101.5 1 2 3 4"));
     // T reflects quadratics only.
     assert!(path("M0 0a5 5 0 0 1 5 5t1 2").ends_with("t1 2"));
     let quadratic = Options {
@@ -174,6 +177,8 @@ fn degenerate_arcs_follow_the_rules() {
     assert_eq!(path("M0 0A5 0 0 0 1 5 5"), "M0 0L5 5");
     assert_eq!(path("M0 0L9 9a5 5 0 1 1 0 0L1 1"), "M0 0L9 9L1 1");
     assert_eq!(path("M0 0L9 9A5 5 0 1 1 9 9z"), "M0 0L9 9z");
+    assert_eq!(path("M5 5a5 5 0 1 1 0 0a5 5 0 1 1 0 0L1 1"), "M5 5L1 1");
+    assert_eq!(path("M5 5A5 5 0 1 1 5 5A5 5 0 1 1 5 5L1 1"), "M5 5L1 1");
     // Negative radii count as positive, small ones are scaled up.
     assert_eq!(path("M0 0a-5 5 0 0 1 5 5"), path("M0 0a5 5 0 0 1 5 5"));
     assert_eq!(path("M0 0a1 1 0 0 1 10 0"), path("M0 0a5 5 0 0 1 10 0"));
@@ -210,6 +215,12 @@ fn path_data_are_replaced_up_to_their_error() {
         codes(&svg(r#"<path d="M0 0 L1 x a5 5 0 0 1 5 5"/>"#)),
         ["path-error"]
     );
+    // What comes after the last arc is no matter of ours.
+    for rest in ["L1 x", "X"] {
+        let d = format!("M0 0a5 5 0 0 1 5 5{rest}");
+        assert!(path(&d).starts_with("M0 0c") && path(&d).ends_with(rest));
+        assert!(codes(&svg(&format!(r#"<path d="{d}"/>"#))).is_empty());
+    }
     for d in [
         "a5 5 0 0 1 5 5",
         "M0 0a5 5 0 2 1 5 5",
@@ -218,6 +229,191 @@ fn path_data_are_replaced_up_to_their_error() {
     ] {
         assert_eq!(path(d), d);
     }
+}
+
+#[test]
+fn what_is_too_large_is_left() {
+    for d in [
+        "M0 0A1e16 1e16 0 0 1 2e16 0",
+        "M0 0A1e16 1e16 0 0 1 0 2e16",
+        "M0 0a1e16 1e16 0 0 1 2e16 0",
+        "M0 0a1e16 1e16 0 0 1 0 2e16",
+        "M0 0a1e400 1 0 0 1 5 5",
+        "M2e15 0A1 1 0 0 1 2e15 1",
+    ] {
+        assert_eq!(
+            codes(&svg(&format!(r#"<path d="{d}"/>"#))),
+            ["too-large"],
+            "{d}"
+        );
+        assert_eq!(path(d), d);
+    }
+}
+
+#[test]
+fn ends_of_many_digits_are_where_they_were() {
+    for (d, largest) in [
+        ("M0 0a9 9 0 1 1 5.00000000000000000000000001 1", 18.0),
+        (
+            "M0 0a1e10 1e10 0 1 1 12345678901.00000000000000000000000001 1",
+            2e10,
+        ),
+    ] {
+        let out = path(d);
+        let [old, new] = [d, &out].map(independent::segments);
+        independent::same_curve(&old, &new, ERROR).unwrap();
+        let curve = kurbo::BezPath::from_svg(&out).unwrap();
+        let end = kurbo::ParamCurve::end(&curve.segments().last().unwrap());
+        let text = d.rsplit(' ').nth(1).unwrap();
+        let x: f64 = text.parse().unwrap();
+        assert!(
+            (end.x - x).abs() < 1e-15 * largest && (end.y - 1.0).abs() < 1e-15 * largest,
+            "{out}"
+        );
+    }
+}
+
+/// An arc whose ends coincide at one place only is not taken from what was kept at the other.
+#[test]
+fn whether_ends_coincide_is_asked_at_each_place() {
+    let [near, far] =
+        ["M0 0", "M1000 1000"].map(|at| format!(r#"<path d="{at}a50 50 0 1 1 .00001 0"/>"#));
+    let text = svg(&format!("{near}{far}{near}"));
+    let converted = convert(&text);
+    assert_eq!(converted.replaced.path, 2);
+    assert_eq!(codes(&text), ["nearly-whole"]);
+    assert!(converted.text.contains(&far));
+}
+
+/// The control points of every method are those of the shape drawn by itself.
+#[test]
+fn every_method_draws_as_by_itself() {
+    use curveto::number::Precision;
+    use curveto::{Angle, Arc, Circle, Shape, approximate};
+    let arc = |start: f64, sweep: f64| {
+        let [start, sweep] = [start, sweep].map(Angle::from_degrees);
+        Shape::Arc(Arc::new((5.0, 5.0), (10.0, 10.0), Angle::ZERO, start, sweep).unwrap())
+    };
+    let shapes = [
+        (r#"<path d="M15 5A10 10 0 0 1 5 15"/>"#, arc(0.0, 90.0)),
+        (r#"<path d="M15 5A10 10 0 0 1-5 5"/>"#, arc(0.0, 180.0)),
+        (
+            r#"<circle cx="5" cy="5" r="10"/>"#,
+            Shape::Circle(Circle::new((5.0, 5.0), 10.0).unwrap()),
+        ),
+    ];
+    for method in Method::ALL {
+        for cut in [Cut::Quarters, Cut::Count(3)] {
+            for (element, shape) in &shapes {
+                let options = curveto::Options {
+                    rule: method.into(),
+                    cut: cut.clone(),
+                    precision: Some(Precision::Fixed(9)),
+                    ..curveto::Options::default()
+                };
+                let how = Options {
+                    rule: method.into(),
+                    cut: cut.clone(),
+                    precision: Some(9),
+                    ..Options::default()
+                };
+                let text = svg(element);
+                let converted = document::convert(&text, &how).unwrap();
+                let Ok(drawing) = approximate(shape, &options) else {
+                    assert_eq!(converted.replaced.total(), 0, "{method} {cut:?} {element}");
+                    continue;
+                };
+                let d = converted
+                    .text
+                    .split(" d=\"")
+                    .nth(1)
+                    .unwrap()
+                    .split('"')
+                    .next()
+                    .unwrap();
+                let drawn = kurbo::BezPath::from_svg(d).unwrap();
+                let points = |segments: Vec<kurbo::PathSeg>| -> Vec<kurbo::Point> {
+                    segments
+                        .iter()
+                        .flat_map(curveto::curve::control_points)
+                        .collect()
+                };
+                let (found, right) = (
+                    points(drawn.segments().collect()),
+                    points(drawing.curve.segments),
+                );
+                assert_eq!(found.len(), right.len(), "{method} {cut:?} {element}");
+                for (a, b) in found.iter().zip(&right) {
+                    assert!(a.distance(*b) < 3e-9, "{method} {cut:?} {element}: {a} {b}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn methods_that_end_off_the_shape_serve_closed_ones_only() {
+    for (only, serves) in [
+        (Only::ALL, false),
+        (Only::of(&[Kind::Path]), false),
+        (Only::of(&[Kind::Rect]), false),
+        (Only::of(&[Kind::Circle, Kind::Ellipse]), true),
+    ] {
+        let options = Options {
+            rule: Rule::Method(Method::MinimaxFree),
+            only,
+            ..Options::default()
+        };
+        assert_eq!(options.check().is_ok(), serves, "{only:?}");
+    }
+}
+
+#[test]
+fn rectangles_of_half_circles_have_no_straight_sides_there() {
+    let letters = |attributes: &str| -> String {
+        let text = svg(&format!("<rect {attributes} rx='10'/>"));
+        let out = convert(&text).text.into_owned();
+        let d = out.split(" d=").nth(1).unwrap().to_owned();
+        d[..d.find('/').unwrap()]
+            .chars()
+            .filter(char::is_ascii_alphabetic)
+            .collect()
+    };
+    assert_eq!(letters("width='30' height='40'"), "MHcVcHCVCZ");
+    assert_eq!(letters("width='30' height='20'"), "MHcHCZ");
+    assert_eq!(letters("width='20' height='30'"), "McVcCVCZ");
+    assert_eq!(letters("width='20' height='20'"), "McCZ");
+}
+
+#[test]
+fn auto_is_the_other_radius_and_no_size() {
+    for (attributes, expected) in [
+        ("width='20' height='20' rx='auto' ry='0'", &[][..]),
+        ("width='20' height='20' rx='0' ry='auto'", &[]),
+        ("width='20' height='20' rx='auto' ry='5'", &["length"]),
+        ("width='auto' height='20' rx='5'", &["not-drawn"]),
+        ("width='20' height='auto' rx='5'", &["not-drawn"]),
+    ] {
+        assert_eq!(
+            codes(&svg(&format!("<rect {attributes}/>"))),
+            expected,
+            "{attributes}"
+        );
+    }
+}
+
+#[test]
+fn counts_add_up_kind_by_kind() {
+    let counts = |circle, ellipse, rect, path, smooth| document::Counts {
+        circle,
+        ellipse,
+        rect,
+        path,
+        smooth,
+    };
+    let sum = counts(1, 20, 300, 4000, 50_000) + counts(2, 30, 400, 5000, 60_000);
+    assert_eq!(sum, counts(3, 50, 700, 9000, 110_000));
+    assert_eq!(sum.total(), 9753);
 }
 
 #[test]
