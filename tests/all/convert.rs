@@ -725,7 +725,15 @@ fn malformed_documents_are_refused_with_their_place() {
         ("x<svg/>", 1, 1),
         (" <?xml version='1.0'?><svg/>", 1, 2),
         ("<svg>\u{1}</svg>", 1, 6),
-        ("<svg><!-- a -- b --></svg>", 1, 6),
+        ("<svg><!-- a -- b --></svg>", 1, 13),
+        ("<svg>ab]]></svg>", 1, 8),
+        ("<svg a='&amp;&x;'/>", 1, 14),
+        ("<svg a='&amp; &y'/>", 1, 15),
+        ("<svg/>&amp;", 1, 7),
+        ("<svg><?1?></svg>", 1, 6),
+        ("<svg><?XML x?></svg>", 1, 6),
+        ("<svg><![CDATA[x</svg>", 1, 6),
+        ("<svg>\n <!x></svg>", 2, 2),
         ("<svg>]]></svg>", 1, 6),
         ("<svg><1/></svg>", 1, 6),
         ("\u{feff}<svg><a></svg>", 1, 9),
@@ -733,13 +741,31 @@ fn malformed_documents_are_refused_with_their_place() {
     for (text, line, column) in cases {
         match document::convert(text, &Options::default()) {
             Err(Error::Malformed {
-                line: l, column: c, ..
-            }) if text.contains("--") => assert_eq!((l, c > 0), (line, true)),
-            Err(Error::Malformed {
                 line: l,
                 column: c,
                 why,
             }) => assert_eq!((l, c), (line, column), "{text:?}: {why}"),
+            other => panic!("{text:?}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn what_is_malformed_is_said() {
+    for (text, said) in [
+        (
+            "<svg><1a b='2'/></svg>",
+            "`<1a` is not the name of an element",
+        ),
+        ("<svg><1a/></svg>", "`<1a` is not the name of an element"),
+        ("<svg><é></svg", "`</svg` where `</é>` should stand"),
+        ("<svg =''></svg>", "this is not an attribute"),
+        ("<svg a='1'b='2'></svg>", "this is not an attribute"),
+        ("<svg><a ", "the tag `<a` has no end"),
+        ("<svg></svg></g>", "`</g>` closes nothing"),
+    ] {
+        match document::convert(text, &Options::default()) {
+            Err(Error::Malformed { why, .. }) => assert_eq!(why, said, "{text}"),
             other => panic!("{text:?}: {other:?}"),
         }
     }
