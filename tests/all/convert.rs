@@ -283,6 +283,8 @@ fn whether_ends_coincide_is_asked_at_each_place() {
     assert_eq!(converted.replaced.path, 2);
     assert_eq!(codes(&text), ["nearly-whole"]);
     assert!(converted.text.contains(&far));
+    let large = svg(r#"<path d="M100000 0a1000 1000 0 1 1 .001 0"/>"#);
+    assert_eq!(codes(&large), ["nearly-whole"]);
 }
 
 /// The control points of every method are those of the shape drawn by itself.
@@ -383,6 +385,31 @@ fn rectangles_of_half_circles_have_no_straight_sides_there() {
     assert_eq!(letters("width='30' height='20'"), "MHcHCZ");
     assert_eq!(letters("width='20' height='30'"), "McVcCVCZ");
     assert_eq!(letters("width='20' height='20'"), "McCZ");
+}
+
+#[test]
+fn every_number_of_a_shape_has_the_precision() {
+    let options = Options {
+        precision: Some(2),
+        ..Options::default()
+    };
+    let text = svg(r#"<rect x="1.23456" y="2" width="20.98765" height="30.5" rx="3.14159"/>"#);
+    let out = document::convert(&text, &options)
+        .unwrap()
+        .text
+        .into_owned();
+    let d = out
+        .split(" d=\"")
+        .nth(1)
+        .unwrap()
+        .split('"')
+        .next()
+        .unwrap();
+    assert!(d.starts_with("M4.38 2H19.08"), "{d}");
+    for part in d.split('.').skip(1) {
+        let decimals = part.bytes().take_while(u8::is_ascii_digit).count();
+        assert!(decimals <= 2, "{d}");
+    }
 }
 
 #[test]
@@ -758,7 +785,7 @@ fn what_is_malformed_is_said() {
             "`<1a` is not the name of an element",
         ),
         ("<svg><1a/></svg>", "`<1a` is not the name of an element"),
-        ("<svg><é></svg", "`</svg` where `</é>` should stand"),
+        ("<svg><é></svg>", "`</svg>` where `</é>` should stand"),
         ("<svg =''></svg>", "this is not an attribute"),
         ("<svg a='1'b='2'></svg>", "this is not an attribute"),
         ("<svg><a ", "the tag `<a` has no end"),

@@ -248,6 +248,160 @@ fn a_style_wins_over_marker_attributes() {
     }
 }
 
+/// What a style says of markers, on a path whose attribute has one and which is more than one curve.
+#[test]
+fn the_last_word_on_markers_counts() {
+    let with = |style: &str| {
+        format!(
+            r#"{MARKER}<path marker-mid="url(#m)" style="{style}" d="M0 0A80 80 0 1 1 80 80"/>"#
+        )
+    };
+    for style in [
+        "marker:inherit",
+        "marker:var(--m)",
+        // No value of CSS, so that it says nothing.
+        "marker:none none",
+        "marker:none;marker:url(#n)",
+        "fill:none",
+    ] {
+        is_left(&with(style), &["marker-mid"]);
+    }
+    for style in [
+        "marker:none",
+        "MARKER : NONE !important",
+        "marker:initial",
+        "m\\61rker:none",
+    ] {
+        is_replaced(&with(style), 1);
+    }
+    let path = r#"<path marker="url(#m)" d="M0 0A80 80 0 1 1 80 80"/>"#;
+    is_left(&format!("{MARKER}{path}"), &["marker-mid"]);
+    let plain = r#"<path d="M0 0A80 80 0 1 1 80 80"/>"#;
+    for change in [
+        "<style>@keyframes k{to{marker-mid:url(#m)}}</style>",
+        r#"<set attributeName="marker-mid" to="url(#m)"/>"#,
+    ] {
+        is_left(&format!("{MARKER}{change}{plain}"), &["marker-mid"]);
+    }
+    // What has ended passes nothing on, and only a `use` passes on to what it refers to.
+    let reference = r##"<use href="#a"/><path id="a" d="M0 0A80 80 0 1 1 80 80"/>"##;
+    for before in [
+        r#"<g marker-mid="url(#m)"><g></g></g>"#,
+        r##"<a marker-mid="url(#m)" href="#a"/>"##,
+    ] {
+        is_replaced(&format!("{MARKER}{before}{reference}"), 1);
+    }
+}
+
+#[test]
+fn style_sheets_are_read_as_they_stand() {
+    let circle = r#"<circle class="a" r="5"/>"#;
+    for sheet in [
+        "@font-face{font-family:x;src:url(a)}",
+        "@page{margin:1px}",
+        "@property --x{syntax:'*';inherits:false}",
+        "@counter-style x{system:cyclic}",
+        "@font-feature-values x{@swash{a:1}}",
+        "@font-palette-values --x{font-family:y}",
+        ".a{stroke-width:calc(r * 2)}",
+        "@media print{g{fill:red}}",
+    ] {
+        is_replaced(&format!("<style>{sheet}</style>{circle}"), 1);
+    }
+    for (sheet, code) in [
+        ("<![CDATA[<!-- @import url(a.css); -->]]>", "external-style"),
+        (".&#97;{r:9px}", "style-geometry"),
+        // All text in it counts, that after an element too.
+        ("g{}<b></b>.a{r:1px}", "style-geometry"),
+        ("@scope (g){circle{fill:red}}", "style-selector"),
+    ] {
+        is_left(&format!("<style>{sheet}</style>{circle}"), &[code]);
+    }
+    let scope = svg(&format!(
+        "<style>@scope (g){{b{{fill:red}}}}</style>{circle}"
+    ));
+    let out = document::convert(&scope, &Options::default()).unwrap();
+    assert!(
+        out.notes[0]
+            .reason
+            .to_string()
+            .contains("a rule that could not be read")
+    );
+    // A text that is not in the file may set anything.
+    let text = format!(
+        "<!DOCTYPE svg [<!ENTITY e SYSTEM 'x'>]>{}",
+        svg(r#"<circle style="&e;" r="5"/>"#)
+    );
+    let out = document::convert(&text, &Options::default()).unwrap();
+    assert_eq!(out.replaced.total(), 0);
+    let reads = svg("<style>.a{stroke-width:attr(r px)}</style><circle class='a' r='5'/>");
+    let out = document::convert(&reads, &Options::default()).unwrap();
+    assert_eq!(out.notes[0].reason.to_string(), "a style reads `attr(r)`");
+}
+
+/// Counting by type looks at elements of any class.
+#[test]
+fn selectors_by_type_hold_back_what_they_count() {
+    for selector in [
+        ".x:first-of-type",
+        "#x:nth-of-type(2)",
+        "g > .x:last-of-type",
+    ] {
+        is_left(
+            &format!(
+                "<style>{selector}{{fill:red}}</style><circle r='5'/><path class='x' id='x' d='M0 0L1 1'/>"
+            ),
+            &["style-selector"],
+        );
+    }
+}
+
+#[test]
+fn names_that_only_look_alike_say_nothing() {
+    for before in [
+        "<g on='x'/>",
+        "<x:script xmlns:x='urn:x'/>",
+        "<x:style xmlns:x='urn:x'>circle{r:1px}</x:style>",
+        "<glyph unicode='a' d='M0 0L1 1'/>",
+        "<glyph d='M0 0L1 1' style='fill:azure'/>",
+    ] {
+        is_replaced(&format!("{before}<circle r='5'/>"), 1);
+    }
+    is_left("<glyph d='M0 0A1 1 0 0 1 1 1'/>", &["elsewhere"]);
+}
+
+/// What was worked out for one element or one file is not taken for another that only looks alike.
+#[test]
+fn elements_that_are_spelled_alike_are_told_apart() {
+    let out = |text: &str| {
+        document::convert(text, &Options::default())
+            .unwrap()
+            .text
+            .into_owned()
+    };
+    let alone = |inner: &str| out(&svg(inner));
+    for (one, other) in [
+        ("<circle r='1' cx='2'/>", "<circle r='1' cy='2'/>"),
+        ("<circle r='12' cx='1'/>", "<circle r='1' cx='21'/>"),
+        ("<ellipse rx='5' ry='3'/>", "<ellipse rx='5' cy='3'/>"),
+    ] {
+        let both = alone(&format!("{one}{other}"));
+        let start = svg("").len() - "</svg>".len();
+        let [first, second] = [one, other].map(|inner| {
+            let text = alone(inner);
+            text[start..text.len() - "</svg>".len()].to_owned()
+        });
+        assert_eq!(both, svg(&format!("{first}{second}")), "{one}{other}");
+    }
+    for (radius, start) in [("5", "M5 0"), ("7", "M7 0")] {
+        let text = format!(
+            "<!DOCTYPE svg [<!ENTITY r '{radius}'>]>{}",
+            svg("<circle r='&r;'/>")
+        );
+        assert!(out(&text).contains(start), "{radius}");
+    }
+}
+
 #[test]
 fn an_arc_without_an_extent_stays_beside_markers() {
     for marker in ["marker-start", "marker-end"] {
@@ -536,6 +690,12 @@ fn path_data_of_android_stay_where_they_may_not_change() {
         &drawable(r#"<path xmlns:q="urn:q" q:pathData="M0 0A5 5 0 0 1 5 5"/>"#),
         &[],
     );
+    let only = Options {
+        only: document::Only::of(&[document::Kind::Circle]),
+        ..Options::default()
+    };
+    let arc = drawable(ARC);
+    assert_eq!(document::convert(&arc, &only).unwrap().text, arc);
     let alpha = format!(r#"{ARC}<objectAnimator android:propertyName="alpha"/>"#);
     let alpha = drawable(&alpha);
     let out = document::convert(&alpha, &Options::default()).unwrap();

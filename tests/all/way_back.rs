@@ -98,6 +98,15 @@ fn what_follows_a_run_keeps_its_meaning() {
             "M0 0C2.7614 0 5 2.2386 5 5S2.7614 10 0 10S6 7 8 9",
             "M0 0A5 5 0 0 1 0 10C-2.7614 10 6 7 8 9",
         ),
+        // An absolute command after relative ones: its control point is a sum, with the digits of the file's numbers.
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5s-2.2386 5-5 5S6 7 8 9",
+            "M0 0a5 5 0 0 1 0 10C-2.7614 10 6 7 8 9",
+        ),
+        (
+            "M100.1 200.3c2.7614 0 5 2.2386 5 5s-2.2386 5-5 5S6 7 8 9",
+            "M100.1 200.3a5 5 0 0 1 0 10C97.3386 210.3 6 7 8 9",
+        ),
         (
             "M0 0c24.8528 0 45 15.1472 45 45 1 2 3 4 5 6",
             "M0 0c24.8528 0 45 15.1472 45 45 1 2 3 4 5 6",
