@@ -217,6 +217,7 @@ mod tests {
             };
             assert!(why.contains(part), "{line}: {why}");
             assert_eq!(at, column, "{line}: {why}");
+            assert_eq!(why.contains("lengths are"), line.contains("mm"), "{why}");
         }
         assert!(Spec::parse("circle 0 0 -5").is_err());
         assert!(Spec::parse("circle 0 0 inf").is_err());

@@ -160,10 +160,8 @@ fn nearest_circle(points: &[Point]) -> Option<(Point, f64)> {
     let mean = points.iter().map(|p| p.to_vec2()).sum::<Vec2>() / count;
     let offsets: Vec<Vec2> = points.iter().map(|p| p.to_vec2() - mean).collect();
     let size = offsets.iter().map(|v| v.hypot()).fold(0.0, f64::max);
-    if !(size > 0.0 && size.is_finite()) {
-        return None;
-    }
     let offsets: Vec<Vec2> = offsets.iter().map(|&v| v / size).collect();
+    // None too where the size is 0 or no number.
     let mut center = kasa(&offsets)?;
     for _ in 0..MOST_STEPS {
         let Some(step) = gauss_newton(&offsets, center) else {
@@ -319,6 +317,7 @@ mod tests {
         assert!(center.distance(Point::new(2.5, 3.0)) < 1e-14 && (radius - 2.5).abs() < 1e-14);
         assert_eq!(nearest_circle(&points[..2]), None);
         assert_eq!(nearest_circle(&[]), None);
+        assert_eq!(nearest_circle(&[Point::new(f64::INFINITY, 1.0); 9]), None);
     }
 
     /// The points along the ellipse of a circle's cubics lie four times nearer to an ellipse from a certain ratio on.

@@ -666,7 +666,15 @@ fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
     near(low.value, least, 1e-3, "least curvature");
     near(high.value, most, 1e-3, "largest curvature");
     assert_eq!(found.continuity.joints.len(), segments.len() - 1);
-    for joint in &found.continuity.joints {
+    let same = |found: Option<curvature::Curvature>, segment: &PathSeg, t: f64| {
+        let right = curvature::at(segment, t).unwrap().to_array();
+        for (found, right) in found.unwrap().to_array().into_iter().zip(right) {
+            near(found.abs(), right.abs(), 1e-9, "curvature at a joint");
+        }
+    };
+    for (i, joint) in found.continuity.joints.iter().enumerate() {
+        same(joint.before, &segments[i], 1.0);
+        same(joint.after, &segments[i + 1], 0.0);
         angle_is_of(
             Point::new(joint.point[0], joint.point[1]),
             joint.angle,
@@ -690,6 +698,19 @@ fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
             },
         );
     near(found.angle_lag.largest.abs(), farthest.abs(), 1e-3, "lag");
+}
+
+#[test]
+fn a_circle_has_the_curvature_of_its_radius() {
+    let circle = Shape::Circle(Circle::new((1.0, 2.0), 5.0).unwrap());
+    let found = measured(&drawn(
+        circle,
+        Method::Minimax,
+        Cut::Count(4),
+        Affine::IDENTITY,
+    ))
+    .curvature;
+    assert_eq!((found.true_least, found.true_largest), (0.2, 0.2));
 }
 
 /// Straight out of the centre and back: no angle to take a mean over, so that it is taken over t.

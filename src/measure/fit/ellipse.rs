@@ -23,9 +23,10 @@ pub(super) fn nearest_ellipse(points: &[Point]) -> Option<Truth> {
     let mean = points.iter().map(|p| p.to_vec2()).sum::<Vec2>() / count;
     let offsets = points.iter().map(|p| p.to_vec2() - mean);
     let size = offsets.clone().map(Vec2::hypot).fold(0.0, f64::max);
-    if points.len() < 5 || !(size > 0.0 && size.is_finite()) {
+    if points.len() < 5 {
         return None;
     }
+    // No conic is found where the size is 0 or no number.
     let points: Vec<Point> = offsets.map(|v| (v / size).to_point()).collect();
     let mut found = of_conic(&points)?;
     let mut cost = squares(&points, &found);
@@ -41,9 +42,9 @@ pub(super) fn nearest_ellipse(points: &[Point]) -> Option<Truth> {
     }
     let center = (mean + found.center.to_vec2() * size).to_point();
     let radii = found.radii * size;
-    // An axis has two directions; that to the right, or upwards but for rounding, is told.
+    // An axis has two directions; that to the right, or upwards but for rounding, is told. That of the conic points upwards.
     let axis = found.axis;
-    let is_back = axis.x < -1e-14 || (axis.x < 1e-14 && axis.y < 0.0);
+    let is_back = axis.x < -1e-14;
     let axis = if is_back { -axis } else { axis };
     (center.is_finite() && radii.is_finite()).then(|| Truth::new(center, radii, axis))
 }
