@@ -250,6 +250,18 @@ fn what_is_too_large_is_left() {
     }
 }
 
+/// Where renderers place the point after a number beyond numbers nobody knows.
+#[test]
+fn what_follows_a_number_beyond_numbers_is_left() {
+    for d in [
+        "M1e400 0A1 1 0 0 1 5 5",
+        "M1e400 0H5A1 1 0 0 1 6 6",
+        "M0 1e400V5A1 1 0 0 1 6 6",
+    ] {
+        assert_eq!(path(d), d);
+    }
+}
+
 #[test]
 fn ends_of_many_digits_are_where_they_were() {
     for (d, largest) in [
@@ -385,6 +397,40 @@ fn rectangles_of_half_circles_have_no_straight_sides_there() {
     assert_eq!(letters("width='30' height='20'"), "MHcHCZ");
     assert_eq!(letters("width='20' height='30'"), "McVcCVCZ");
     assert_eq!(letters("width='20' height='20'"), "McCZ");
+}
+
+/// Half of a side has a digit more than the side.
+#[test]
+fn a_clamped_radius_is_exactly_half_of_the_side() {
+    let text = svg(r#"<rect width="1.23456789012345" height="9" rx="5" ry="1"/>"#);
+    let out = convert(&text).text.into_owned();
+    assert!(out.contains(r#" d="M.617283945061725 0c"#), "{out}");
+}
+
+/// Radii that are too small grow to half of the chord, so that nothing collapses.
+#[test]
+fn small_radii_collapse_only_with_their_chord() {
+    let options = Options {
+        precision: Some(1),
+        ..Options::default()
+    };
+    for d in [
+        "M0 0A.01 .01 0 0 1 10 0A.01 .01 0 0 1 0 0Z",
+        "M0 0a.01 .01 0 0 1 10 0z",
+        "M50 50a.01 .01 0 0 1 10 0A.01 .01 0 0 1 50 50z",
+        "M0 0A9 .01 0 0 1 10 0Z",
+        "M0 0A5 5 0 0 1 .01 0Z",
+    ] {
+        let new = path_with(d, &options);
+        assert!(!new.contains(['a', 'A']), "{d} {new}");
+    }
+    for d in [
+        "M50 50a.01 .01 0 0 1 .01 0A.01 .01 0 0 1 50 50z",
+        "M50 50A.01 .01 0 0 1 50.01 50z",
+        "M0 0a.01 .01 0 0 1 .01 0a.01 .01 0 0 1-.01 0z",
+    ] {
+        assert_eq!(path_with(d, &options), d);
+    }
 }
 
 #[test]

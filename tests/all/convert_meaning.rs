@@ -203,6 +203,7 @@ fn markers_flow_through_use() {
         r##"<style>use{marker-mid:url(#m)}</style>SHAPE<use href="#p"/>"##,
         r##"<style>.u{marker:url(#m)}</style>SHAPE<g class="u"><use href="#p"/></g>"##,
         r#"<style>#s{marker-mid:url(#m)}</style>SHAPE<g id="s"><use href="icon.svg#p"/></g>"#,
+        r##"SHAPE<use xmlns:x="http://www.w3.org/1999/xlink" x:href="#p" marker-mid="url(#m)"/>"##,
         r##"SHAPE<use marker-mid="url(#m)" href="#q"><set attributeName="href" to="#p"/></use>"##,
     ];
     for inner in uses {
@@ -212,6 +213,7 @@ fn markers_flow_through_use() {
     }
     for inner in [
         r##"SHAPE<use href="#q" marker-mid="url(#m)"/>"##,
+        r##"SHAPE<use xmlns:x="urn:x" x:href="#p" marker-mid="url(#m)"/>"##,
         r##"SHAPE<use href="#p" marker-mid="none"/>"##,
         r##"SHAPE<g marker-mid="url(#m)"><use href="#p" style="marker:none"/></g>"##,
     ] {
