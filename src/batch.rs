@@ -295,8 +295,8 @@ mod tests {
     fn answered(input: impl Fn() -> Pieces, on_error: OnError) -> io::Result<(String, Vec<u64>)> {
         let of = |jobs| {
             let options = Options {
-                jobs,
                 on_error,
+                jobs,
                 ..Options::default()
             };
             let (mut out, mut failed) = (Vec::new(), Vec::new());

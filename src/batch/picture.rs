@@ -306,7 +306,7 @@ mod tests {
         let mut failed = Vec::new();
         let lines = "\u{feff}#\n\u{feff}#\n";
         figure(lines.as_bytes(), &Options::default(), |line, _| {
-            failed.push(line)
+            failed.push(line);
         })
         .unwrap();
         assert_eq!(failed, [2]);

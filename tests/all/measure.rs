@@ -577,127 +577,100 @@ fn figures_of_arcs_of_an_ellipse_are_those_of_many_samples() {
             let [rotation, from, by] = [25.0, start, sweep].map(Angle::from_degrees);
             let arc = Arc::new((1.0, 2.0), (3.0, 2.0), rotation, from, by).unwrap();
             let drawing = drawn(Shape::Arc(arc), Method::Chen3, Cut::Count(4), transform);
-            figures_are_those_of_samples(&drawing, &format!("{transform:?} {start} {sweep}"));
+            let what = format!("{transform:?} {start} {sweep}");
+            the_true_arc_is_that_of_samples(&drawing, &what);
+            places_have_the_angle_of_their_point(&drawing, &what);
+            extremes_are_those_of_samples(&drawing, &what);
         }
     }
 }
 
-fn figures_are_those_of_samples(drawing: &Drawing, what: &str) {
-    let near = |found: f64, right: f64, allowed: f64, name: &str| {
-        assert!(
-            (found - right).abs() <= allowed * right.abs().max(1.0),
-            "{what} {name}: {found} {right}"
-        );
-    };
+fn near(found: f64, right: f64, allowed: f64, what: &str) {
+    assert!(
+        (found - right).abs() <= allowed * right.abs().max(1.0),
+        "{what}: {found} {right}"
+    );
+}
+
+fn the_true_arc_is_that_of_samples(drawing: &Drawing, what: &str) {
+    const STEPS: i32 = 2000;
     let found = measured(drawing);
-    let placement = drawing.outline.unwrap().placement;
     let (start, sweep) = (found.reference.start, found.reference.sweep);
     // The true arc is M u(θ) + c.
-    let [a, b, c, d, ..] = placement.as_coeffs();
+    let [a, b, c, d, ..] = drawing.outline.unwrap().placement.as_coeffs();
     let determinant = (a * d - b * c).abs();
-    let speed = |degrees: f64| {
+    let speed = |step: f64| {
+        let degrees = start + sweep * step / f64::from(STEPS);
         let (sin, cos) = degrees.to_radians().sin_cos();
         (c * cos - a * sin).hypot(d * cos - b * sin)
     };
-    const STEPS: i32 = 2000;
-    let (mut length, mut least, mut most) = (0.0, f64::INFINITY, 0.0_f64);
+    let midway: f64 = (0..STEPS).map(|step| speed(f64::from(step) + 0.5)).sum();
+    let turned = sweep.abs().to_radians();
+    let length = midway * turned / f64::from(STEPS);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     for step in 0..=STEPS {
-        let at = |step: f64| speed(start + sweep * step / f64::from(STEPS));
-        length += at(f64::from(step) + 0.5) * f64::from(i32::from(step < STEPS));
-        let curvature = determinant / at(f64::from(step)).powi(3);
+        let curvature = determinant / speed(f64::from(step)).powi(3);
         (least, most) = (least.min(curvature), most.max(curvature));
     }
-    length *= sweep.abs().to_radians() / f64::from(STEPS);
-    near(found.length.truth, length, 1e-6, "length");
-    near(
-        found.area.truth,
-        determinant * sweep.abs().to_radians() / 2.0,
-        1e-13,
-        "true area",
-    );
-    near(found.area.curve, found.area.truth, 0.02, "area");
-    near(
-        found.curvature.true_least,
-        least,
-        1e-5,
-        "least true curvature",
-    );
-    near(
-        found.curvature.true_largest,
-        most,
-        1e-5,
-        "largest true curvature",
-    );
-    // Places have the angle of their point.
+    near(found.length.truth, length, 1e-6, what);
+    near(found.area.truth, determinant * turned / 2.0, 1e-13, what);
+    near(found.area.curve, found.area.truth, 0.02, what);
+    near(found.curvature.true_least, least, 1e-5, what);
+    near(found.curvature.true_largest, most, 1e-5, what);
+}
+
+fn places_have_the_angle_of_their_point(drawing: &Drawing, what: &str) {
+    let found = measured(drawing);
+    let (start, sweep) = (found.reference.start, found.reference.sweep);
     let segments = &drawing.curve.segments;
-    let angle_is_of = |p: Point, degrees: f64, name: &str| {
-        let angle = (placement.inverse() * p).to_vec2().atan2().to_degrees();
+    let inverse = drawing.outline.unwrap().placement.inverse();
+    let angle_is_of = |p: Point, degrees: f64| {
+        let angle = (inverse * p).to_vec2().atan2().to_degrees();
         let turns = (degrees - angle) / 360.0;
-        near(turns - turns.round(), 0.0, 1e-11, name);
+        near(turns - turns.round(), 0.0, 1e-11, what);
         let part = (degrees - start) / sweep;
-        assert!(
-            (-1e-9..1.0 + 1e-9).contains(&part),
-            "{what} {name}: {degrees}"
-        );
+        assert!((-1e-9..1.0 + 1e-9).contains(&part), "{what}: {degrees}");
     };
-    let place = |at: curveto::measure::report::Place, name: &str| {
-        angle_is_of(segments[at.segment - 1].eval(at.t), at.angle, name);
-    };
-    place(
+    let curvature = found.curvature;
+    for at in [
         found.error.inward_at.or(found.error.outward_at).unwrap(),
-        "farthest",
-    );
-    place(found.angle_lag.at, "lag");
-    let (low, high) = (
-        found.curvature.least.unwrap(),
-        found.curvature.largest.unwrap(),
-    );
-    place(low.at, "least curvature");
-    place(high.at, "largest curvature");
-    let sampled = segments.iter().flat_map(|segment| {
-        (0..=1000).map(move |i| {
-            curvature::at(segment, f64::from(i) / 1000.0)
-                .unwrap()
-                .value
-                .abs()
-        })
-    });
-    let (least, most) = sampled.fold((f64::INFINITY, 0.0_f64), |(a, b), k| (a.min(k), b.max(k)));
-    near(low.value, least, 1e-3, "least curvature");
-    near(high.value, most, 1e-3, "largest curvature");
-    assert_eq!(found.continuity.joints.len(), segments.len() - 1);
+        found.angle_lag.at,
+        curvature.least.unwrap().at,
+        curvature.largest.unwrap().at,
+    ] {
+        angle_is_of(segments[at.segment - 1].eval(at.t), at.angle);
+    }
     let same = |found: Option<curvature::Curvature>, segment: &PathSeg, t: f64| {
+        let found = found.unwrap();
+        assert!(found.value > 0.0, "{what}");
         let right = curvature::at(segment, t).unwrap().to_array();
-        for (found, right) in found.unwrap().to_array().into_iter().zip(right) {
-            near(found.abs(), right.abs(), 1e-9, "curvature at a joint");
+        for (found, right) in found.to_array().into_iter().zip(right) {
+            near(found.abs(), right.abs(), 1e-9, what);
         }
     };
+    assert_eq!(found.continuity.joints.len(), segments.len() - 1);
     for (i, joint) in found.continuity.joints.iter().enumerate() {
         same(joint.before, &segments[i], 1.0);
         same(joint.after, &segments[i + 1], 0.0);
-        angle_is_of(
-            Point::new(joint.point[0], joint.point[1]),
-            joint.angle,
-            "joint",
-        );
-        assert!(
-            joint.before.unwrap().value > 0.0 && joint.after.unwrap().value > 0.0,
-            "{what}"
-        );
+        angle_is_of(Point::new(joint.point[0], joint.point[1]), joint.angle);
     }
+}
+
+fn extremes_are_those_of_samples(drawing: &Drawing, what: &str) {
+    let found = measured(drawing);
+    let parts = (0..=1000).map(|i| f64::from(i) / 1000.0);
+    let sampled = drawing.curve.segments.iter().flat_map(|segment| {
+        let curvature = |t| curvature::at(segment, t).unwrap().value.abs();
+        parts.clone().map(curvature)
+    });
+    let (least, most) = sampled.fold((f64::INFINITY, 0.0_f64), |(a, b), k| (a.min(k), b.max(k)));
+    near(found.curvature.least.unwrap().value, least, 1e-3, what);
+    near(found.curvature.largest.unwrap().value, most, 1e-3, what);
     let reference = Reference::from(&drawing.outline.unwrap());
     let lags = profile::along(&drawing.curve, &reference, Quantity::AngleLag, 100);
-    let farthest = lags
-        .concat()
-        .into_iter()
-        .map(|(_, lag)| lag)
-        .fold(
-            0.0_f64,
-            |most, lag| {
-                if lag.abs() > most.abs() { lag } else { most }
-            },
-        );
-    near(found.angle_lag.largest.abs(), farthest.abs(), 1e-3, "lag");
+    let lags = lags.concat().into_iter().map(|(_, lag)| lag.abs());
+    let farthest = lags.fold(0.0, f64::max);
+    near(found.angle_lag.largest.abs(), farthest, 1e-3, what);
 }
 
 #[test]

@@ -20,15 +20,14 @@ fn data(pieces: &[PathSeg], first: usize, backwards: bool) -> String {
         pieces = pieces.iter().rev().map(PathSeg::reverse).collect();
     }
     let point = |p: Point| format!("{:.3} {:.3}", p.x, p.y);
-    let mut d = format!("M{}", point(pieces[0].start()));
-    for piece in pieces {
-        d += &match piece {
-            PathSeg::Line(line) => format!("L{}", point(line.p1)),
-            PathSeg::Quad(_) => unreachable!(),
-            PathSeg::Cubic(c) => format!("C{} {} {}", point(c.p1), point(c.p2), point(c.p3)),
-        };
-    }
-    d + "Z"
+    let text = |piece: PathSeg| match piece {
+        PathSeg::Line(line) => format!("L{}", point(line.p1)),
+        PathSeg::Quad(_) => unreachable!(),
+        PathSeg::Cubic(c) => format!("C{} {} {}", point(c.p1), point(c.p2), point(c.p3)),
+    };
+    let start = format!("M{}", point(pieces[0].start()));
+    let texts: Vec<String> = pieces.into_iter().map(text).collect();
+    format!("{start}{}Z", texts.concat())
 }
 
 /// A quarter from `from` to `to`, along the x axis first or last.
@@ -62,7 +61,7 @@ fn round_rect_pieces([x, y, w, h]: [f64; 4], [rx, ry]: [f64; 2]) -> Vec<PathSeg>
     ];
     let piece = |i: usize| {
         let (from, to) = (ends[i], ends[(i + 1) % 8]);
-        if i % 2 == 0 {
+        if i.is_multiple_of(2) {
             PathSeg::Line(kurbo::Line::new(from, to))
         } else {
             quarter(from, to, i % 4 == 1)

@@ -58,12 +58,12 @@ fn quotes_hide_what_ends_a_declaration() {
 #[test]
 fn entities_may_refer_to_one_another_to_a_depth() {
     let chain = |sign: &str, first: &str, reference: char, count: usize| {
-        let mut text = format!("svg [<!ENTITY {sign}e0 '{first}'>");
-        for i in 1..=count {
+        let first = format!("svg [<!ENTITY {sign}e0 '{first}'>");
+        let more = (1..=count).map(|i| {
             let before = i - 1;
-            text += &format!("<!ENTITY {sign}e{i} '{reference}e{before};'>");
-        }
-        text
+            format!("<!ENTITY {sign}e{i} '{reference}e{before};'>")
+        });
+        core::iter::once(first).chain(more).collect::<String>()
     };
     let general = |count| {
         let doctype = Doctype::read(&(chain("", "x", '&', count) + "]"), 0);
