@@ -194,6 +194,15 @@ fn an_empty_arc_that_may_show_is_left() {
         assert_eq!(convert(&text).text, text);
         assert!(codes(&text).iter().all(|code| code == "empty-arc"));
     }
+    // Of several in a row, the first decides.
+    for (before, after) in [
+        ("M5 5a5 5 0 1 1 0 0a5 5 0 1 1 0 0z", "M5 5a5 5 0 1 1 0 0z"),
+        ("M5 5A5 5 0 1 1 5 5A5 5 0 1 1 5 5z", "M5 5A5 5 0 1 1 5 5z"),
+        ("M5 5a5 5 0 1 1 0 0A5 5 0 1 1 5 5", "M5 5a5 5 0 1 1 0 0"),
+    ] {
+        assert_eq!(path(before), after);
+    }
+    assert!(path("M5 5a5 5 0 1 1 0 0a5 5 0 0 1 5 5z").starts_with("M5 5c"));
 }
 
 #[test]
@@ -834,6 +843,8 @@ fn what_is_malformed_is_said() {
         ("<svg><é></svg>", "`</svg>` where `</é>` should stand"),
         ("<svg =''></svg>", "this is not an attribute"),
         ("<svg a='1'b='2'></svg>", "this is not an attribute"),
+        ("<svg a='1' / b='2'></svg>", "this is not an attribute"),
+        ("<svg ?></svg>", "this is not an attribute"),
         ("<svg><a ", "the tag `<a` has no end"),
         ("<svg></svg></g>", "`</g>` closes nothing"),
     ] {

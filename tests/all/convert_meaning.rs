@@ -250,6 +250,20 @@ fn a_style_wins_over_marker_attributes() {
     }
 }
 
+/// Many files use the prefix `xlink` without having declared it; another one says nothing then.
+#[test]
+fn a_prefix_that_is_not_declared_is_known_by_its_name() {
+    let text = |prefix: &str| {
+        format!(
+            r##"<svg xmlns="http://www.w3.org/2000/svg"><path id="p" d="M0 0A80 80 0 1 1 80 80"/><use {prefix}:href="#p" marker-mid="url(#m)"/></svg>"##
+        )
+    };
+    is_left_whole(&text("xlink"), &["marker-mid"]);
+    let other = text("x");
+    let out = document::convert(&other, &Options::default()).unwrap();
+    assert_eq!(out.replaced.total(), 1);
+}
+
 /// What a style says of markers, on a path whose attribute has one and which is more than one curve.
 #[test]
 fn the_last_word_on_markers_counts() {
@@ -291,7 +305,8 @@ fn the_last_word_on_markers_counts() {
         r#"<g marker-mid="url(#m)"><g></g></g>"#,
         r##"<a marker-mid="url(#m)" href="#a"/>"##,
     ] {
-        is_replaced(&format!("{MARKER}{before}{reference}"), 1);
+        let sheet = "<style>.z{fill:red}</style>";
+        is_replaced(&format!("{sheet}{MARKER}{before}{reference}"), 1);
     }
 }
 
@@ -368,6 +383,7 @@ fn names_that_only_look_alike_say_nothing() {
         "<glyph d='M0 0L1 1' style='fill:azure'/>",
     ] {
         is_replaced(&format!("{before}<circle r='5'/>"), 1);
+        is_replaced(&format!("<style>.z{{}}</style>{before}<circle r='5'/>"), 1);
     }
     is_left("<glyph d='M0 0A1 1 0 0 1 1 1'/>", &["elsewhere"]);
 }
@@ -381,19 +397,31 @@ fn elements_that_are_spelled_alike_are_told_apart() {
             .text
             .into_owned()
     };
-    let alone = |inner: &str| out(&svg(inner));
-    for (one, other) in [
-        ("<circle r='1' cx='2'/>", "<circle r='1' cy='2'/>"),
-        ("<circle r='12' cx='1'/>", "<circle r='1' cx='21'/>"),
-        ("<ellipse rx='5' ry='3'/>", "<ellipse rx='5' cy='3'/>"),
+    // Where each begins.
+    for (one, other, starts) in [
+        (
+            "<circle r='1' cx='2'/>",
+            "<circle r='1' cy='2'/>",
+            ["M3 0", "M1 2"],
+        ),
+        (
+            "<circle r='12' cx='1'/>",
+            "<circle r='1' cx='21'/>",
+            ["M13 0", "M22 0"],
+        ),
+        (
+            "<ellipse rx='5' cx='3'/>",
+            "<ellipse rx='5' cy='3'/>",
+            ["M8 0", "M5 3"],
+        ),
     ] {
-        let both = alone(&format!("{one}{other}"));
-        let start = svg("").len() - "</svg>".len();
-        let [first, second] = [one, other].map(|inner| {
-            let text = alone(inner);
-            text[start..text.len() - "</svg>".len()].to_owned()
-        });
-        assert_eq!(both, svg(&format!("{first}{second}")), "{one}{other}");
+        let text = out(&svg(&format!("{one}{other}")));
+        let found: Vec<&str> = text.split(" d='").skip(1).collect();
+        let begin = |i: usize| {
+            found[i].starts_with(&format!("{}c", starts[i]))
+                || found[i].starts_with(&format!("{}C", starts[i]))
+        };
+        assert!(begin(0) && begin(1), "{one}{other}: {text}");
     }
     for (radius, start) in [("5", "M5 0"), ("7", "M7 0")] {
         let text = format!(

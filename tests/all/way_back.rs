@@ -83,6 +83,14 @@ fn runs_become_arcs_of_the_radius_that_was_meant() {
             "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4M50 50a45 45 0 0 1 45 45",
         ),
         (
+            "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4c24.8528 0 45 20.1472 45 45",
+            "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4a45 45 0 0 1 45 45",
+        ),
+        (
+            "M0 0c24.8528 0 45 20.1472 45 45 1 2 3 4 5 6c24.8528 0 45 20.1472 45 45",
+            "M0 0a45 45 0 0 1 45 45c1 2 3 4 5 6a45 45 0 0 1 45 45",
+        ),
+        (
             "M100 0Q100 19.89 92.39 38.27T70.71 70.71",
             "M100 0A100 100 0 0 1 70.71 70.71",
         ),
@@ -235,6 +243,10 @@ fn what_is_no_arc_keeps_every_byte() {
         "M0 0Q5 0 5 5",
         "M1 1c1e-3 0 0 0 0 0",
         "M0 0c,2.7614 0 5 2.2386 5 5",
+        "M1e400 0c2.7614 0 5 2.2386 5 5",
+        // Numbers with an exponent have no decimals to tell what was meant.
+        "M0 0c27.614e-1 0 5 2.2386 5 5",
+        "M0 0c27.614e-1 0 5 2.2386 5 5 0 2.7614-2.2386 5-5 5",
         "M0 0c2.7614 0 5 2.2386 5 5 L1 x c2.7614 0 5 2.2386 5 5",
         "",
     ] {
@@ -373,6 +385,7 @@ fn a_path_stays_one_where_a_shape_would_be_drawn_otherwise() {
             .collect::<Vec<_>>()
     };
     assert!(notes("<script/><path d=\"M0 0C1 5 9-9 20 20\"/>").is_empty());
+    assert!(notes("<path d=\"M0 0C1 5 9-9 20 20 x\"/>").is_empty());
     let dashed = format!("<path stroke-dasharray=\"2\" d=\"{start}\"/>");
     assert_eq!(
         notes(&dashed)[0],
