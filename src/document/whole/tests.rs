@@ -103,70 +103,64 @@ fn round_rectangles_are_found_from_every_point_and_in_both_senses() {
     }
 }
 
+fn line(from: Point, to: Point) -> PathSeg {
+    PathSeg::Line(kurbo::Line::new(from, to))
+}
+
+/// The round rectangle 30 by 20 at (1, 2) with other pieces in place of one.
+fn with_other(place: usize, by: &[Point]) -> Vec<PathSeg> {
+    let mut pieces = round_rect_pieces([1.0, 2.0, 30.0, 20.0], [4.0; 2]);
+    let others = by.windows(2).map(|pair| line(pair[0], pair[1]));
+    pieces.splice(place..=place, others);
+    pieces
+}
+
+fn is_no_shape(name: &str, pieces: &[PathSeg]) {
+    for backwards in [false, true] {
+        let d = data(pieces, 0, backwards);
+        assert_eq!(found(&d), None, "{name} {d}");
+    }
+}
+
 #[test]
-fn what_is_nearly_a_round_rectangle_is_none() {
-    let (place, radii) = ([1.0, 2.0, 30.0, 20.0], [4.0, 4.0]);
-    let right = round_rect_pieces(place, radii);
-    assert!(found(&data(&right, 0, false)).is_some());
-    let line = |from: Point, to: Point| PathSeg::Line(kurbo::Line::new(from, to));
+fn a_side_of_a_round_rectangle_is_straight() {
+    let right = round_rect_pieces([1.0, 2.0, 30.0, 20.0], [4.0; 2]);
     for side in [0, 2, 4, 6] {
-        let middle = right[side].eval(0.5);
-        // A side that is dented or goes back and forth, an outer corner that is hollow, sharp or cut.
+        let [start, middle, end] = [0.0, 0.5, 1.0].map(|t| right[side].eval(t));
+        let straight = with_other(side, &[start, middle, end]);
+        assert!(found(&data(&straight, 0, false)).is_some());
         let inside = middle.lerp(Point::new(16.0, 12.0), 0.1);
-        let mut dented = right.clone();
-        dented.splice(
-            side..=side,
-            [
-                line(right[side].start(), inside),
-                line(inside, right[side].end()),
-            ],
-        );
-        let beyond = right[side].eval(1.05);
-        let before = right[side].eval(0.6);
-        let mut folded = right.clone();
-        folded.splice(
-            side..=side,
-            [
-                line(right[side].start(), beyond),
-                line(beyond, before),
-                line(before, right[side].end()),
-            ],
-        );
-        let (from, to) = (right[side + 1].start(), right[side + 1].end());
-        let is_along_x = side % 4 == 0;
+        is_no_shape("dented", &with_other(side, &[start, inside, end]));
+        let [beyond, before] = [1.05, 0.6].map(|t| right[side].eval(t));
+        is_no_shape("folded", &with_other(side, &[start, beyond, before, end]));
+    }
+    let crossed = "M5 2L27 2C29.209 2 31 3.791 31 6L31 18C31 20.209 29.209 22 27 22L5 2Z";
+    assert_eq!(found(crossed), None);
+}
+
+#[test]
+fn a_corner_of_a_round_rectangle_is_round() {
+    let right = round_rect_pieces([1.0, 2.0, 30.0, 20.0], [4.0; 2]);
+    for place in [1, 3, 5, 7] {
+        let (from, to) = (right[place].start(), right[place].end());
+        let is_along_x = place % 4 == 1;
         let mut hollow = right.clone();
-        hollow[side + 1] = quarter(from, to, !is_along_x);
+        hollow[place] = quarter(from, to, !is_along_x);
+        is_no_shape("hollow", &hollow);
         let corner = if is_along_x {
             Point::new(to.x, from.y)
         } else {
             Point::new(from.x, to.y)
         };
-        let mut sharp = right.clone();
-        sharp.splice(side + 1..=side + 1, [line(from, corner), line(corner, to)]);
-        let mut cut = right.clone();
-        cut[side + 1] = line(from, to);
-        for (name, pieces) in [
-            ("dented", dented),
-            ("folded", folded),
-            ("hollow", hollow),
-            ("sharp", sharp),
-            ("cut", cut),
-        ] {
-            for backwards in [false, true] {
-                let d = data(&pieces, 0, backwards);
-                assert_eq!(found(&d), None, "{name} {d}");
-            }
-        }
+        is_no_shape("sharp", &with_other(place, &[from, corner, to]));
+        is_no_shape("cut", &with_other(place, &[from, to]));
     }
-    // A corner of another radius, and two sides that are exchanged so that the outline crosses itself.
-    let other = round_rect_pieces(place, [6.0, 6.0]);
+    let other = round_rect_pieces([1.0, 2.0, 30.0, 20.0], [6.0; 2]);
     let mut uneven = right.clone();
     uneven[0] = line(right[0].start(), other[1].start());
     uneven[1] = other[1];
     uneven[2] = line(other[1].end(), right[2].end());
-    assert_eq!(found(&data(&uneven, 0, false)), None);
-    let crossed = "M5 2L27 2C29.209 2 31 3.791 31 6L31 18C31 20.209 29.209 22 27 22L5 2Z";
-    assert_eq!(found(crossed), None);
+    is_no_shape("uneven", &uneven);
 }
 
 /// An ellipse from its right end towards +y: four pieces.
