@@ -304,6 +304,7 @@ fn the_last_word_on_markers_counts() {
     for before in [
         r#"<g marker-mid="url(#m)"><g></g></g>"#,
         r##"<a marker-mid="url(#m)" href="#a"/>"##,
+        r##"<g marker-mid="url(#m)"><set href="#a" attributeName="opacity" to="1"/></g>"##,
     ] {
         let sheet = "<style>.z{fill:red}</style>";
         is_replaced(&format!("{sheet}{MARKER}{before}{reference}"), 1);
