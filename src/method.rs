@@ -326,3 +326,74 @@ impl FromStr for Method {
             })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::angle::Angle;
+    use kurbo::ParamCurve;
+
+    fn degrees_from_0(size: f64) -> [Vec2; 2] {
+        [0.0, size].map(|degrees| Angle::from_degrees(degrees).direction())
+    }
+
+    /// r² - 1 = -u² (H + G u) where the two numbers are given, and they are given for the cubics that touch the circle.
+    #[test]
+    fn the_excess_of_cubics_that_touch_the_circle_is_theirs() {
+        for method in Method::ALL {
+            let span = Span::from_degrees(90.0);
+            let piece = method.piece(&span).unwrap();
+            let card = method.card();
+            let is_g0 = card.continuity_uneven == crate::continuity::Continuity::G0;
+            let touches = card.degree == Degree::Cubic && card.ends == Ends::OnCircle && !is_g0;
+            assert_eq!(piece.is_tangent_cubic(), touches, "{method}");
+            assert_eq!(piece.excess(&span).is_some(), touches, "{method}");
+            let Some([h, g]) = piece.excess(&span) else {
+                continue;
+            };
+            let curve = piece.between(degrees_from_0(90.0));
+            for t in [0.1, 0.3, 0.5] {
+                let u = t * (1.0 - t);
+                let excess = curve.eval(t).to_vec2().hypot2() - 1.0;
+                assert!((excess + u * u * (h + g * u)).abs() < 1e-15, "{method}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_ends_of_a_piece_lie_at_their_radius() {
+        for method in Method::ALL {
+            let piece = method.piece(&Span::from_degrees(90.0)).unwrap();
+            let curve = piece.between(degrees_from_0(90.0));
+            for t in [0.0, 1.0] {
+                let radius = curve.eval(t).to_vec2().hypot();
+                assert!((radius - piece.end_radius).abs() < 1e-15, "{method}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_offered_beyond_the_largest_angle_serves_it() {
+        for method in Method::ALL {
+            let largest = method.card().largest_angle;
+            let beyond = Span::from_degrees(largest + 1.0);
+            let error = method.piece(&beyond).unwrap_err();
+            let Error::Impossible { remedy, .. } = error else {
+                panic!("{method}: {error}");
+            };
+            let Remedy::MoreSegments { degrees, methods } = remedy else {
+                assert_eq!(method, Method::LancasterDrawellipse);
+                continue;
+            };
+            assert_eq!(degrees, Some(largest), "{method}");
+            assert_eq!(methods.is_empty(), largest >= 180.0, "{method}");
+            for other in methods {
+                let other: Method = other.parse().unwrap();
+                assert!(
+                    other.piece(&Span::from_degrees(180.0)).is_ok(),
+                    "{method}: {other}"
+                );
+            }
+        }
+    }
+}

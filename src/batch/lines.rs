@@ -292,3 +292,6 @@ fn push_json(out: &mut Vec<u8>, id: Option<&str>, document: &impl Serialize) -> 
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

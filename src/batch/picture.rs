@@ -240,3 +240,75 @@ fn name(raw: &str) -> String {
     let text = serde_json::from_str::<String>(raw).unwrap_or_else(|_| raw.to_owned());
     text.replace(char::is_control, "_")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawn(lines: &str) -> Picture {
+        figure(lines.as_bytes(), &Options::default(), |line, error| {
+            panic!("{line}: {error}")
+        })
+        .unwrap()
+    }
+
+    #[test]
+    fn a_picture_says_what_it_is() {
+        for (lines, title, description) in [
+            ("", "0 shapes", "0 shapes, exact"),
+            ("path M0 0L1 1", "1 shape", "1 shape, exact"),
+            (
+                "circle 0 0 1\npath M0 0L1 1\ncircle 0 0 2",
+                "3 shapes",
+                "3 shapes, each within 0.000393 of its true shape",
+            ),
+        ] {
+            let figure = drawn(lines).figure;
+            assert_eq!(
+                (figure.title.as_str(), figure.description.as_str()),
+                (title, description)
+            );
+        }
+        assert!(drawn("circle 0 0 1").json().is_err());
+    }
+
+    #[test]
+    fn true_shapes_belong_to_their_curves() {
+        let figure =
+            drawn("circle 0 0 1\npath M0 0A1 1 0 0 1 1 1M5 5A1 1 0 0 1 6 6\ncircle 0 0 2").figure;
+        let curves: Vec<usize> = figure.truths.iter().map(|truth| truth.curve).collect();
+        assert_eq!(curves, [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn courses_are_those_of_lines_and_circular_arcs() {
+        let courses = |line: &str| drawn(line).courses[0].as_ref().map(Vec::len);
+        assert_eq!(courses("arc 0 0 5 0 90"), Some(1));
+        assert_eq!(courses("arc 0 0 5 4 0 0 90"), None);
+        assert_eq!(courses("path M0 0A5 5 0 0 1 4 4L9 9"), Some(1));
+        assert_eq!(courses("path M0 0A5 3 0 0 1 4 4L9 9"), None);
+        assert_eq!(courses("path M0 0C1 1 2 1 3 0"), None);
+        assert_eq!(courses("circle 0 0 5"), None);
+    }
+
+    #[test]
+    fn a_line_has_its_limit_and_a_byte_order_mark_its_place() {
+        let comment = |length: usize| {
+            let mut line = vec![b'#'; length - 1];
+            line.push(b'\n');
+            figure(&line[..], &Options::default(), |_, _| ()).map(|picture| picture.summary.lines)
+        };
+        assert_eq!(comment(LONGEST_LINE).unwrap(), 1);
+        assert_eq!(
+            comment(LONGEST_LINE + 1).unwrap_err().kind(),
+            io::ErrorKind::InvalidData
+        );
+        let mut failed = Vec::new();
+        let lines = "\u{feff}#\n\u{feff}#\n";
+        figure(lines.as_bytes(), &Options::default(), |line, _| {
+            failed.push(line);
+        })
+        .unwrap();
+        assert_eq!(failed, [2]);
+    }
+}

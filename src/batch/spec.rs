@@ -182,6 +182,9 @@ mod tests {
             spec.cut,
             Some(Cut::Tolerance(Tolerance::Relative(0.01 / 100.0)))
         );
+        let line = r#"{"circle": {"radius": 1}, "tolerance": 0.25}"#;
+        let cut = Spec::parse(line).unwrap().cut;
+        assert_eq!(cut, Some(Cut::Tolerance(Tolerance::Absolute(0.25))));
     }
 
     #[test]
@@ -198,6 +201,13 @@ mod tests {
             ),
             (r#"{"circle": {"radius": 5}"#, 24, "ends within"),
             ("{}", 1, "one of circle, ellipse"),
+            (
+                r#"{"circle": {"radius": 5}, "path": "M0 0L1 1"}"#,
+                1,
+                "one of circle, ellipse",
+            ),
+            ("circle 0 0 5mm", 12, "'5mm' is not a number: lengths are"),
+            ("circle 0 0 5,5", 12, "'5,5' is not a number: blanks stand"),
         ] {
             let Err(Error::Syntax {
                 column: at, why, ..
@@ -207,6 +217,7 @@ mod tests {
             };
             assert!(why.contains(part), "{line}: {why}");
             assert_eq!(at, column, "{line}: {why}");
+            assert_eq!(why.contains("lengths are"), line.contains("mm"), "{why}");
         }
         assert!(Spec::parse("circle 0 0 -5").is_err());
         assert!(Spec::parse("circle 0 0 inf").is_err());

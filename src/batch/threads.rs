@@ -172,3 +172,46 @@ fn answer(worker: &mut Worker, task: Task) -> bool {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::batch::{LONGEST_ANSWERS, OnError, Options, run};
+    use crate::joints::Cut;
+    use crate::number::Precision;
+    use std::io::Read;
+
+    fn answered(input: impl Read + Send + 'static, jobs: usize, count: usize) -> String {
+        let options = Options {
+            jobs,
+            cut: Cut::Count(count),
+            precision: Some(Precision::Full),
+            on_error: OnError::Report,
+            ..Options::default()
+        };
+        let mut out = Vec::new();
+        run(input, &mut out, &options, |_, _| ()).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn long_answers_come_in_parts_and_in_order() {
+        // The answer to one of them is longer than what is written at once.
+        let lines = "circle 0 0 1\nbad\ncircle 0 0 2\nbad\n";
+        let input = || {
+            (&b"bad\n#\n"[..])
+                .chain(lines.as_bytes())
+                .chain(&b"bad\ncircle 0 0 3\nbad"[..])
+        };
+        let alone = answered(input(), 1, 15_000);
+        assert!(alone.len() > 3 * (LONGEST_ANSWERS + 1));
+        let numbers = |text: &str| -> Vec<u64> {
+            let reports = text.lines().filter(|line| line.starts_with('{'));
+            let report = |line| serde_json::from_str::<serde_json::Value>(line).unwrap();
+            reports
+                .map(|line| report(line)["line"].as_u64().unwrap())
+                .collect()
+        };
+        assert_eq!(numbers(&alone), [1, 4, 6, 7, 9]);
+        assert!(answered(input(), 3, 15_000) == alone);
+    }
+}

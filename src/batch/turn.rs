@@ -179,4 +179,19 @@ mod tests {
         }
         assert!(kept > 1000, "{kept}");
     }
+
+    #[test]
+    fn what_may_vanish_goes_the_way_of_every_shape() {
+        let mut turns = Turns::default();
+        let options = approximate::Options {
+            precision: Some(Precision::Fixed(2)),
+            ..approximate::Options::default()
+        };
+        let mut serves = |radius: f64| {
+            let circle = Circle::new((0.0, 0.0), radius).unwrap();
+            turns.push(&mut Vec::new(), &circle, &options).is_some()
+        };
+        assert!(serves(5.0) && serves(0.011));
+        assert!(!serves(0.009) && !serves(0.0004));
+    }
 }

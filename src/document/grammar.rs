@@ -79,3 +79,53 @@ pub(super) fn after_arc_shape(bytes: &[u8], at: usize) -> Option<usize> {
     let sweep = after_separator(bytes, after_flag(bytes, large)?);
     Some(after_separator(bytes, after_flag(bytes, sweep)?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every text of up to four of these.
+    fn texts() -> Vec<Vec<u8>> {
+        let mut texts = vec![Vec::new()];
+        let mut from = 0;
+        for _ in 0..4 {
+            let until = texts.len();
+            for i in from..until {
+                for byte in *b" \t\x0c,0.-+a`l\xff" {
+                    let longer = [&texts[i][..], &[byte]].concat();
+                    texts.push(longer);
+                }
+            }
+            from = until;
+        }
+        texts
+    }
+
+    #[test]
+    fn one_separator_is_skipped_as_any() {
+        for text in texts() {
+            assert_eq!(
+                after_separator(&text, 0),
+                after_separators(&text, 0),
+                "{text:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn arguments_end_at_the_first_letter() {
+        for byte in 0..=u8::MAX {
+            for length in 0..20 {
+                for place in 0..=length {
+                    let mut text = b"0123 5.7,9-1 3+5\t7 9"[..length].to_vec();
+                    text.insert(place, byte);
+                    let is_above = |byte: &u8| *byte > b'9';
+                    let end = text.iter().position(is_above).unwrap_or(text.len());
+                    assert_eq!(after_arguments(&text, 0), end, "{text:?}");
+                    let later = if place > 0 { end } else { 1 + length };
+                    assert_eq!(after_arguments(&text, 1), later, "{text:?}");
+                }
+            }
+        }
+    }
+}

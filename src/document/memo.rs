@@ -169,3 +169,64 @@ fn slot(key: &[u8]) -> usize {
     }
     (hash >> 40) as usize % PLACES
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_kept_is_found_and_no_more_is_kept_than_fits() {
+        let mut memo = Memo::default();
+        let key = |i: usize| format!("{i} 1 0 0 1 {i} 1").into_bytes();
+        let text = |i: usize| format!("c{i}").into_bytes();
+        for i in 0..3 * MOST_ENTRIES {
+            let text = text(i);
+            memo.keep(
+                &key(i),
+                &Curve {
+                    text: &text,
+                    segments: i,
+                    ..Curve::default()
+                },
+            );
+            assert!(memo.arcs.len() <= MOST_ENTRIES && memo.texts.len() <= MOST_BYTES);
+            // This one, and one before it unless all were forgotten between.
+            let index = memo.find(&key(i)).unwrap();
+            assert_eq!(
+                (memo.curve(index).text, memo.curve(index).segments),
+                (&text[..], i)
+            );
+            let before = i / 2 + MOST_ENTRIES / 2;
+            assert_eq!(
+                memo.find(&key(before)).is_some(),
+                before <= i && i / MOST_ENTRIES == before / MOST_ENTRIES
+            );
+        }
+    }
+
+    #[test]
+    fn long_texts_are_not_kept_for_ever() {
+        let mut memo = Memo::default();
+        let long = vec![b'1'; MOST_BYTES / 64 - 1];
+        for i in 0..200_u8 {
+            memo.keep(
+                &[i],
+                &Curve {
+                    text: &long,
+                    ..Curve::default()
+                },
+            );
+            assert!(memo.find(&[i]).is_some() && memo.texts.len() <= MOST_BYTES);
+            assert!((usize::from(i) % 64 == 0) == (memo.arcs.len() == 1));
+        }
+        let longer = vec![b'1'; MOST_BYTES / 64];
+        memo.keep(
+            b"no",
+            &Curve {
+                text: &longer,
+                ..Curve::default()
+            },
+        );
+        assert_eq!(memo.find(b"no"), None);
+    }
+}

@@ -188,10 +188,8 @@ impl<'a> Segments<'a> {
         let next = rest
             .iter()
             .find(|byte| !matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | b','));
-        let mut after = self.clone();
-        matches!(next, Some(b's' | b'S' | b't' | b'T'))
-            && after.next().is_none()
-            && after.error.is_some()
+        // Before a letter the data have not ended: nothing more is read where an error is.
+        matches!(next, Some(b's' | b'S' | b't' | b'T')) && self.clone().next().is_none()
     }
 
     /// The arguments of a command whose letter has been read; `None` at an error.

@@ -265,4 +265,26 @@ mod tests {
         assert_eq!(steps.collect::<Vec<_>>(), [2, 2, 8, 4, 1, 3, 1]);
         assert!(shapes[7].contours.is_err());
     }
+
+    #[test]
+    fn shapes_are_spelled_with_all_their_numbers() {
+        assert_eq!(
+            ellipse([1.0, 2.0], [3.0, 4.0]),
+            "M4 2A3 4 0 0 1 -2 2A3 4 0 0 1 4 2Z"
+        );
+        assert_eq!(square([1.0, 2.0], [3.0, 5.0]), "M1 2H4V7H1Z");
+        assert_eq!(square([1.0, 2.0], [0.0, 5.0]), "");
+        assert_eq!(square([1.0, 2.0], [3.0, 0.0]), "");
+        assert_eq!(
+            round_rect([1.0, 2.0], [10.0, 20.0], [3.0, 4.0]),
+            "M4 2H8A3 4 0 0 1 11 6V18A3 4 0 0 1 8 22H4A3 4 0 0 1 1 18V6A3 4 0 0 1 4 2Z"
+        );
+        for nothing in ["<polyline points=' '/>", "<polygon/>"] {
+            let shapes = svg_shapes(&format!("<svg>{nothing}</svg>")).unwrap();
+            assert!(
+                shapes[0].contours.as_ref().unwrap().0.is_empty(),
+                "{nothing}"
+            );
+        }
+    }
 }

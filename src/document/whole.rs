@@ -289,3 +289,6 @@ fn corner_radii(segments: &[PathSeg]) -> Option<Vec2> {
         size
     })
 }
+
+#[cfg(test)]
+mod tests;

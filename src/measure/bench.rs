@@ -311,3 +311,29 @@ fn enclosed(segments: &[PathSeg], center: Point) -> f64 {
         .map(|segment| extent::sector_area(segment, center))
         .sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_of_alike_places_is_named() {
+        let mut largest = Largest::above(0.0);
+        for (value, segment) in [(0.0, 0), (2.0, 1), (1.0, 2), (2.0 + 1e-12, 3)] {
+            largest.take(value, segment, 0.5);
+        }
+        assert_eq!(
+            (largest.value, largest.place),
+            (2.0 + 1e-12, Some((1, 0.5)))
+        );
+        largest.take(2.1, 4, 0.25);
+        assert_eq!((largest.value, largest.place), (2.1, Some((4, 0.25))));
+    }
+
+    #[test]
+    fn an_angle_comes_between_half_turns() {
+        for (degrees, near) in [(10.0, 10.0), (370.0, 10.0), (-190.0, 170.0), (725.0, 5.0)] {
+            assert_eq!(remainder(degrees), near);
+        }
+    }
+}

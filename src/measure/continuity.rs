@@ -222,4 +222,35 @@ mod tests {
             assert_eq!(order(before, after, 0.0), Continuity::G4, "{k}");
         }
     }
+
+    /// κ of a curve of degree n from (0,0) by (h,0) and (a,b) is f b/h², f = (n-1)/n; its derivatives by the coordinates are
+    /// -2fb/h³ and f(a-h)/h³ by the first point's, 2fb/h³ and -fa/h³ by the second's, 0 and f/h² by the third's.
+    #[test]
+    fn what_a_rounding_explains_is_what_it_moves() {
+        let (h, a, b) = (2e-3_f64, 5e-3_f64, -3e-3_f64);
+        let [p, q, r, s] = [(0.0, 0.0), (h, 0.0), (a, b), (9e-3, 1e-3)].map(Point::from);
+        let line = PathSeg::Line(Line::new((-4e-3, 0.0), p));
+        let delta = 1e-9;
+        for (after, f) in [
+            (PathSeg::Cubic(CubicBez::new(p, q, r, s)), 2.0 / 3.0),
+            (PathSeg::Quad(kurbo::QuadBez::new(p, q, r)), 1.0 / 2.0),
+        ] {
+            let (found, _) = joint(&line, &after, delta);
+            let sum = f * (4.0 * b.abs() / h + (a - h).abs() / h + a / h + 1.0) / (h * h);
+            assert!(
+                (found.tolerance.value / (sum * delta) - 1.0).abs() < 1e-6,
+                "{found:?}"
+            );
+            let turn = (8.0_f64.sqrt() * delta * (1.0 / h + 1.0 / 4e-3)).to_degrees();
+            assert!(
+                (found.tolerance.turn / turn - 1.0).abs() < 1e-12,
+                "{found:?}"
+            );
+            // Where nothing was rounded, the evaluation's own rounding is left.
+            let (exact, _) = joint(&line, &after, 0.0);
+            let curvature = exact.after.unwrap().value.abs();
+            assert!((curvature / (f * b.abs() / (h * h)) - 1.0).abs() < 1e-12);
+            assert_eq!(exact.tolerance.value, 16.0 * f64::EPSILON * curvature);
+        }
+    }
 }

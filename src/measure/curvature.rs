@@ -115,3 +115,44 @@ pub(crate) fn extremes(segment: &PathSeg) -> Parameters {
         .minus(&n.times(&w.derivative()).scaled(1.5));
     slope.sign_changes()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kurbo::{CubicBez, Line, QuadBez};
+
+    #[test]
+    fn the_curvature_is_extreme_there_and_nowhere_else() {
+        let parabola = PathSeg::Quad(QuadBez::new((-1.0, 1.0), (0.5, -1.0), (1.0, 2.0)));
+        let cubic = PathSeg::Cubic(CubicBez::new(
+            (0.0, 0.0),
+            (1.0, 3.0),
+            (4.0, 3.5),
+            (6.0, -1.0),
+        ));
+        let bent = PathSeg::Cubic(CubicBez::new(
+            (0.0, 0.0),
+            (1.0, 2.0),
+            (2.0, -2.0),
+            (3.0, 0.5),
+        ));
+        for (segment, count) in [(parabola, 1), (cubic, 1), (bent, 2)] {
+            let k = |t: f64| at(&segment, t).unwrap().value;
+            let turns: Vec<f64> = (1..10_000)
+                .map(|i| f64::from(i) / 10_000.0)
+                .filter(|&t| (k(t) - k(t - 1e-4)) * (k(t + 1e-4) - k(t)) <= 0.0)
+                .collect();
+            let found: Vec<f64> = extremes(&segment).iter().collect();
+            assert_eq!(
+                (found.len(), turns.len()),
+                (count, count),
+                "{found:?} {turns:?}"
+            );
+            for (t, near) in found.into_iter().zip(turns) {
+                assert!((t - near).abs() < 3e-4, "{t} {near}");
+            }
+        }
+        let line = PathSeg::Line(Line::new((0.0, 0.0), (1.0, 1.0)));
+        assert_eq!(extremes(&line).iter().count(), 0);
+    }
+}

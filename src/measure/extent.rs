@@ -77,6 +77,16 @@ mod tests {
 
     #[test]
     fn arcs_of_a_circle_are_radius_times_angle() {
-        assert_eq!(ellipse_length(Vec2::new(2.0, 2.0), 1.0, -2.0), -6.0);
+        let radii = Vec2::new(2.0, 2.0);
+        for (from, to) in [(1.0, -2.0), (-2.0, 1.0), (1.0, 3.0), (-1.0, -3.0)] {
+            assert_eq!(ellipse_length(radii, from, to), 2.0 * (to - from));
+        }
+    }
+
+    #[test]
+    fn a_sector_is_about_its_centre() {
+        let line = PathSeg::Line(kurbo::Line::new((3.0, 1.0), (5.0, 3.0)));
+        assert_eq!(sector_area(&line, Point::new(3.0, -1.0)), -2.0);
+        assert_eq!(sector_area(&line, Point::new(3.0, 3.0)), 2.0);
     }
 }

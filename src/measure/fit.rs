@@ -160,10 +160,8 @@ fn nearest_circle(points: &[Point]) -> Option<(Point, f64)> {
     let mean = points.iter().map(|p| p.to_vec2()).sum::<Vec2>() / count;
     let offsets: Vec<Vec2> = points.iter().map(|p| p.to_vec2() - mean).collect();
     let size = offsets.iter().map(|v| v.hypot()).fold(0.0, f64::max);
-    if !(size > 0.0 && size.is_finite()) {
-        return None;
-    }
     let offsets: Vec<Vec2> = offsets.iter().map(|&v| v / size).collect();
+    // None too where the size is 0 or no number.
     let mut center = kasa(&offsets)?;
     for _ in 0..MOST_STEPS {
         let Some(step) = gauss_newton(&offsets, center) else {
@@ -301,6 +299,36 @@ mod tests {
         );
         let (_, fit) = circle(&closed, None).unwrap();
         assert_eq!((fit.to, fit.points), (FitTo::Joints, 4));
+        let large = closed.transformed(kurbo::Affine::scale(1e4));
+        assert_eq!(circle(&large, None).unwrap().1.points, 4);
+    }
+
+    #[test]
+    fn the_fit_says_how_well_it_fits() {
+        let (truth, fit) = circle(&curve("M2.2 0L0 1.8L-2.2 0L0 -1.8Z"), None).unwrap();
+        assert!(truth.center.to_vec2().hypot() < 1e-15 && (truth.radii.x - 2.0).abs() < 1e-15);
+        assert!((fit.rms - 0.2).abs() < 1e-15 && (fit.relative_rms - 0.1).abs() < 1e-15);
+    }
+
+    #[test]
+    fn three_points_are_enough() {
+        let points = [(1.0, 1.0), (4.0, 5.0), (1.0, 5.0)].map(Point::from);
+        let (center, radius) = nearest_circle(&points).unwrap();
+        assert!(center.distance(Point::new(2.5, 3.0)) < 1e-14 && (radius - 2.5).abs() < 1e-14);
+        assert_eq!(nearest_circle(&points[..2]), None);
+        assert_eq!(nearest_circle(&[]), None);
+        assert_eq!(nearest_circle(&[Point::new(f64::INFINITY, 1.0); 9]), None);
+    }
+
+    /// The points along the ellipse of a circle's cubics lie four times nearer to an ellipse from a certain ratio on.
+    #[test]
+    fn an_ellipse_is_meant_where_it_is_much_nearer() {
+        let quarter = "M1 0C1 .552 .552 1 0 1C-.552 1 -1 .552 -1 0C-1 -.552 -.552 -1 0 -1";
+        for (ratio, is_flat) in [(1.0, false), (0.9995, false), (0.998, true), (0.5, true)] {
+            let map = kurbo::Affine::scale_non_uniform(30.0, 30.0 * ratio);
+            let (truth, _) = either(&curve(quarter).transformed(map)).unwrap();
+            assert_eq!(truth.radii.x != truth.radii.y, is_flat, "{ratio}");
+        }
     }
 
     #[test]

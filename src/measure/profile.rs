@@ -151,3 +151,69 @@ pub fn along(
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::Truth;
+    use kurbo::{CubicBez, Point};
+
+    /// About a quarter of the circle of radius 8 about the origin, and the same backwards.
+    fn quarters() -> [PathSeg; 2] {
+        let quarter = CubicBez::new((8.0, 0.0), (8.0, 4.3), (4.5, 8.0), (0.0, 8.0));
+        [PathSeg::Cubic(quarter), PathSeg::Cubic(quarter).reverse()]
+    }
+
+    fn drawn(segment: PathSeg, quantity: Quantity) -> Vec<(f64, f64)> {
+        let curve = Curve {
+            segments: vec![segment],
+            closed: false,
+        };
+        let reference = Reference::from(Truth::circle(Point::ORIGIN, 8.0));
+        along(&curve, &reference, quantity, 10).concat()
+    }
+
+    #[test]
+    fn what_is_drawn_is_what_is_measured() {
+        for (segment, sense) in quarters().into_iter().zip([1.0, -1.0]) {
+            let point = |t: f64| segment.eval(t).to_vec2();
+            let turn = |t: f64| (point(t).atan2() - point(0.0).atan2()).to_degrees();
+            let k = |t: f64| curvature::at(&segment, t).unwrap().map(|x, _| x * sense);
+            let right = |quantity: Quantity, t: f64| match quantity {
+                Quantity::Error => point(t).hypot() - 8.0,
+                Quantity::Curvature => k(t).value,
+                Quantity::CurvatureD1 => k(t).d1,
+                Quantity::CurvatureD2 => k(t).d2,
+                Quantity::AngleLag => sense * (turn(t) - t * turn(1.0)),
+                Quantity::Drawing => point(t).y,
+            };
+            for quantity in Quantity::ALL {
+                let drawn = drawn(segment, quantity);
+                assert_eq!(drawn.len(), 11, "{quantity}");
+                for (i, (x, value)) in drawn.into_iter().enumerate() {
+                    let t = i as f64 / 10.0;
+                    let at = if quantity == Quantity::Drawing {
+                        point(t).x
+                    } else {
+                        point(t).atan2().to_degrees()
+                    };
+                    assert!((x - at).abs() < 1e-12, "{quantity} {t}: {x} {at}");
+                    let right = right(quantity, t);
+                    assert!(
+                        (value - right).abs() < 1e-13,
+                        "{quantity} {t}: {value} {right}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn quantities_are_asked_for_by_their_names() {
+        for quantity in Quantity::ALL {
+            assert_eq!(quantity.to_string(), quantity.name());
+            assert_eq!(quantity.name().parse::<Quantity>().unwrap(), quantity);
+        }
+        assert!("error ".parse::<Quantity>().is_err());
+    }
+}

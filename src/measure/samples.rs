@@ -109,3 +109,52 @@ pub fn samples(curve: &Curve, reference: &Reference, count: usize) -> Result<Vec
         }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::Truth;
+    use kurbo::CubicBez;
+
+    #[test]
+    fn samples_are_points_of_the_curve_beside_the_circle() {
+        let center = Point::new(30.0, -10.0);
+        let curve = Curve {
+            segments: vec![
+                PathSeg::Cubic(CubicBez::new(
+                    (35.0, -10.0),
+                    (35.0, -7.0),
+                    (33.0, -5.0),
+                    (30.0, -5.0),
+                )),
+                PathSeg::Cubic(CubicBez::new(
+                    (30.0, -5.0),
+                    (27.0, -5.0),
+                    (25.0, -7.5),
+                    (25.0, -10.0),
+                )),
+            ],
+            closed: false,
+        };
+        let found = samples(&curve, &Reference::from(Truth::circle(center, 5.0)), 5).unwrap();
+        assert_eq!(found.len(), 10);
+        for (i, sample) in found.iter().enumerate() {
+            let (segment, t) = (i / 5, (i % 5) as f64 / 4.0);
+            let point = curve.segments[segment].eval(t);
+            let arm = point - center;
+            let at = SamplePoint {
+                segment: segment + 1,
+                t,
+                x: point.x,
+                y: point.y,
+            };
+            assert_eq!(sample.at, at);
+            assert!((sample.radius - arm.hypot()).abs() < 1e-14);
+            assert!((sample.error - (arm.hypot() - 5.0)).abs() < 1e-14);
+            assert!(
+                (sample.degrees - arm.atan2().to_degrees()).abs() < 1e-12,
+                "{sample:?}"
+            );
+        }
+    }
+}

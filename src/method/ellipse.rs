@@ -20,6 +20,8 @@
 
 mod served;
 mod start;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use served::largest_angle;
 

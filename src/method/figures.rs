@@ -39,3 +39,50 @@ pub fn end_curvature(method: Method, degrees: f64) -> Result<f64> {
     let k = method.piece(&span)?.handle_length();
     Ok(2.0 * (1.0 - span.c - k * span.s) / (3.0 * k * k))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kurbo::{CubicBez, ParamCurve, ParamCurveCurvature};
+
+    #[test]
+    fn a_quarter_crosses_the_circle_where_the_figure_says() {
+        for k in [0.551_85, 0.551_915, 0.552, 0.552_2] {
+            let quarter = CubicBez::new((1.0, 0.0), (1.0, k), (k, 1.0), (0.0, 1.0));
+            // Outside at first, inside in the middle.
+            let (mut outside, mut inside) = (1e-3, 0.5);
+            for _ in 0..60 {
+                let t = f64::midpoint(outside, inside);
+                if quarter.eval(t).to_vec2().hypot() > 1.0 {
+                    outside = t;
+                } else {
+                    inside = t;
+                }
+            }
+            let degrees = quarter.eval(outside).to_vec2().atan2().to_degrees();
+            assert!((crossing(k) - degrees).abs() < 1e-8, "{k}: {degrees}");
+        }
+        assert!((crossing(handle_crossing_at_30()) - 30.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_curvature_at_the_ends_is_the_curve_s() {
+        for method in [Method::Curvature, Method::Midpoint, Method::Chen3] {
+            for degrees in [30.0, 60.0, 90.0, 120.0] {
+                let span = Span::from_degrees(degrees);
+                let [first, last] = [0.0, degrees].map(crate::Angle::from_degrees);
+                let ends = [first, last].map(crate::Angle::direction);
+                let piece = method.piece(&span).unwrap().between(ends);
+                let kurbo::PathSeg::Cubic(cubic) = piece else {
+                    panic!("{method} is no cubic");
+                };
+                let curvature = end_curvature(method, degrees).unwrap();
+                let right = cubic.curvature(0.0).abs();
+                assert!(
+                    (curvature - right).abs() < 1e-12,
+                    "{method} {degrees}: {right}"
+                );
+            }
+        }
+    }
+}

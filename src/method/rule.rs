@@ -243,3 +243,92 @@ fn check_half_turn(span: &Span) -> Result<()> {
         },
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spans<const N: usize>(degrees: [f64; N]) -> [Span; N] {
+        degrees.map(Span::from_degrees)
+    }
+
+    fn refusal(rule: Rule, spans: &[Span], closed: bool) -> (String, Remedy) {
+        match rule.pieces(spans, closed) {
+            Err(Error::Impossible { why, remedy, .. }) => (why, remedy),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn ends_off_the_circle_have_their_kin_on_it() {
+        for (method, kin) in [
+            (
+                Method::ApprichScaled,
+                &["apprich", "curvature", "minimax"][..],
+            ),
+            (Method::CurvatureScaled, &["curvature", "minimax"]),
+            (Method::MinimaxEllipseFree, &["minimax-ellipse", "minimax"]),
+            (Method::MinimaxG0Free, &["minimax-g0", "minimax"]),
+            (
+                Method::QuadraticMinimaxFree,
+                &["quadratic-minimax", "quadratic-tangent"],
+            ),
+            (Method::MinimaxFree, &["minimax", "midpoint"]),
+        ] {
+            for (spans, closed) in [
+                (spans([90.0; 4]), false),
+                (spans([80.0, 100.0, 90.0, 90.0]), true),
+            ] {
+                let (_, remedy) = refusal(method.into(), &spans, closed);
+                assert_eq!(remedy, Remedy::OnCircle(kin.to_vec()), "{method}");
+            }
+        }
+        // Of these only what serves such angles.
+        let (_, remedy) = refusal(Method::QuadraticMinimaxFree.into(), &spans([178.0]), false);
+        assert_eq!(remedy, Remedy::OnCircle(vec!["quadratic-minimax"]));
+    }
+
+    #[test]
+    fn a_cyclic_system_needs_three_points() {
+        for (spans, points) in [
+            (&spans([360.0])[..], "one point"),
+            (&spans([180.0; 2]), "two points"),
+        ] {
+            let (why, remedy) = refusal(Method::Chen1.into(), spans, true);
+            assert!(why.contains(points), "{why}");
+            assert!(matches!(remedy, Remedy::ThreeSegments(_)));
+        }
+        assert!(
+            Rule::from(Method::Chen1)
+                .pieces(&spans([120.0; 3]), true)
+                .is_ok()
+        );
+    }
+
+    #[test]
+    fn more_than_half_a_turn_is_no_segment() {
+        for rule in [Rule::Handle(0.5), Method::Chen1.into()] {
+            assert!(
+                rule.pieces(&spans([100.0, 180.0]), false).is_ok(),
+                "{rule:?}"
+            );
+            let (why, _) = refusal(rule, &spans([100.0, 181.0]), false);
+            assert!(
+                why.contains("181 degrees is more than half a turn"),
+                "{why}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_largest_angle_is_that_of_the_ellipse() {
+        let largest = |method: Method, short| Rule::from(method).largest_uneven_angle(short);
+        assert_eq!(largest(Method::MinimaxEllipse, 1.0), Some(180.0));
+        assert_eq!(largest(Method::MinimaxEllipse, 0.5), Some(170.0));
+        assert_eq!(largest(Method::MinimaxEllipse, 0.03), Some(100.0));
+        assert_eq!(largest(Method::QuadraticTangent, 0.5), Some(175.0));
+        assert_eq!(largest(Method::MinimaxFree, 1.0), None);
+        assert!(Rule::from(Method::QuadraticArea).is_quadratic());
+        assert!(!Rule::from(Method::Area).is_quadratic());
+    }
+}

@@ -91,3 +91,28 @@ impl Span {
         (self.degrees - degrees).abs() < 1e-9
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_span_of_a_quarter_is_the_whole_s() {
+        for degrees in [0.001, 1.0, 11.25, 22.5, 30.0, 44.9, 45.0] {
+            let span = Span::of_quarter(degrees, Angle::from_degrees(degrees).direction());
+            let whole = Span::from_degrees(4.0 * degrees);
+            assert_eq!((span.degrees, span.a), (whole.degrees, whole.a));
+            for (number, right) in [
+                (span.s, whole.s),
+                (span.c, whole.c),
+                (span.sh, whole.sh),
+                (span.ch, whole.ch),
+            ] {
+                assert!(
+                    (number - right).abs() < 5e-16,
+                    "{degrees}: {number} {right}"
+                );
+            }
+        }
+    }
+}

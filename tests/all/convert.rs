@@ -157,6 +157,9 @@ fn a_smooth_curve_behind_an_arc_keeps_its_meaning() {
     assert!(path("M0 0A5 5 0 0 1 5 5S1 2 3 4").ends_with("C5 5 1 2 3 4"));
     assert!(path("M1 2a5 5 0 0 1 5 5S1 2 3 4").ends_with("C6 7 1 2 3 4"));
     assert!(path("M0 0a5 5 0 0 1 5 5s.1.2.3.4.5.6.7.8").ends_with("c0 0 .1.2.3.4s.5.6.7.8"));
+    assert!(path("M1 2A5 5 0 0 1 5 5s1 2 3 4").ends_with("5 5c0 0 1 2 3 4"));
+    // A current point that was summed has the digits of its numbers.
+    assert!(path("M100.1 100.2a5 5 0 0 1 1.7 1.3S1 2 3 4").ends_with("C101.8 101.5 1 2 3 4"));
     // T reflects quadratics only.
     assert!(path("M0 0a5 5 0 0 1 5 5t1 2").ends_with("t1 2"));
     let quadratic = Options {
@@ -174,6 +177,8 @@ fn degenerate_arcs_follow_the_rules() {
     assert_eq!(path("M0 0A5 0 0 0 1 5 5"), "M0 0L5 5");
     assert_eq!(path("M0 0L9 9a5 5 0 1 1 0 0L1 1"), "M0 0L9 9L1 1");
     assert_eq!(path("M0 0L9 9A5 5 0 1 1 9 9z"), "M0 0L9 9z");
+    assert_eq!(path("M5 5a5 5 0 1 1 0 0a5 5 0 1 1 0 0L1 1"), "M5 5L1 1");
+    assert_eq!(path("M5 5A5 5 0 1 1 5 5A5 5 0 1 1 5 5L1 1"), "M5 5L1 1");
     // Negative radii count as positive, small ones are scaled up.
     assert_eq!(path("M0 0a-5 5 0 0 1 5 5"), path("M0 0a5 5 0 0 1 5 5"));
     assert_eq!(path("M0 0a1 1 0 0 1 10 0"), path("M0 0a5 5 0 0 1 10 0"));
@@ -189,6 +194,15 @@ fn an_empty_arc_that_may_show_is_left() {
         assert_eq!(convert(&text).text, text);
         assert!(codes(&text).iter().all(|code| code == "empty-arc"));
     }
+    // Of several in a row, the first decides.
+    for (before, after) in [
+        ("M5 5a5 5 0 1 1 0 0a5 5 0 1 1 0 0z", "M5 5a5 5 0 1 1 0 0z"),
+        ("M5 5A5 5 0 1 1 5 5A5 5 0 1 1 5 5z", "M5 5A5 5 0 1 1 5 5z"),
+        ("M5 5a5 5 0 1 1 0 0A5 5 0 1 1 5 5", "M5 5a5 5 0 1 1 0 0"),
+    ] {
+        assert_eq!(path(before), after);
+    }
+    assert!(path("M5 5a5 5 0 1 1 0 0a5 5 0 0 1 5 5z").starts_with("M5 5c"));
 }
 
 #[test]
@@ -210,6 +224,12 @@ fn path_data_are_replaced_up_to_their_error() {
         codes(&svg(r#"<path d="M0 0 L1 x a5 5 0 0 1 5 5"/>"#)),
         ["path-error"]
     );
+    // What comes after the last arc is no matter of ours.
+    for rest in ["L1 x", "X"] {
+        let d = format!("M0 0a5 5 0 0 1 5 5{rest}");
+        assert!(path(&d).starts_with("M0 0c") && path(&d).ends_with(rest));
+        assert!(codes(&svg(&format!(r#"<path d="{d}"/>"#))).is_empty());
+    }
     for d in [
         "a5 5 0 0 1 5 5",
         "M0 0a5 5 0 2 1 5 5",
@@ -218,6 +238,264 @@ fn path_data_are_replaced_up_to_their_error() {
     ] {
         assert_eq!(path(d), d);
     }
+}
+
+#[test]
+fn what_is_too_large_is_left() {
+    for d in [
+        "M0 0A1e16 1e16 0 0 1 2e16 0",
+        "M0 0A1e16 1e16 0 0 1 0 2e16",
+        "M0 0a1e16 1e16 0 0 1 2e16 0",
+        "M0 0a1e16 1e16 0 0 1 0 2e16",
+        "M0 0a1e400 1 0 0 1 5 5",
+        "M2e15 0A1 1 0 0 1 2e15 1",
+    ] {
+        assert_eq!(
+            codes(&svg(&format!(r#"<path d="{d}"/>"#))),
+            ["too-large"],
+            "{d}"
+        );
+        assert_eq!(path(d), d);
+    }
+}
+
+/// Where renderers place the point after a number beyond numbers nobody knows.
+#[test]
+fn what_follows_a_number_beyond_numbers_is_left() {
+    for d in [
+        "M1e400 0A1 1 0 0 1 5 5",
+        "M1e400 0H5A1 1 0 0 1 6 6",
+        "M0 1e400V5A1 1 0 0 1 6 6",
+    ] {
+        assert_eq!(path(d), d);
+    }
+}
+
+#[test]
+fn ends_of_many_digits_are_where_they_were() {
+    for (d, largest) in [
+        ("M0 0a9 9 0 1 1 5.00000000000000000000000001 1", 18.0),
+        (
+            "M0 0a1e10 1e10 0 1 1 12345678901.00000000000000000000000001 1",
+            2e10,
+        ),
+    ] {
+        let out = path(d);
+        let [old, new] = [d, &out].map(independent::segments);
+        independent::same_curve(&old, &new, ERROR).unwrap();
+        let curve = kurbo::BezPath::from_svg(&out).unwrap();
+        let end = kurbo::ParamCurve::end(&curve.segments().last().unwrap());
+        let text = d.rsplit(' ').nth(1).unwrap();
+        let x: f64 = text.parse().unwrap();
+        assert!(
+            (end.x - x).abs() < 1e-15 * largest && (end.y - 1.0).abs() < 1e-15 * largest,
+            "{out}"
+        );
+    }
+}
+
+/// An arc whose ends coincide at one place only is not taken from what was kept at the other.
+#[test]
+fn whether_ends_coincide_is_asked_at_each_place() {
+    let [near, far] =
+        ["M0 0", "M1000 1000"].map(|at| format!(r#"<path d="{at}a50 50 0 1 1 .00001 0"/>"#));
+    let text = svg(&format!("{near}{far}{near}"));
+    let converted = convert(&text);
+    assert_eq!(converted.replaced.path, 2);
+    assert_eq!(codes(&text), ["nearly-whole"]);
+    assert!(converted.text.contains(&far));
+    let large = svg(r#"<path d="M100000 0a1000 1000 0 1 1 .001 0"/>"#);
+    assert_eq!(codes(&large), ["nearly-whole"]);
+}
+
+/// The control points of every method are those of the shape drawn by itself.
+#[test]
+fn every_method_draws_as_by_itself() {
+    use curveto::number::Precision;
+    use curveto::{Angle, Arc, Circle, Shape, approximate};
+    let arc = |start: f64, sweep: f64| {
+        let [start, sweep] = [start, sweep].map(Angle::from_degrees);
+        Shape::Arc(Arc::new((5.0, 5.0), (10.0, 10.0), Angle::ZERO, start, sweep).unwrap())
+    };
+    let shapes = [
+        (r#"<path d="M15 5A10 10 0 0 1 5 15"/>"#, arc(0.0, 90.0)),
+        (r#"<path d="M15 5A10 10 0 0 1-5 5"/>"#, arc(0.0, 180.0)),
+        (
+            r#"<circle cx="5" cy="5" r="10"/>"#,
+            Shape::Circle(Circle::new((5.0, 5.0), 10.0).unwrap()),
+        ),
+    ];
+    for method in Method::ALL {
+        for cut in [Cut::Quarters, Cut::Count(3)] {
+            for (element, shape) in &shapes {
+                let options = curveto::Options {
+                    rule: method.into(),
+                    cut: cut.clone(),
+                    precision: Some(Precision::Fixed(9)),
+                    ..curveto::Options::default()
+                };
+                let how = Options {
+                    rule: method.into(),
+                    cut: cut.clone(),
+                    precision: Some(9),
+                    ..Options::default()
+                };
+                let text = svg(element);
+                let converted = document::convert(&text, &how).unwrap();
+                let Ok(drawing) = approximate(shape, &options) else {
+                    assert_eq!(converted.replaced.total(), 0, "{method} {cut:?} {element}");
+                    continue;
+                };
+                let d = converted
+                    .text
+                    .split(" d=\"")
+                    .nth(1)
+                    .unwrap()
+                    .split('"')
+                    .next()
+                    .unwrap();
+                let drawn = kurbo::BezPath::from_svg(d).unwrap();
+                let points = |segments: Vec<kurbo::PathSeg>| -> Vec<kurbo::Point> {
+                    segments
+                        .iter()
+                        .flat_map(curveto::curve::control_points)
+                        .collect()
+                };
+                let (found, right) = (
+                    points(drawn.segments().collect()),
+                    points(drawing.curve.segments),
+                );
+                assert_eq!(found.len(), right.len(), "{method} {cut:?} {element}");
+                for (a, b) in found.iter().zip(&right) {
+                    assert!(a.distance(*b) < 3e-9, "{method} {cut:?} {element}: {a} {b}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn methods_that_end_off_the_shape_serve_closed_ones_only() {
+    for (only, serves) in [
+        (Only::ALL, false),
+        (Only::of(&[Kind::Path]), false),
+        (Only::of(&[Kind::Rect]), false),
+        (Only::of(&[Kind::Circle, Kind::Ellipse]), true),
+    ] {
+        let options = Options {
+            rule: Rule::Method(Method::MinimaxFree),
+            only,
+            ..Options::default()
+        };
+        assert_eq!(options.check().is_ok(), serves, "{only:?}");
+    }
+}
+
+#[test]
+fn rectangles_of_half_circles_have_no_straight_sides_there() {
+    let letters = |attributes: &str| -> String {
+        let text = svg(&format!("<rect {attributes} rx='10'/>"));
+        let out = convert(&text).text.into_owned();
+        let d = out.split(" d=").nth(1).unwrap().to_owned();
+        d[..d.find('/').unwrap()]
+            .chars()
+            .filter(char::is_ascii_alphabetic)
+            .collect()
+    };
+    assert_eq!(letters("width='30' height='40'"), "MHcVcHCVCZ");
+    assert_eq!(letters("width='30' height='20'"), "MHcHCZ");
+    assert_eq!(letters("width='20' height='30'"), "McVcCVCZ");
+    assert_eq!(letters("width='20' height='20'"), "McCZ");
+}
+
+/// Half of a side has a digit more than the side.
+#[test]
+fn a_clamped_radius_is_exactly_half_of_the_side() {
+    let text = svg(r#"<rect width="1.23456789012345" height="9" rx="5" ry="1"/>"#);
+    let out = convert(&text).text.into_owned();
+    assert!(out.contains(r#" d="M.617283945061725 0c"#), "{out}");
+}
+
+/// Radii that are too small grow to half of the chord, so that nothing collapses.
+#[test]
+fn small_radii_collapse_only_with_their_chord() {
+    let options = Options {
+        precision: Some(1),
+        ..Options::default()
+    };
+    for d in [
+        "M0 0A.01 .01 0 0 1 10 0A.01 .01 0 0 1 0 0Z",
+        "M0 0a.01 .01 0 0 1 10 0z",
+        "M50 50a.01 .01 0 0 1 10 0A.01 .01 0 0 1 50 50z",
+        "M0 0A9 .01 0 0 1 10 0Z",
+        "M0 0A5 5 0 0 1 .01 0Z",
+    ] {
+        let new = path_with(d, &options);
+        assert!(!new.contains(['a', 'A']), "{d} {new}");
+    }
+    for d in [
+        "M50 50a.01 .01 0 0 1 .01 0A.01 .01 0 0 1 50 50z",
+        "M50 50A.01 .01 0 0 1 50.01 50z",
+        "M0 0a.01 .01 0 0 1 .01 0a.01 .01 0 0 1-.01 0z",
+    ] {
+        assert_eq!(path_with(d, &options), d);
+    }
+}
+
+#[test]
+fn every_number_of_a_shape_has_the_precision() {
+    let options = Options {
+        precision: Some(2),
+        ..Options::default()
+    };
+    let text = svg(r#"<rect x="1.23456" y="2" width="20.98765" height="30.5" rx="3.14159"/>"#);
+    let out = document::convert(&text, &options)
+        .unwrap()
+        .text
+        .into_owned();
+    let d = out
+        .split(" d=\"")
+        .nth(1)
+        .unwrap()
+        .split('"')
+        .next()
+        .unwrap();
+    assert!(d.starts_with("M4.38 2H19.08"), "{d}");
+    for part in d.split('.').skip(1) {
+        let decimals = part.bytes().take_while(u8::is_ascii_digit).count();
+        assert!(decimals <= 2, "{d}");
+    }
+}
+
+#[test]
+fn auto_is_the_other_radius_and_no_size() {
+    for (attributes, expected) in [
+        ("width='20' height='20' rx='auto' ry='0'", &[][..]),
+        ("width='20' height='20' rx='0' ry='auto'", &[]),
+        ("width='20' height='20' rx='auto' ry='5'", &["length"]),
+        ("width='auto' height='20' rx='5'", &["not-drawn"]),
+        ("width='20' height='auto' rx='5'", &["not-drawn"]),
+    ] {
+        assert_eq!(
+            codes(&svg(&format!("<rect {attributes}/>"))),
+            expected,
+            "{attributes}"
+        );
+    }
+}
+
+#[test]
+fn counts_add_up_kind_by_kind() {
+    let counts = |circle, ellipse, rect, path, smooth| document::Counts {
+        circle,
+        ellipse,
+        rect,
+        path,
+        smooth,
+    };
+    let sum = counts(1, 20, 300, 4000, 50_000) + counts(2, 30, 400, 5000, 60_000);
+    assert_eq!(sum, counts(3, 50, 700, 9000, 110_000));
+    assert_eq!(sum.total(), 9753);
 }
 
 #[test]
@@ -529,7 +807,15 @@ fn malformed_documents_are_refused_with_their_place() {
         ("x<svg/>", 1, 1),
         (" <?xml version='1.0'?><svg/>", 1, 2),
         ("<svg>\u{1}</svg>", 1, 6),
-        ("<svg><!-- a -- b --></svg>", 1, 6),
+        ("<svg><!-- a -- b --></svg>", 1, 13),
+        ("<svg>ab]]></svg>", 1, 8),
+        ("<svg a='&amp;&x;'/>", 1, 14),
+        ("<svg a='&amp; &y'/>", 1, 15),
+        ("<svg/>&amp;", 1, 7),
+        ("<svg><?1?></svg>", 1, 6),
+        ("<svg><?XML x?></svg>", 1, 6),
+        ("<svg><![CDATA[x</svg>", 1, 6),
+        ("<svg>\n <!x></svg>", 2, 2),
         ("<svg>]]></svg>", 1, 6),
         ("<svg><1/></svg>", 1, 6),
         ("\u{feff}<svg><a></svg>", 1, 9),
@@ -537,13 +823,33 @@ fn malformed_documents_are_refused_with_their_place() {
     for (text, line, column) in cases {
         match document::convert(text, &Options::default()) {
             Err(Error::Malformed {
-                line: l, column: c, ..
-            }) if text.contains("--") => assert_eq!((l, c > 0), (line, true)),
-            Err(Error::Malformed {
                 line: l,
                 column: c,
                 why,
             }) => assert_eq!((l, c), (line, column), "{text:?}: {why}"),
+            other => panic!("{text:?}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn what_is_malformed_is_said() {
+    for (text, said) in [
+        (
+            "<svg><1a b='2'/></svg>",
+            "`<1a` is not the name of an element",
+        ),
+        ("<svg><1a/></svg>", "`<1a` is not the name of an element"),
+        ("<svg><é></svg>", "`</svg>` where `</é>` should stand"),
+        ("<svg =''></svg>", "this is not an attribute"),
+        ("<svg a='1'b='2'></svg>", "this is not an attribute"),
+        ("<svg a='1' / b='2'></svg>", "this is not an attribute"),
+        ("<svg ?></svg>", "this is not an attribute"),
+        ("<svg><a ", "the tag `<a` has no end"),
+        ("<svg></svg></g>", "`</g>` closes nothing"),
+    ] {
+        match document::convert(text, &Options::default()) {
+            Err(Error::Malformed { why, .. }) => assert_eq!(why, said, "{text}"),
             other => panic!("{text:?}: {other:?}"),
         }
     }

@@ -203,6 +203,7 @@ fn markers_flow_through_use() {
         r##"<style>use{marker-mid:url(#m)}</style>SHAPE<use href="#p"/>"##,
         r##"<style>.u{marker:url(#m)}</style>SHAPE<g class="u"><use href="#p"/></g>"##,
         r#"<style>#s{marker-mid:url(#m)}</style>SHAPE<g id="s"><use href="icon.svg#p"/></g>"#,
+        r##"SHAPE<use xmlns:x="http://www.w3.org/1999/xlink" x:href="#p" marker-mid="url(#m)"/>"##,
         r##"SHAPE<use marker-mid="url(#m)" href="#q"><set attributeName="href" to="#p"/></use>"##,
     ];
     for inner in uses {
@@ -212,6 +213,7 @@ fn markers_flow_through_use() {
     }
     for inner in [
         r##"SHAPE<use href="#q" marker-mid="url(#m)"/>"##,
+        r##"SHAPE<use xmlns:x="urn:x" x:href="#p" marker-mid="url(#m)"/>"##,
         r##"SHAPE<use href="#p" marker-mid="none"/>"##,
         r##"SHAPE<g marker-mid="url(#m)"><use href="#p" style="marker:none"/></g>"##,
     ] {
@@ -245,6 +247,189 @@ fn a_style_wins_over_marker_attributes() {
     ] {
         let path = format!(r#"{MARKER}<path {attributes} d="M0 0A80 80 0 1 1 80 80"/>"#);
         is_left(&path, &["marker-mid"]);
+    }
+}
+
+/// Many files use the prefix `xlink` without having declared it; another one says nothing then.
+#[test]
+fn a_prefix_that_is_not_declared_is_known_by_its_name() {
+    let text = |prefix: &str| {
+        format!(
+            r##"<svg xmlns="http://www.w3.org/2000/svg"><path id="p" d="M0 0A80 80 0 1 1 80 80"/><use {prefix}:href="#p" marker-mid="url(#m)"/></svg>"##
+        )
+    };
+    is_left_whole(&text("xlink"), &["marker-mid"]);
+    let other = text("x");
+    let out = document::convert(&other, &Options::default()).unwrap();
+    assert_eq!(out.replaced.total(), 1);
+}
+
+/// What a style says of markers, on a path whose attribute has one and which is more than one curve.
+#[test]
+fn the_last_word_on_markers_counts() {
+    let with = |style: &str| {
+        format!(
+            r#"{MARKER}<path marker-mid="url(#m)" style="{style}" d="M0 0A80 80 0 1 1 80 80"/>"#
+        )
+    };
+    for style in [
+        "marker:inherit",
+        "marker:var(--m)",
+        // No value of CSS, so that it says nothing.
+        "marker:none none",
+        "marker:none;marker:url(#n)",
+        "fill:none",
+    ] {
+        is_left(&with(style), &["marker-mid"]);
+    }
+    for style in [
+        "marker:none",
+        "MARKER : NONE !important",
+        "marker:initial",
+        "m\\61rker:none",
+    ] {
+        is_replaced(&with(style), 1);
+    }
+    let path = r#"<path marker="url(#m)" d="M0 0A80 80 0 1 1 80 80"/>"#;
+    is_left(&format!("{MARKER}{path}"), &["marker-mid"]);
+    let plain = r#"<path d="M0 0A80 80 0 1 1 80 80"/>"#;
+    for change in [
+        "<style>@keyframes k{to{marker-mid:url(#m)}}</style>",
+        r#"<set attributeName="marker-mid" to="url(#m)"/>"#,
+    ] {
+        is_left(&format!("{MARKER}{change}{plain}"), &["marker-mid"]);
+    }
+    // What has ended passes nothing on, and only a `use` passes on to what it refers to.
+    let reference = r##"<use href="#a"/><path id="a" d="M0 0A80 80 0 1 1 80 80"/>"##;
+    for before in [
+        r#"<g marker-mid="url(#m)"><g></g></g>"#,
+        r##"<a marker-mid="url(#m)" href="#a"/>"##,
+        r##"<g marker-mid="url(#m)"><set href="#a" attributeName="opacity" to="1"/></g>"##,
+    ] {
+        let sheet = "<style>.z{fill:red}</style>";
+        is_replaced(&format!("{sheet}{MARKER}{before}{reference}"), 1);
+    }
+}
+
+#[test]
+fn style_sheets_are_read_as_they_stand() {
+    let circle = r#"<circle class="a" r="5"/>"#;
+    for sheet in [
+        "@font-face{font-family:x;src:url(a)}",
+        "@page{margin:1px}",
+        "@property --x{syntax:'*';inherits:false}",
+        "@counter-style x{system:cyclic}",
+        "@font-feature-values x{@swash{a:1}}",
+        "@font-palette-values --x{font-family:y}",
+        ".a{stroke-width:calc(r * 2)}",
+        "@media print{g{fill:red}}",
+    ] {
+        is_replaced(&format!("<style>{sheet}</style>{circle}"), 1);
+    }
+    for (sheet, code) in [
+        ("<![CDATA[<!-- @import url(a.css); -->]]>", "external-style"),
+        (".&#97;{r:9px}", "style-geometry"),
+        // All text in it counts, that after an element too.
+        ("g{}<b></b>.a{r:1px}", "style-geometry"),
+        ("@scope (g){circle{fill:red}}", "style-selector"),
+    ] {
+        is_left(&format!("<style>{sheet}</style>{circle}"), &[code]);
+    }
+    let scope = svg(&format!(
+        "<style>@scope (g){{b{{fill:red}}}}</style>{circle}"
+    ));
+    let out = document::convert(&scope, &Options::default()).unwrap();
+    assert!(
+        out.notes[0]
+            .reason
+            .to_string()
+            .contains("a rule that could not be read")
+    );
+    // A text that is not in the file may set anything.
+    let text = format!(
+        "<!DOCTYPE svg [<!ENTITY e SYSTEM 'x'>]>{}",
+        svg(r#"<circle style="&e;" r="5"/>"#)
+    );
+    let out = document::convert(&text, &Options::default()).unwrap();
+    assert_eq!(out.replaced.total(), 0);
+    let reads = svg("<style>.a{stroke-width:attr(r px)}</style><circle class='a' r='5'/>");
+    let out = document::convert(&reads, &Options::default()).unwrap();
+    assert_eq!(out.notes[0].reason.to_string(), "a style reads `attr(r)`");
+}
+
+/// Counting by type looks at elements of any class.
+#[test]
+fn selectors_by_type_hold_back_what_they_count() {
+    for selector in [
+        ".x:first-of-type",
+        "#x:nth-of-type(2)",
+        "g > .x:last-of-type",
+    ] {
+        is_left(
+            &format!(
+                "<style>{selector}{{fill:red}}</style><circle r='5'/><path class='x' id='x' d='M0 0L1 1'/>"
+            ),
+            &["style-selector"],
+        );
+    }
+}
+
+#[test]
+fn names_that_only_look_alike_say_nothing() {
+    for before in [
+        "<g on='x'/>",
+        "<x:script xmlns:x='urn:x'/>",
+        "<x:style xmlns:x='urn:x'>circle{r:1px}</x:style>",
+        "<glyph unicode='a' d='M0 0L1 1'/>",
+        "<glyph d='M0 0L1 1' style='fill:azure'/>",
+    ] {
+        is_replaced(&format!("{before}<circle r='5'/>"), 1);
+        is_replaced(&format!("<style>.z{{}}</style>{before}<circle r='5'/>"), 1);
+    }
+    is_left("<glyph d='M0 0A1 1 0 0 1 1 1'/>", &["elsewhere"]);
+}
+
+/// What was worked out for one element or one file is not taken for another that only looks alike.
+#[test]
+fn elements_that_are_spelled_alike_are_told_apart() {
+    let out = |text: &str| {
+        document::convert(text, &Options::default())
+            .unwrap()
+            .text
+            .into_owned()
+    };
+    // Where each begins.
+    for (one, other, starts) in [
+        (
+            "<circle r='1' cx='2'/>",
+            "<circle r='1' cy='2'/>",
+            ["M3 0", "M1 2"],
+        ),
+        (
+            "<circle r='12' cx='1'/>",
+            "<circle r='1' cx='21'/>",
+            ["M13 0", "M22 0"],
+        ),
+        (
+            "<ellipse rx='5' cx='3'/>",
+            "<ellipse rx='5' cy='3'/>",
+            ["M8 0", "M5 3"],
+        ),
+    ] {
+        let text = out(&svg(&format!("{one}{other}")));
+        let found: Vec<&str> = text.split(" d='").skip(1).collect();
+        let begin = |i: usize| {
+            found[i].starts_with(&format!("{}c", starts[i]))
+                || found[i].starts_with(&format!("{}C", starts[i]))
+        };
+        assert!(begin(0) && begin(1), "{one}{other}: {text}");
+    }
+    for (radius, start) in [("5", "M5 0"), ("7", "M7 0")] {
+        let text = format!(
+            "<!DOCTYPE svg [<!ENTITY r '{radius}'>]>{}",
+            svg("<circle r='&r;'/>")
+        );
+        assert!(out(&text).contains(start), "{radius}");
     }
 }
 
@@ -536,6 +721,12 @@ fn path_data_of_android_stay_where_they_may_not_change() {
         &drawable(r#"<path xmlns:q="urn:q" q:pathData="M0 0A5 5 0 0 1 5 5"/>"#),
         &[],
     );
+    let only = Options {
+        only: document::Only::of(&[document::Kind::Circle]),
+        ..Options::default()
+    };
+    let arc = drawable(ARC);
+    assert_eq!(document::convert(&arc, &only).unwrap().text, arc);
     let alpha = format!(r#"{ARC}<objectAnimator android:propertyName="alpha"/>"#);
     let alpha = drawable(&alpha);
     let out = document::convert(&alpha, &Options::default()).unwrap();

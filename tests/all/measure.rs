@@ -12,7 +12,7 @@ use curveto::write::{self, Image};
 use curveto::{
     Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, approximate,
 };
-use kurbo::{Affine, CubicBez, PathSeg, Point, QuadBez, Vec2};
+use kurbo::{Affine, CubicBez, ParamCurve, PathSeg, Point, QuadBez, Vec2};
 use oracle::{Real, int, real, to_f64};
 use proptest::prelude::*;
 
@@ -557,4 +557,149 @@ fn a_curve_that_turns_back_at_the_centre_is_as_near_as_it_is() {
             "{k}: {found} {least}"
         );
     }
+}
+
+/// Every figure that names an angle or the true shape, against many samples of the true arc and of the curve.
+#[test]
+fn figures_of_arcs_of_an_ellipse_are_those_of_many_samples() {
+    let transforms = [
+        Affine::IDENTITY,
+        Affine::new([-1.0, 0.0, 0.0, 1.0, 5.0, 0.0]),
+        Affine::new([1.0, 0.25, -0.5, 2.0, 0.0, 3.0]),
+    ];
+    for transform in transforms {
+        for (start, sweep) in [
+            (10.0, 60.0),
+            (20.0, 150.0),
+            (100.0, -130.0),
+            (700.0, -300.0),
+        ] {
+            let [rotation, from, by] = [25.0, start, sweep].map(Angle::from_degrees);
+            let arc = Arc::new((1.0, 2.0), (3.0, 2.0), rotation, from, by).unwrap();
+            let drawing = drawn(Shape::Arc(arc), Method::Chen3, Cut::Count(4), transform);
+            let what = format!("{transform:?} {start} {sweep}");
+            the_true_arc_is_that_of_samples(&drawing, &what);
+            places_have_the_angle_of_their_point(&drawing, &what);
+            extremes_are_those_of_samples(&drawing, &what);
+        }
+    }
+}
+
+fn near(found: f64, right: f64, allowed: f64, what: &str) {
+    assert!(
+        (found - right).abs() <= allowed * right.abs().max(1.0),
+        "{what}: {found} {right}"
+    );
+}
+
+fn the_true_arc_is_that_of_samples(drawing: &Drawing, what: &str) {
+    const STEPS: i32 = 2000;
+    let found = measured(drawing);
+    let (start, sweep) = (found.reference.start, found.reference.sweep);
+    // The true arc is M u(θ) + c.
+    let [a, b, c, d, ..] = drawing.outline.unwrap().placement.as_coeffs();
+    let determinant = (a * d - b * c).abs();
+    let speed = |step: f64| {
+        let degrees = start + sweep * step / f64::from(STEPS);
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        (c * cos - a * sin).hypot(d * cos - b * sin)
+    };
+    let midway: f64 = (0..STEPS).map(|step| speed(f64::from(step) + 0.5)).sum();
+    let turned = sweep.abs().to_radians();
+    let length = midway * turned / f64::from(STEPS);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for step in 0..=STEPS {
+        let curvature = determinant / speed(f64::from(step)).powi(3);
+        (least, most) = (least.min(curvature), most.max(curvature));
+    }
+    near(found.length.truth, length, 1e-6, what);
+    near(found.area.truth, determinant * turned / 2.0, 1e-13, what);
+    near(found.area.curve, found.area.truth, 0.02, what);
+    near(found.curvature.true_least, least, 1e-5, what);
+    near(found.curvature.true_largest, most, 1e-5, what);
+}
+
+fn places_have_the_angle_of_their_point(drawing: &Drawing, what: &str) {
+    let found = measured(drawing);
+    let (start, sweep) = (found.reference.start, found.reference.sweep);
+    let segments = &drawing.curve.segments;
+    let inverse = drawing.outline.unwrap().placement.inverse();
+    let angle_is_of = |p: Point, degrees: f64| {
+        let angle = (inverse * p).to_vec2().atan2().to_degrees();
+        let turns = (degrees - angle) / 360.0;
+        near(turns - turns.round(), 0.0, 1e-11, what);
+        let part = (degrees - start) / sweep;
+        assert!((-1e-9..1.0 + 1e-9).contains(&part), "{what}: {degrees}");
+    };
+    let curvature = found.curvature;
+    for at in [
+        found.error.inward_at.or(found.error.outward_at).unwrap(),
+        found.angle_lag.at,
+        curvature.least.unwrap().at,
+        curvature.largest.unwrap().at,
+    ] {
+        angle_is_of(segments[at.segment - 1].eval(at.t), at.angle);
+    }
+    let same = |found: Option<curvature::Curvature>, segment: &PathSeg, t: f64| {
+        let found = found.unwrap();
+        assert!(found.value > 0.0, "{what}");
+        let right = curvature::at(segment, t).unwrap().to_array();
+        for (found, right) in found.to_array().into_iter().zip(right) {
+            near(found.abs(), right.abs(), 1e-9, what);
+        }
+    };
+    assert_eq!(found.continuity.joints.len(), segments.len() - 1);
+    for (i, joint) in found.continuity.joints.iter().enumerate() {
+        same(joint.before, &segments[i], 1.0);
+        same(joint.after, &segments[i + 1], 0.0);
+        angle_is_of(Point::new(joint.point[0], joint.point[1]), joint.angle);
+    }
+}
+
+fn extremes_are_those_of_samples(drawing: &Drawing, what: &str) {
+    let found = measured(drawing);
+    let parts = (0..=1000).map(|i| f64::from(i) / 1000.0);
+    let sampled = drawing.curve.segments.iter().flat_map(|segment| {
+        let curvature = |t| curvature::at(segment, t).unwrap().value.abs();
+        parts.clone().map(curvature)
+    });
+    let (least, most) = sampled.fold((f64::INFINITY, 0.0_f64), |(a, b), k| (a.min(k), b.max(k)));
+    near(found.curvature.least.unwrap().value, least, 1e-3, what);
+    near(found.curvature.largest.unwrap().value, most, 1e-3, what);
+    let reference = Reference::from(&drawing.outline.unwrap());
+    let lags = profile::along(&drawing.curve, &reference, Quantity::AngleLag, 100);
+    let lags = lags.concat().into_iter().map(|(_, lag)| lag.abs());
+    let farthest = lags.fold(0.0, f64::max);
+    near(found.angle_lag.largest.abs(), farthest, 1e-3, what);
+}
+
+#[test]
+fn a_circle_has_the_curvature_of_its_radius() {
+    let circle = Shape::Circle(Circle::new((1.0, 2.0), 5.0).unwrap());
+    let found = measured(&drawn(
+        circle,
+        Method::Minimax,
+        Cut::Count(4),
+        Affine::IDENTITY,
+    ))
+    .curvature;
+    assert_eq!((found.true_least, found.true_largest), (0.2, 0.2));
+}
+
+/// Straight out of the centre and back: no angle to take a mean over, so that it is taken over t.
+#[test]
+fn a_curve_that_does_not_turn_has_the_mean_over_t() {
+    let line = |from: f64, to: f64| PathSeg::Line(kurbo::Line::new((from, 0.0), (to, 0.0)));
+    let curve = Curve {
+        segments: vec![line(0.5, 1.5), line(1.5, 0.5)],
+        closed: false,
+    };
+    let error = report(
+        &curve,
+        &Reference::from(Truth::circle(Point::ORIGIN, 1.0)),
+        None,
+    )
+    .unwrap()
+    .error;
+    assert_eq!((error.mean, error.mean_angle), (0.25, 0.25));
 }

@@ -68,6 +68,36 @@ fn runs_become_arcs_of_the_radius_that_was_meant() {
         ),
         // Ellipses, upright ones with two decimals.
         ("M0 0c4.97 0 9 1.34 9 3", "M0 0a9 3 0 0 1 9 3"),
+        // The last of several ends keeps its text, where it is absolute.
+        (
+            "M0 0C2.7614 0 5 2.2386 5 5C5 7.7614 2.7614 10 0.0 10.0",
+            "M0 0A5 5 0 0 1 0.0 10.0",
+        ),
+        // Two runs with a line between them, and one behind what would not be shorter as an arc.
+        (
+            "M0 0c24.8528 0 45 20.1472 45 45L9 9c24.8528 0 45 20.1472 45 45",
+            "M0 0a45 45 0 0 1 45 45L9 9a45 45 0 0 1 45 45",
+        ),
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4M50 50c24.8528 0 45 20.1472 45 45",
+            "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4M50 50a45 45 0 0 1 45 45",
+        ),
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4c24.8528 0 45 20.1472 45 45",
+            "M0 0c2.7614 0 5 2.2386 5 5s1 2 3 4a45 45 0 0 1 45 45",
+        ),
+        (
+            "M0 0c24.8528 0 45 20.1472 45 45 1 2 3 4 5 6c24.8528 0 45 20.1472 45 45",
+            "M0 0a45 45 0 0 1 45 45c1 2 3 4 5 6a45 45 0 0 1 45 45",
+        ),
+        (
+            "M0 0c24.8528 0 45 20.1472 45 45 1 2 3 4 5 6 1 2 3 4 5 7c24.8528 0 45 20.1472 45 45",
+            "M0 0a45 45 0 0 1 45 45c1 2 3 4 5 6 1 2 3 4 5 7a45 45 0 0 1 45 45",
+        ),
+        (
+            "M100 0Q100 19.89 92.39 38.27T70.71 70.71",
+            "M100 0A100 100 0 0 1 70.71 70.71",
+        ),
         // Quadratics of 22.5 degrees.
         (
             "M100 0Q100 19.89 92.39 38.27Q84.78 56.65 70.71 70.71",
@@ -97,6 +127,41 @@ fn what_follows_a_run_keeps_its_meaning() {
         (
             "M0 0C2.7614 0 5 2.2386 5 5S2.7614 10 0 10S6 7 8 9",
             "M0 0A5 5 0 0 1 0 10C-2.7614 10 6 7 8 9",
+        ),
+        // An absolute command after relative ones: its control point is a sum, with the digits of the file's numbers.
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5s-2.2386 5-5 5S6 7 8 9",
+            "M0 0a5 5 0 0 1 0 10C-2.7614 10 6 7 8 9",
+        ),
+        (
+            "M100.1 200.3c2.7614 0 5 2.2386 5 5s-2.2386 5-5 5S6 7 8 9",
+            "M100.1 200.3a5 5 0 0 1 0 10C97.3386 210.3 6 7 8 9",
+        ),
+        // A smooth command that repeats another begins the next run.
+        (
+            "M0 0c24.8528137 0 45 20.1471863 45 45s25.1471863 70 50 70 45 20.1471863 45 45",
+            "M0 0a45 45 0 0 1 45 45c0 24.8528137 25.1471863 70 50 70a45 45 0 0 1 45 45",
+        ),
+        // An arc that is longer where the letter after it saves as many blanks.
+        (
+            "M0 0c3 0 5 2 5 5   1 2 3 4 5 6",
+            "M0 0a5 5 0 0 1 5 5c1 2 3 4 5 6",
+        ),
+        (
+            "M0 0c3 0 5 2 5 5  1 2 3 4 5 6",
+            "M0 0c3 0 5 2 5 5  1 2 3 4 5 6",
+        ),
+        (
+            "M0 0c3 0 5 2 5 5   c1 2 3 4 5 6",
+            "M0 0c3 0 5 2 5 5   c1 2 3 4 5 6",
+        ),
+        (
+            "M0 0c-3 0-5 2-5 5  1 2 3 4 5 6",
+            "M0 0a5 5 0 0 0-5 5c1 2 3 4 5 6",
+        ),
+        (
+            "M0 0c-3 0-5 2-5 5 1 2 3 4 5 6",
+            "M0 0c-3 0-5 2-5 5 1 2 3 4 5 6",
         ),
         (
             "M0 0c24.8528 0 45 15.1472 45 45 1 2 3 4 5 6",
@@ -207,6 +272,12 @@ fn what_is_no_arc_keeps_every_byte() {
         "M0 0c2.7614 0 5 2.2386 5 5x",
         "M0 0Q5 0 5 5",
         "M1 1c1e-3 0 0 0 0 0",
+        "M0 0c,2.7614 0 5 2.2386 5 5",
+        "M1e400 0c2.7614 0 5 2.2386 5 5",
+        // Numbers with an exponent have no decimals to tell what was meant.
+        "M0 0c27.614e-1 0 5 2.2386 5 5",
+        "M0 0c27.614e-1 0 5 2.2386 5 5 0 2.7614-2.2386 5-5 5",
+        "M0 0c2.7614 0 5 2.2386 5 5 L1 x c2.7614 0 5 2.2386 5 5",
         "",
     ] {
         assert_eq!(path(d), d);
@@ -320,6 +391,10 @@ fn a_path_stays_one_where_a_shape_would_be_drawn_otherwise() {
             format!("<style>*{{r:5px}}</style>{plain}"),
             "style-geometry",
         ),
+        (
+            format!("<style>.a{{content:'\\\\41';stroke-dasharray:1}}</style>{plain}"),
+            "stays-path",
+        ),
         (format!("<script/>{plain}"), "script"),
     ] {
         let text = svg(&other);
@@ -331,6 +406,23 @@ fn a_path_stays_one_where_a_shape_would_be_drawn_otherwise() {
             done.notes
         );
     }
+    // What is no arc is held back by nothing, and what is left is told why.
+    let notes = |inner: &str| {
+        let text = svg(inner);
+        let notes = back(&text).notes.into_iter();
+        notes
+            .map(|note| note.reason.to_string())
+            .collect::<Vec<_>>()
+    };
+    assert!(notes("<script/><path d=\"M0 0C1 5 9-9 20 20\"/>").is_empty());
+    assert!(notes("<path d=\"M0 0C1 5 9-9 20 20 x\"/>").is_empty());
+    let dashed = format!("<path stroke-dasharray=\"2\" d=\"{start}\"/>");
+    assert_eq!(
+        notes(&dashed)[0],
+        "it stays a path: dashes would begin elsewhere"
+    );
+    let broken = notes("<path d=\"M0 0c2.7614 0 5 2.2386 5.0,5 L1 x\"/>");
+    assert!(broken[0].contains("error"), "{broken:?}");
     // An animation of the path data needs the same commands.
     let animated = svg(&format!(
         "<path d=\"{start}\"><animate attributeName=\"d\" values=\"{start};M0 0z\"/></path>"

@@ -226,4 +226,12 @@ mod tests {
             "rx"
         );
     }
+
+    #[test]
+    fn a_logical_size_is_either_size() {
+        let both = Properties::named("width").with(Properties::named("height"));
+        assert_eq!(Properties::named("Inline-Size"), both);
+        assert_eq!(Properties::named("block-size"), both);
+        assert!(Properties::named("size").is_empty());
+    }
 }

@@ -242,6 +242,9 @@ mod tests {
             "circle#b",
             ".small:not(path)",
             "circle.dot.x",
+            "circle.x.dot",
+            "circle.x#a",
+            "circle#b#a",
         ] {
             assert!(!concerns(text), "{text}");
         }

@@ -38,10 +38,7 @@ impl Compound {
 
     /// A selector that matches every element but does not depend on names.
     pub(in crate::document) fn any() -> Self {
-        Self {
-            text: "&".into(),
-            ..Self::default()
-        }
+        Self::default()
     }
 
     /// Whether it may single out elements of this kind by what a replacement changes.

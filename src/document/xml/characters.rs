@@ -47,4 +47,18 @@ mod tests {
         assert_eq!(percent_decoded("100%%4"), "100%%4");
         assert_eq!(percent_decoded("%ff"), "%ff");
     }
+
+    #[test]
+    fn forbidden_characters_are_found_however_many_there_are() {
+        for (text, at) in [
+            ("a\tb\n\r", None),
+            ("a\u{1}", Some(1)),
+            ("a\u{1}\u{1}", Some(1)),
+            ("\u{feff}é\u{ffff}\u{ffff}", Some(5)),
+            ("\u{feff}\u{feff}", None),
+            ("ab\u{fffe}", Some(2)),
+        ] {
+            assert_eq!(first_forbidden(text), at, "{text:?}");
+        }
+    }
 }

@@ -215,7 +215,6 @@ fn with_default(definitions: &str) -> Vec<&str> {
                 let end = inner.iter().position(|byte| byte == quote);
                 ("\"", end.map_or(rest.len(), |end| end + 2))
             }
-            [b'(', ..] => ("(", rest.find(')').map_or(rest.len(), |end| end + 1)),
             _ => {
                 let ends = |c| SPACE.contains(&c) || matches!(c, '"' | '\'' | '(');
                 let end = rest.char_indices().skip(1).find(|&(_, c)| ends(c));
@@ -226,8 +225,7 @@ fn with_default(definitions: &str) -> Vec<&str> {
         match token {
             "\"" => found.extend(name.take()),
             "#IMPLIED" | "#REQUIRED" => name = None,
-            "(" => {}
-            // What follows a name is its type.
+            // What follows a name is its type, or a part of it.
             token => name = name.or(Some(token)),
         }
         rest = rest.get(length..).unwrap_or_default();
@@ -311,90 +309,4 @@ fn declaration_length(text: &str) -> usize {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn text(resolved: Resolved) -> Option<String> {
-        match resolved {
-            Resolved::Text(text, _) => Some(text),
-            _ => None,
-        }
-    }
-
-    #[test]
-    fn entities_resolve_through_one_another() {
-        let doctype = Doctype::read(
-            r#" svg PUBLIC "a>[" 'b' [ <!-- <!ENTITY r "9"> --> <!ENTITY r "1&#50;"> <!ENTITY r "7"> <?x <!ENTITY y "1">?>
-               <!ENTITY two '&r; &r;'> <!ENTITY ns "http://www.w3.org/2000/svg"> <!ENTITY out SYSTEM "x.svg"> ]"#,
-            0,
-        );
-        assert_eq!(text(doctype.resolve("two")).as_deref(), Some("12 12"));
-        assert_eq!(
-            text(doctype.resolve("ns")).as_deref(),
-            Some("http://www.w3.org/2000/svg")
-        );
-        assert_eq!(text(doctype.resolve("#x41")).as_deref(), Some("A"));
-        assert_eq!(doctype.resolve("out"), Resolved::Unknown);
-        assert_eq!(doctype.resolve("y"), Resolved::Unknown);
-        assert_eq!(Doctype::default().resolve("nbsp"), Resolved::Malformed);
-        assert_eq!(Doctype::default().resolve("#0"), Resolved::Malformed);
-        assert!(doctype.may_hold_markup());
-    }
-
-    #[test]
-    fn bombs_and_circles_end() {
-        let mut bomb = String::from("svg [<!ENTITY a0 'aaaaaaaaaa'>");
-        for i in 1..40 {
-            let before = format!("&a{};", i - 1).repeat(10);
-            bomb.extend(["<!ENTITY a", &i.to_string(), " '", &before, "'>"]);
-        }
-        bomb += "<!ENTITY c1 '&c2;'><!ENTITY c2 '&c1;'>]";
-        let doctype = Doctype::read(&bomb, bomb.len());
-        assert_eq!(doctype.resolve("c1"), Resolved::Unknown);
-        assert_eq!(doctype.resolve("a39"), Resolved::Unknown);
-        assert_eq!(doctype.resolve("a9"), Resolved::Unknown);
-    }
-
-    #[test]
-    fn attributes_with_a_default_are_known() {
-        let has = |subset: &str, name: &str| {
-            Doctype::read(&format!("svg [{subset}]"), 0).has_defaults_for(name, "path")
-        };
-        let circle = r#"<!ATTLIST circle r CDATA "5>" cx CDATA #IMPLIED>"#;
-        assert!(has(circle, "circle") && !has(circle, "rect"));
-        assert!(has(
-            "<!ATTLIST path fill (red|blue) #FIXED 'red'>",
-            "circle"
-        ));
-        assert!(has(
-            r#"<!ATTLIST animate attributeName CDATA"r">"#,
-            "circle"
-        ));
-        for harmless in [
-            "<!ATTLIST circle r CDATA #IMPLIED cx CDATA #REQUIRED>",
-            "<!ATTLIST svg xmlns:x CDATA #FIXED 'urn:x' version NMTOKEN '1.1'>",
-            "<!ATTLIST path xmlns CDATA 'http://www.w3.org/2000/svg'>",
-            "<!ATTLIST animateTransform type (a|b) 'a'>",
-        ] {
-            assert!(!has(harmless, "circle"), "{harmless}");
-        }
-    }
-
-    #[test]
-    fn parameter_entities_stand_for_declarations() {
-        let text = r#"svg [<!ENTITY % a '&#60;!ATTLIST circle r CDATA "5"><!ENTITY r "7">'> <!ENTITY % b "%a;"> %a; %none; ]"#;
-        let doctype = Doctype::read(text, 0);
-        assert!(doctype.has_defaults_for("circle", "path"));
-        assert!(!doctype.has_defaults_for("rect", "path"));
-        assert_eq!(text_of(&doctype, "r").as_deref(), Some("7"));
-        let round = Doctype::read("svg [<!ENTITY % a '%b;'><!ENTITY % b '%a;'> %a;]", 0);
-        assert!(
-            round.has_defaults_for("rect", "path"),
-            "what cannot be read may say anything"
-        );
-    }
-
-    fn text_of(doctype: &Doctype, name: &str) -> Option<String> {
-        text(doctype.resolve(name))
-    }
-}
+mod tests;

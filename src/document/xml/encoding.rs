@@ -69,10 +69,8 @@ pub(in crate::document) fn widen(bytes: &[u8]) -> String {
 
 /// The bytes for which a widened text stands.
 pub(in crate::document) fn narrow(text: &str) -> Cow<'static, [u8]> {
-    let byte = |character: char| {
-        let code = u32::from(character);
-        (if code >= BASE { code - BASE } else { code }) as u8
-    };
+    // Without BASE, which is the ninth bit.
+    let byte = |character: char| u32::from(character) as u8;
     Cow::Owned(text.chars().map(byte).collect())
 }
 

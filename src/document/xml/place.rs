@@ -21,6 +21,10 @@ impl<'a> Places<'a> {
 
     /// The line and the column of a byte offset, both counted from 1; columns count characters, and a byte order mark is none.
     pub(in crate::document) fn locate(&mut self, offset: usize) -> (usize, usize) {
+        let mut offset = offset.min(self.text.len());
+        while !self.text.is_char_boundary(offset) {
+            offset -= 1;
+        }
         if offset < self.offset {
             *self = Self::new(self.text);
         }
@@ -37,11 +41,7 @@ impl<'a> Places<'a> {
                 _ => self.column += 1,
             }
         }
-        let mut boundary = offset.min(self.text.len());
-        while !self.text.is_char_boundary(boundary) {
-            boundary -= 1;
-        }
-        self.offset = boundary;
+        self.offset = offset;
         (self.line, self.column)
     }
 }
@@ -58,5 +58,13 @@ mod tests {
         assert_eq!(places.locate(text.find('y').unwrap()), (2, 2));
         assert_eq!(places.locate(text.find('a').unwrap()), (1, 1));
         assert_eq!(places.locate(text.len()), (2, 3));
+        assert_eq!(places.locate(1 << 20), (2, 3));
+        // A byte within a character has the character's place.
+        let letter = text.find('ñ').unwrap();
+        for offset in [letter, letter + 1, letter + 2] {
+            let column = if offset < letter + 2 { 2 } else { 3 };
+            assert_eq!(places.locate(offset), (1, column));
+        }
+        assert_eq!(Places::new("a\u{feff}b").locate(4), (1, 3));
     }
 }

@@ -251,10 +251,8 @@ impl<'a> Scanner<'a> {
     /// What else begins with `<!` or `<?`.
     fn markup(&mut self, start: usize) -> Result<Node<'a>> {
         let mut reader = Reader::from_str(&self.source[start..]);
-        let event = reader.read_event().map_err(|error| {
-            let at = start + reader.error_position() as usize;
-            Fault::new(at, error.to_string())
-        })?;
+        let event = reader.read_event();
+        let event = event.map_err(|error| Fault::new(start, error.to_string()))?;
         let end = start + reader.buffer_position() as usize;
         self.at = end;
         let span = self.source.get(start..end).unwrap_or_default();

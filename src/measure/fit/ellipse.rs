@@ -23,9 +23,10 @@ pub(super) fn nearest_ellipse(points: &[Point]) -> Option<Truth> {
     let mean = points.iter().map(|p| p.to_vec2()).sum::<Vec2>() / count;
     let offsets = points.iter().map(|p| p.to_vec2() - mean);
     let size = offsets.clone().map(Vec2::hypot).fold(0.0, f64::max);
-    if points.len() < 5 || !(size > 0.0 && size.is_finite()) {
+    if points.len() < 5 {
         return None;
     }
+    // No conic is found where the size is 0 or no number.
     let points: Vec<Point> = offsets.map(|v| (v / size).to_point()).collect();
     let mut found = of_conic(&points)?;
     let mut cost = squares(&points, &found);
@@ -41,9 +42,9 @@ pub(super) fn nearest_ellipse(points: &[Point]) -> Option<Truth> {
     }
     let center = (mean + found.center.to_vec2() * size).to_point();
     let radii = found.radii * size;
-    // An axis has two directions; that to the right, or upwards but for rounding, is told.
+    // An axis has two directions; that to the right, or upwards but for rounding, is told. That of the conic points upwards.
     let axis = found.axis;
-    let is_back = axis.x < -1e-14 || (axis.x < 1e-14 && axis.y < 0.0);
+    let is_back = axis.x < -1e-14;
     let axis = if is_back { -axis } else { axis };
     (center.is_finite() && radii.is_finite()).then(|| Truth::new(center, radii, axis))
 }
@@ -146,23 +147,59 @@ mod tests {
 
     #[test]
     fn the_fit_is_where_the_sum_of_squares_is_least() {
-        let truth = Truth::new(Point::ORIGIN, Vec2::new(2.0, 1.0), Vec2::new(1.0, 0.0));
-        let mut points = on_ellipse(&truth, (0..9).map(f64::from));
-        points.push(Point::new(1.9, 0.8));
-        let found = nearest_ellipse(&points).unwrap();
-        let least = squares(&points, &found);
-        for step in [1e-4, -1e-4] {
-            let moved = |map: Affine| Truth::of(map * found.placement()).unwrap();
-            for map in [
-                Affine::translate((step, 0.0)),
-                Affine::translate((0.0, step)),
-                Affine::scale_non_uniform(1.0 + step, 1.0),
-                Affine::scale_non_uniform(1.0, 1.0 + step),
-                Affine::rotate(step),
-            ] {
-                assert!(squares(&points, &moved(map)) > least, "{map:?}");
+        for rotation in [0.0, 0.7, 2.0] {
+            let axis = unit_vector(rotation);
+            let truth = Truth::new(Point::new(1.0, -2.0), Vec2::new(2.0, 1.0), axis);
+            let mut points = on_ellipse(&truth, (0..9).map(f64::from));
+            points.push(truth.placement() * Point::new(0.95, 0.8));
+            let found = nearest_ellipse(&points).unwrap();
+            let least = squares(&points, &found);
+            for step in [1e-4, -1e-4, 1e-6, -1e-6] {
+                let moved = |map: Affine| Truth::of(found.placement() * map).unwrap();
+                for map in [
+                    Affine::translate((step, 0.0)),
+                    Affine::translate((0.0, step)),
+                    Affine::scale_non_uniform(1.0 + step, 1.0),
+                    Affine::scale_non_uniform(1.0, 1.0 + step),
+                ] {
+                    assert!(squares(&points, &moved(map)) > least, "{rotation} {map:?}");
+                }
+                let turned = found.axis + found.axis.turn_90() * step;
+                let turned = Truth::new(found.center, found.radii, turned.normalize());
+                assert!(squares(&points, &turned) > least, "{rotation} {step}");
             }
         }
+    }
+
+    #[test]
+    fn the_axis_points_to_the_right_or_upwards() {
+        for degrees in (0..360).step_by(15) {
+            let axis = unit_vector(f64::from(degrees).to_radians());
+            let truth = Truth::new(Point::new(1.0, 2.0), Vec2::new(3.0, 2.0), axis);
+            let points = on_ellipse(&truth, (0..20).map(f64::from));
+            let found = nearest_ellipse(&points).unwrap().axis;
+            assert!(found.cross(axis).abs() < 1e-9, "{degrees}: {found:?}");
+            let is_upright = degrees % 180 == 90;
+            assert!(
+                if is_upright {
+                    found.y > 0.0
+                } else {
+                    found.x > 0.0
+                },
+                "{degrees}: {found:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn five_points_are_enough() {
+        let truth = Truth::new(Point::new(1.0, 2.0), Vec2::new(3.0, 2.0), unit_vector(0.5));
+        let points = on_ellipse(&truth, (0..5).map(f64::from));
+        let found = nearest_ellipse(&points).unwrap();
+        assert!((found.radii - truth.radii).hypot() < 1e-9, "{found:?}");
+        assert_eq!(nearest_ellipse(&points[..4]), None);
+        assert_eq!(nearest_ellipse(&[Point::new(1.0, 2.0); 9]), None);
+        assert_eq!(nearest_ellipse(&[Point::new(f64::INFINITY, 2.0); 9]), None);
     }
 
     #[test]

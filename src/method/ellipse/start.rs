@@ -164,3 +164,54 @@ impl Segment {
         farthest
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::{Span, minimax};
+    use kurbo::ParamCurve;
+
+    /// The rounds of the exchange from the circle's handles, and what it ends with.
+    fn exchange(segment: &Segment, size: f64) -> (usize, Fit, [f64; 3]) {
+        let excess = Excess::new(segment.ends);
+        let mut handles = [minimax::handle(&Span::from_degrees(size)); 2];
+        let mut times = TIMES;
+        for round in 1.. {
+            let peak = segment.leveled(&excess, &mut handles, times).unwrap();
+            let fit = Fit { handles, peak };
+            if segment.exchanged(&excess, &fit, &mut times) < IN_PLACE {
+                return (round, fit, times);
+            }
+            assert!(round < 100, "the exchange does not settle");
+        }
+        unreachable!()
+    }
+
+    /// Sampson's distance: the excess over twice the length of its half gradient, of the affine image of the circle's segment.
+    fn sampson(segment: &Segment, fit: &Fit, t: f64) -> f64 {
+        let point = segment.on_circle(fit.handles).eval(t).to_vec2();
+        let gradient = Vec2::new(point.x / segment.radii.x, point.y);
+        (point.hypot2() - 1.0) / (2.0 * gradient.hypot())
+    }
+
+    #[test]
+    fn the_exchange_levels_the_extremes_in_two_or_three_rounds() {
+        let (mut taken, mut searches) = (0, 0);
+        for short in [0.9, 0.5, 0.2, 0.1] {
+            for size in [30.0, 60.0, 90.0, 120.0] {
+                for from in (0..180).step_by(10).map(f64::from) {
+                    let segment = Segment::new(short, from, size, false);
+                    let (rounds, fit, times) = exchange(&segment, size);
+                    (taken, searches) = (taken + rounds, searches + 1);
+                    let what = format!("{short} {size} {from}");
+                    for (t, sign) in times.into_iter().zip(SIGNS) {
+                        let near = |by: f64| sign * sampson(&segment, &fit, t + by);
+                        assert!((near(0.0) / fit.peak - 1.0).abs() < 0.02, "{what}");
+                        assert!(near(0.02) < near(0.0) && near(-0.02) < near(0.0), "{what}");
+                    }
+                }
+            }
+        }
+        assert!(taken <= 660, "{taken} of {searches}");
+    }
+}
