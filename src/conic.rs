@@ -66,6 +66,9 @@ const NEXT_TO_PARABOLA: f64 = 1.0 - 1e-4;
 /// The largest weight: beyond, a conic is its control polygon.
 const LARGEST_WEIGHT: f64 = 1e9;
 
+/// How closely the end of a segment is found, by halves of what is left.
+const HALVINGS: u32 = 30;
+
 /// The most segments that a tolerance may ask for.
 const MOST_FOR_TOLERANCE: usize = 10_000;
 
@@ -308,13 +311,19 @@ impl Conic {
         let end = frame.half;
         let reaches = |from: f64, to: f64| -> Result<bool> {
             let piece = self.piece(&frame, [from, to], Some(method))?;
-            Ok(error::error(self, &frame, &[piece]).peak() <= tolerance)
+            Ok(error::is_within(
+                self,
+                &frame,
+                [from, to],
+                &[piece],
+                tolerance,
+            ))
         };
         let mut joints = vec![-end];
         let mut from = -end;
         while !reaches(from, end)? {
             let (mut low, mut high) = (from, end);
-            for _ in 0..40 {
+            for _ in 0..HALVINGS {
                 let middle = f64::midpoint(low, high);
                 if reaches(from, middle)? {
                     low = middle;
@@ -354,7 +363,9 @@ impl Conic {
             finite("coordinate of a control point", p.x)?;
             finite("coordinate of a control point", p.y)?;
         }
-        let measured = |curve: &Curve| error::error(self, &Frame::new(self), &curve.segments);
+        let frame = Frame::new(self);
+        let ends = [-frame.half, frame.half];
+        let measured = |curve: &Curve| error::error(self, &frame, ends, &curve.segments);
         let given = [self.from, self.control, self.to];
         let (precision, kept) = match (options.precision, method, &options.cut) {
             (Some(precision), ..) => (precision, &[][..]),

@@ -2,8 +2,6 @@
 //!
 //! The distance is that of sets of points: where a subpath begins and which way it runs make none.
 
-mod along;
-mod distance;
 mod pairs;
 
 use kurbo::{Affine, PathSeg, Point, Rect};

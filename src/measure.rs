@@ -6,6 +6,7 @@ pub mod continuity;
 pub mod curvature;
 pub mod extent;
 pub mod fit;
+pub(crate) mod hausdorff;
 pub mod profile;
 pub mod radial;
 pub mod reference;

@@ -18,6 +18,9 @@ use crate::numeric::foot::Foot;
 /// The most steps of Newton's method.
 const MOST_STEPS: usize = 60;
 
+/// How far aside of the normal a point may lie whose nearest point is found, as a part of its distance from the control point.
+const SETTLED: f64 = 1e-9;
+
 /// The parameter and the two arms of a conic.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
@@ -142,10 +145,21 @@ impl Frame {
         let tangent = self.derivative(x);
         let side = 1.0_f64.copysign(self.u.cross(self.v));
         let outward = Vec2::new(-tangent.y, tangent.x) * (side / tangent.hypot());
-        Foot {
-            distance: (offset - self.offset(x)).dot(outward),
-            outward,
-        }
+        let arm = offset - self.offset(x);
+        let (distance, aside) = (arm.dot(outward), arm.cross(outward));
+        // Where the steps came to no end, what lies aside counts too.
+        let is_found = aside.abs() <= SETTLED * offset.hypot();
+        let distance = if is_found {
+            distance
+        } else {
+            arm.hypot().copysign(distance)
+        };
+        Foot { distance, outward }
+    }
+
+    /// Whether points that lie so far from the arc at most have normals that cover it: it bends no sharper than that.
+    pub(super) fn is_covered(&self, distance: f64) -> bool {
+        distance * self.largest_curvature() < 0.5
     }
 
     /// The largest curvature of the arc: |p' × p''| is constant, so that it is where |p'| is least, and |p'|² is convex.

@@ -2,8 +2,11 @@
 
 use kurbo::Rect;
 
-use super::distance::hausdorff;
-use super::{Difference, Distance, Pair, Track};
+use super::{Difference, Distance, Pair, Place, Side, Track};
+use crate::measure::hausdorff::hausdorff;
+
+/// How far the bound may lie above the distance, as a part of it.
+const GOAL: f64 = 1e-4;
 
 /// How many subpaths of like boxes are tried for one.
 const MOST_TRIES: usize = 8;
@@ -48,11 +51,7 @@ impl Matcher<'_> {
         Pair {
             old,
             new,
-            distance: if a.segments.is_empty() || b.segments.is_empty() {
-                Distance::default()
-            } else {
-                hausdorff(a, b, self.difference.tolerance)
-            },
+            distance: distance(a, b, self.difference.tolerance),
             closed_differently: a.closed != b.closed,
         }
     }
@@ -119,5 +118,30 @@ impl Matcher<'_> {
             let pair = self.pair(old, new);
             self.difference.pairs.push(pair);
         }
+    }
+}
+
+/// The distance of two subpaths, the larger of both ways.
+fn distance(old: &Track, new: &Track, tolerance: f64) -> Distance {
+    let are_equal = old.segments == new.segments && old.closed == new.closed;
+    if are_equal || old.segments.is_empty() || new.segments.is_empty() {
+        return Distance::default();
+    }
+    let apart = hausdorff([&old.segments, &new.segments], tolerance, GOAL);
+    let Some((point, segment)) = apart.place else {
+        return Distance::default();
+    };
+    let (side, track) = if apart.on_second {
+        (Side::New, new)
+    } else {
+        (Side::Old, old)
+    };
+    Distance {
+        at_most: apart.at_most + old.strayed + new.strayed,
+        place: Some(Place {
+            point,
+            side,
+            segment: track.steps.get(segment).copied().unwrap_or(segment),
+        }),
     }
 }

@@ -107,16 +107,37 @@ fn the_stated_error_is_the_distance_both_ways() {
 }
 
 #[test]
-fn a_bound_holds_where_the_conic_is_sharper_than_the_error() {
-    let conic = conic(SHAPES[1], 100.0);
-    let drawing = drawn(&conic, Cut::Count(1));
-    let (truth, curve) = (rational(&conic, 2000), points(&drawing, 2000));
-    let both = farthest(&curve, &truth).max(farthest(&truth, &curve));
-    assert!(
-        both <= drawing.error.peak(),
-        "{both} {}",
-        drawing.error.peak()
-    );
+fn where_the_conic_is_sharper_than_the_error_it_is_the_distance_too() {
+    let needle = [(0.55, -6.64), (-4.54, 4.23), (-0.91, -3.56)];
+    for (shape, weight, count) in [
+        (SHAPES[1], 100.0, 1),
+        (needle, 26.3837, 1),
+        (needle, 90.0, 2),
+    ] {
+        let conic = conic(shape, weight);
+        let drawing = drawn(&conic, Cut::Count(count));
+        let (truth, curve) = (rational(&conic, 1000), points(&drawing, 1000 / count));
+        let both = farthest(&curve, &truth).max(farthest(&truth, &curve));
+        let ratio = both / drawing.error.peak();
+        // The polylines lie inside by some 1e-5 of the size.
+        assert!((0.99..1.01).contains(&ratio), "{weight} {count}: {ratio}");
+    }
+}
+
+#[test]
+fn a_sharp_conic_is_met_within_a_tolerance_that_is_larger_than_its_tip() {
+    for (weight, tolerance, count) in [("2.5", "0.5", 1), ("2.5", "0.05", 2), ("26", "0.05", 1)] {
+        let needle = "conic --from=7.96,3.36 --control=-9.33,-4.05 --to=7.24,2.73 -f json";
+        let mut words: Vec<&str> = needle.split(' ').collect();
+        words.extend(["--weight", weight, "-t", tolerance]);
+        let document = json(&words);
+        let peak = document["error"]["peak"].as_f64().unwrap();
+        assert!(
+            peak <= tolerance.parse().unwrap(),
+            "{weight} {tolerance}: {peak}"
+        );
+        assert_eq!(document["segments"].as_array().unwrap().len(), count);
+    }
 }
 
 #[test]

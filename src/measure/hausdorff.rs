@@ -6,22 +6,23 @@
 //! polynomial of degree 18: its largest Bernstein coefficient is a bound, which nears the distance as the fourth power of the
 //! part's length. Parts that stay below the largest distance found are done; the others are halved.
 
+mod along;
+
 use core::cmp::Ordering;
 use std::collections::{BinaryHeap, HashSet};
 
 use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2};
 
-use super::along::along;
-use super::{Distance, Place, Side, Track};
-use crate::curve::control_points;
-use crate::measure::unit_for;
+use super::unit_for;
+use crate::curve::{control_points, largest_coordinate};
 use crate::numeric::bernstein::Polynomial;
-
-/// How far the bound may lie above the distance, as a part of it.
-const GOAL: f64 = 1e-4;
+use along::along;
 
 /// How far where the tolerance lies between the distance found and its bound.
 const CLOSE_GOAL: f64 = 1e-9;
+
+/// How far the bound may lie above a distance of which only the tolerance is asked.
+const DECIDED: f64 = 1.0;
 
 /// How many parts are halved, beside some for each segment: where the distance is the same all along, it takes many.
 const MOST_PARTS: usize = 20_000;
@@ -29,37 +30,61 @@ const MOST_PARTS: usize = 20_000;
 /// What rounding adds to a distance, in units of the last place of the largest coordinate.
 const NOISE: f64 = 64.0 * f64::EPSILON;
 
-/// The distance of two subpaths, the larger of both ways.
-pub(super) fn hausdorff(old: &Track, new: &Track, tolerance: f64) -> Distance {
-    if old.segments == new.segments && old.closed == new.closed {
-        return Distance::default();
-    }
-    let unit = unit_for(old.largest().max(new.largest()).max(f64::MIN_POSITIVE));
-    let [a, b] = [old, new].map(|track| Chain::new(track, unit));
-    let tolerance = tolerance / unit;
-    let [there, back] = [
-        a.farthest_from(&b, tolerance),
-        b.farthest_from(&a, tolerance),
-    ];
-    let (side, track, farthest) = if there.at_most >= back.at_most {
-        (Side::Old, old, there)
-    } else {
-        (Side::New, new, back)
+/// How far two chains lie apart at most, both ways.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Apart {
+    pub(crate) at_most: f64,
+    /// The point found farthest away, and the segment that it lies on; none where there is no segment of its own.
+    pub(crate) place: Option<(Point, usize)>,
+    /// Whether it lies on the second chain.
+    pub(crate) on_second: bool,
+}
+
+/// The distance of two chains that have segments, the larger of both ways. The bound lies by `goal` above it at most, as a part of it, but in
+/// hard cases, and decides on a tolerance that lies between.
+pub(crate) fn hausdorff(chains: [&[PathSeg]; 2], tolerance: f64, goal: f64) -> Apart {
+    let (unit, [a, b]) = in_unit(chains);
+    let aim = Aim {
+        tolerance: tolerance / unit,
+        goal,
     };
-    let Some((point, segment)) = farthest.place else {
-        return Distance::default();
-    };
-    Distance {
-        at_most: farthest.at_most * unit + old.strayed + new.strayed,
-        place: Some(Place {
-            point: (point.to_vec2() * unit).to_point(),
-            side,
-            segment: track.steps.get(segment).copied().unwrap_or(segment),
-        }),
+    let [there, back] = [a.farthest_from(&b, aim), b.farthest_from(&a, aim)];
+    let on_second = there.at_most < back.at_most;
+    let farthest = if on_second { back } else { there };
+    let place = farthest.place;
+    Apart {
+        at_most: farthest.at_most * unit,
+        place: place.map(|(point, segment)| ((point.to_vec2() * unit).to_point(), segment)),
+        on_second,
     }
 }
 
-/// The segments of a subpath as cubics, under a tree of boxes: node i holds the nodes 2i and 2i + 1, and the segment k is node n + k.
+/// Whether two chains lie within a tolerance of each other.
+pub(crate) fn are_within(chains: [&[PathSeg]; 2], tolerance: f64) -> bool {
+    let (unit, [a, b]) = in_unit(chains);
+    let aim = Aim {
+        tolerance: tolerance / unit,
+        goal: DECIDED,
+    };
+    let is_within = |from: &Chain, to: &Chain| from.farthest_from(to, aim).at_most <= aim.tolerance;
+    is_within(&a, &b) && is_within(&b, &a)
+}
+
+/// Two chains in a unit that suits their coordinates.
+fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [Chain; 2]) {
+    let largest = chains.map(|chain| largest_coordinate(chain)).into_iter();
+    let unit = unit_for(largest.fold(f64::MIN_POSITIVE, f64::max));
+    (unit, chains.map(|chain| Chain::new(chain, unit)))
+}
+
+/// What is to be known of a distance.
+#[derive(Clone, Copy)]
+struct Aim {
+    tolerance: f64,
+    goal: f64,
+}
+
+/// Segments as cubics, under a tree of boxes: node i holds the nodes 2i and 2i + 1, and the segment k is node n + k.
 struct Chain {
     cubics: Vec<CubicBez>,
     /// Those that are straight.
@@ -91,9 +116,9 @@ struct Part {
 }
 
 impl Chain {
-    fn new(track: &Track, unit: f64) -> Self {
+    fn new(segments: &[PathSeg], unit: f64) -> Self {
         let map = Affine::scale(1.0 / unit);
-        let segments: Vec<PathSeg> = track.segments.iter().map(|&s| map * s).collect();
+        let segments: Vec<PathSeg> = segments.iter().map(|&s| map * s).collect();
         let cubics: Vec<CubicBez> = segments.iter().map(cubic).collect();
         let count = cubics.len();
         let mut boxes = vec![Rect::ZERO; 2 * count];
@@ -112,7 +137,7 @@ impl Chain {
     }
 
     /// One way.
-    fn farthest_from(&self, other: &Self, tolerance: f64) -> Farthest {
+    fn farthest_from(&self, other: &Self, aim: Aim) -> Farthest {
         let theirs: HashSet<&[u64]> = other.keys.iter().map(Vec::as_slice).collect();
         let mut search = Search::default();
         for (segment, cubic) in self.cubics.iter().enumerate() {
@@ -124,10 +149,10 @@ impl Chain {
                 search.push(other, segment, *cubic, [start, end]);
             }
         }
-        let mut left = MOST_PARTS + 32 * self.cubics.len();
+        let mut left = MOST_PARTS + 32 * (self.cubics.len() + other.cubics.len());
         while let Some(part) = search.parts.pop() {
-            let undecided = search.at_least <= tolerance && tolerance < part.at_most;
-            let goal = if undecided { CLOSE_GOAL } else { GOAL };
+            let undecided = search.at_least <= aim.tolerance && aim.tolerance < part.at_most;
+            let goal = if undecided { CLOSE_GOAL } else { aim.goal };
             let enough = (search.at_least * (1.0 + goal)).max(search.at_least + NOISE);
             if part.at_most <= enough || left == 0 {
                 search.at_most = part.at_most;
@@ -307,11 +332,13 @@ impl Eq for Part {}
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diff::Track;
     use crate::path::contours;
 
     fn distance(old: &str, new: &str) -> f64 {
         let track = |data| Track::new(&contours(data).unwrap()[0], Affine::IDENTITY).unwrap();
-        hausdorff(&track(old), &track(new), 0.0).at_most
+        let (old, new) = (track(old), track(new));
+        hausdorff([&old.segments, &new.segments], 0.0, 1e-4).at_most
     }
 
     #[test]
@@ -344,11 +371,8 @@ mod tests {
     fn a_curve_that_is_cut_elsewhere_is_the_same() {
         let whole = CubicBez::new((0.0, 0.0), (30.0, 80.0), (70.0, -40.0), (100.0, 10.0));
         let (a, b) = (whole.subsegment(0.0..0.3), whole.subsegment(0.3..1.0));
-        let track = |cubics: &[CubicBez]| Track {
-            segments: cubics.iter().map(|&c| PathSeg::Cubic(c)).collect(),
-            ..Track::default()
-        };
-        let found = hausdorff(&track(&[whole]), &track(&[a, b]), 0.0).at_most;
+        let [whole, a, b] = [whole, a, b].map(PathSeg::Cubic);
+        let found = hausdorff([&[whole], &[a, b]], 0.0, 1e-4).at_most;
         assert!(found < 1e-11, "{found}");
     }
 }
