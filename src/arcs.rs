@@ -159,6 +159,7 @@ fn advised(
 
 fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let pieces = pieces(contour, options.transform)?;
+    let pieces: Vec<Piece> = pieces.into_iter().map(|(piece, _)| piece).collect();
     let plan = Plan::new(&pieces, options, 0.0)?;
     let room = plan.room_of_chords(options, plan.cut);
     let curved = pieces.iter().any(|piece| !piece.is_line());
@@ -205,13 +206,17 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     })
 }
 
-/// The steps of a contour under a map.
-fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<Piece>> {
-    contour
-        .steps
-        .iter()
-        .map(|step| Piece::new(step, transform))
-        .collect()
+/// The steps of a contour under a map, and what they become; cubics of no length are left out where there is anything else.
+fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<(Piece, &Step)>> {
+    let pieces = contour.steps.iter();
+    let pieces = pieces.map(|step| Ok((Piece::new(step, transform)?, step)));
+    let mut pieces = pieces.collect::<Result<Vec<_>>>()?;
+    if pieces.iter().all(|(piece, _)| piece.is_dot()) {
+        pieces.truncate(1);
+    } else {
+        pieces.retain(|(piece, _)| !piece.is_dot());
+    }
+    Ok(pieces)
 }
 
 /// How far what is made of a subpath may lie from it, and how its points are rounded.

@@ -35,7 +35,7 @@ const ROUNDED_AGAIN: f64 = 1e-3;
 const STRAIGHT: f64 = 1e-9;
 
 pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
-    let given = pieces(contour, options.transform)?;
+    let (given, steps): (Vec<_>, Vec<_>) = pieces(contour, options.transform)?.into_iter().unzip();
     let decimals = decimals_given(contour);
     let explained = Precision::Fixed(decimals).farthest_moved();
     let plan = Plan::new(&given, options, explained)?;
@@ -65,7 +65,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
     };
     builder.at = builder.course.start;
     let mut cubics = Vec::new();
-    for (piece, step) in given.iter().zip(&contour.steps) {
+    for (piece, step) in given.iter().zip(steps) {
         if let Piece::Cubic(cubic) = piece {
             cubics.push(*cubic);
         } else {

@@ -15,7 +15,7 @@ pub(super) fn cuts(piece: &Piece, tolerance: f64) -> Vec<f64> {
         return vec![1.0];
     }
     let whole = piece.chord_distance(0.0, 1.0);
-    if whole <= tolerance {
+    if whole <= tolerance.max(0.0) {
         // A small loop stays one.
         return if whole > 0.0 && piece.start() == piece.end() {
             vec![1.0 / 3.0, 2.0 / 3.0, 1.0]

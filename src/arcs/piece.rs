@@ -50,6 +50,12 @@ impl Piece {
         })
     }
 
+    /// Whether it is a cubic of no length, which has no direction: it neither ends a curve nor begins one.
+    pub(super) fn is_dot(&self) -> bool {
+        let same = |cubic: &CubicBez| [cubic.p1, cubic.p2, cubic.p3] == [cubic.p0; 3];
+        matches!(self, Self::Cubic(cubic) if same(cubic))
+    }
+
     pub(super) const fn is_line(&self) -> bool {
         matches!(self, Self::Line(_))
     }

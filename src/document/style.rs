@@ -2,6 +2,7 @@
 
 pub(super) mod css;
 pub(super) mod facts;
+mod motion;
 pub(super) mod own;
 pub(super) mod property;
 pub(super) mod rules;

@@ -72,7 +72,7 @@ pub(crate) fn are_within(chains: [&[PathSeg]; 2], tolerance: f64) -> bool {
 
 /// Two chains in a unit that suits their coordinates.
 fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [Chain; 2]) {
-    let largest = chains.map(|chain| largest_coordinate(chain)).into_iter();
+    let largest = chains.map(largest_coordinate).into_iter();
     let unit = unit_for(largest.fold(f64::MIN_POSITIVE, f64::max));
     (unit, chains.map(|chain| Chain::new(chain, unit)))
 }

@@ -448,3 +448,35 @@ fn a_machine_gets_no_moves_of_no_length() {
         }
     }
 }
+
+#[test]
+fn a_cubic_of_no_length_is_passed_over() {
+    for (data, expected) in [
+        ("M1 1C1 1 1 1 1 1", "M1 1L1 1"),
+        (
+            "M0 0C0 0 10 0 10 0C10 0 10 0 10 0C10 0 10 0 0 -10",
+            "M0 0L10 0L0-10",
+        ),
+    ] {
+        for to in ["lines", "arcs"] {
+            let found = printed(&["path", data, "--to", to, "-t", "0.01"]);
+            assert_eq!(found.trim_end(), expected, "{data} to {to}");
+        }
+    }
+    assert_eq!(
+        printed(&["path", "M1 1C1 1 1 1 1 1M0 0L9 9", "--to", "lines"]).trim_end(),
+        "M1 1L1 1M0 0L9 9"
+    );
+    // These went on for ever.
+    for data in [
+        "M0 0C0 0 0 0 0 0C1 -2 1 -2 0 0",
+        "M0 0Q0 0 0 0C1 -1 1 0 1 -1",
+        "M5 5L0 0C0 0 0 0 0 0C-10 -20 0 -10 0 -10",
+        "M0 0Q0 0 0 0Q-1 -2 0 -1C1 -2 1 -2 0 -1",
+    ] {
+        for options in [&["-t", "0.016"][..], &["--elliptic", "-t", "0.001"], &[]] {
+            let words = [&["path", data, "--to", "arcs"], options].concat();
+            assert!(printed(&words).starts_with('M'), "{data}");
+        }
+    }
+}

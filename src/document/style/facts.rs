@@ -5,6 +5,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::css::{self, Sheet};
+use super::motion;
 use super::own;
 use super::property::{Effect, Kind, Markers, Properties};
 use super::rules::Subject;
@@ -72,7 +73,9 @@ pub(in crate::document) fn is_sign(element: &Element<'_>, attributes: &[Attribut
     ];
     element.android.is_some() && Kind::named(element.local).is_none()
         || NAMES.contains(&element.local) && element.namespace != Namespace::Other
-        || attributes.iter().any(|attribute| is_handler(attribute))
+        || attributes
+            .iter()
+            .any(|attribute| is_handler(attribute) || motion::moves_along(attribute))
 }
 
 /// Whether an attribute holds a script. Event attributes in a namespace (`a:onclick`) do not.
@@ -135,6 +138,7 @@ impl Facts {
                 Node::Done => break,
             }
         }
+        facts.motion_paths.extend(motion::followed(source.text));
         facts.finish();
         if facts.has_uses {
             facts.follow_uses(source)?;
