@@ -77,6 +77,37 @@ fn the_least_count_of_a_circle_is_that_by_trial() {
 }
 
 #[test]
+fn what_rounding_may_bring_nearer_is_its_last_decimal_or_a_tenth() {
+    assert_eq!(rounding(Some(Precision::Fixed(3)), 0.5), 1e-3);
+    assert_eq!(rounding(Some(Precision::Full), 0.5), 0.05);
+    assert_eq!(rounding(None, 0.5), 0.05);
+    let shape = circle(100.0);
+    let fixed = |decimals| options(Rule::default(), Some(Precision::Fixed(decimals)));
+    for (tolerance, expected) in [(0.009, Some(2)), (0.011, None)] {
+        let options = fixed(2);
+        let found = request(&shape, &options).too_few_decimals(tolerance);
+        assert_eq!(found, expected);
+    }
+    // A quarter errs 0.0196 % of the radius, a third 0.11 %.
+    let full = options(Rule::default(), Some(Precision::Full));
+    assert_eq!(least_count(&shape, &full, 0.0197), Some(4));
+}
+
+#[test]
+fn tolerances_that_no_curve_meets_are_refused_by_what_they_are() {
+    let shape = circle(100.0);
+    let options = options(Rule::default(), None);
+    let request = request(&shape, &options);
+    for tolerance in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        let refused = request.check_tolerance(tolerance);
+        assert!(matches!(refused, Err(Error::NotPositive { .. })));
+    }
+    let refused = request.check_tolerance(1e-14);
+    assert!(matches!(refused, Err(Error::ToleranceOutOfReach { .. })));
+    assert!(request.check_tolerance(1e-12).is_ok());
+}
+
+#[test]
 fn the_least_count_ends_with_the_most_segments() {
     let shape = circle(1.0);
     // A method of second order needs as many for 1e-12 or so; what serves none is said to need more.
@@ -142,6 +173,7 @@ fn joints_that_rounding_moves_too_far_are_not_drawn() {
     assert!(has_joint_beyond(&circle(10.3), 4, 0.29));
     assert!(!has_joint_beyond(&circle(10.3), 4, 0.31));
     assert!(!has_joint_beyond(&circle(10.0), 4, 1e-9));
+    assert!(!has_joint_beyond(&circle(10.0), 4, 1e-15));
     assert!(has_joint_beyond(&circle(10.0), 1000, 0.2));
     // The first joint of a closed shape is looked at, the ends of an arc are not.
     assert!(has_joint_beyond(&circle(10.3), 1, 0.2));

@@ -80,3 +80,54 @@ fn the_fewest_segments_of_flat_ellipses_cost_little() {
         (Method::Minimax, [0.003, 0.01], false, 15, [57, 12310], 31),
     ]);
 }
+
+#[test]
+fn counts_are_doubled_and_then_halved() {
+    let tries = |request: &Request, first: usize, tolerance: f64| {
+        let before = TRIES.get();
+        let found = request.fewest_by_doubling(None, first, tolerance);
+        let count = found.map(|sketch| sketch.curve.segments.len());
+        (count, TRIES.get() - before)
+    };
+    let shape = Shape::Circle(crate::Circle::new((0.0, 0.0), 100.0).unwrap());
+    let options = |rule: Rule| Options {
+        rule,
+        precision: Some(Precision::Full),
+        ..Options::default()
+    };
+    let minimax = options(Rule::default());
+    let request = Request::new(&shape, &minimax).unwrap().unwrap();
+    for tolerance in [1e-2, 1e-4, 1e-6] {
+        let is_within = |count: usize| {
+            let span = Span::from_degrees(360.0 / count as f64);
+            Rule::default().radial_error(&span).unwrap().peak() <= tolerance / 100.0
+        };
+        let least = (3..).find(|&count| is_within(count)).unwrap();
+        for first in [3, 4, 5] {
+            let (mut high, mut doublings) = (first, 0);
+            while high < least {
+                (high, doublings) = (2 * high, doublings + 1);
+            }
+            let halvings = if doublings == 0 {
+                0
+            } else {
+                (high / 2).ilog2() as usize
+            };
+            let (count, tried) = tries(&request, first, tolerance);
+            assert_eq!(count, Some(least.max(first)));
+            let costs = 1 + doublings + halvings..=2 + doublings + halvings;
+            assert!(costs.contains(&tried), "{tolerance} {first}: {tried}");
+        }
+    }
+    // The error of a literal handle does not fall, that of others not far enough with any count.
+    let handle = options(Rule::Handle(0.55));
+    let request = Request::new(&shape, &handle).unwrap().unwrap();
+    assert_eq!(tries(&request, 4, 1e-6), (None, 2));
+    let mut all = Method::ALL
+        .into_iter()
+        .filter(|method| method.card().order == 2);
+    let slow = all.next();
+    let slow = options(slow.unwrap().into());
+    let request = Request::new(&shape, &slow).unwrap().unwrap();
+    assert_eq!(tries(&request, 700, 1e-12), (None, 8));
+}
