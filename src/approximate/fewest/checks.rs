@@ -150,6 +150,18 @@ fn counts_begin_where_a_rule_may_serve() {
             assert_eq!(*request.counts(tolerance).start(), least / parts);
         }
     }
+    let flat = ellipse((10.0, 5.0));
+    for (method, shape, first, last) in [
+        (Method::LancasterBest, &closed, 1, 8),
+        (Method::LancasterDrawellipse, &closed, 4, 4),
+        (Method::MinimaxEllipseFree, &flat, 4, 4),
+    ] {
+        let counts = request(shape, &options(method, None)).counts(1e-3);
+        assert_eq!(counts, first..=last, "{method:?}");
+    }
+    // On a circle it is as any other, which tries twice as many as the estimate and a few.
+    let counts = request(&closed, &options(Method::MinimaxEllipseFree, None)).counts(1e-3);
+    assert!(*counts.start() > 4 && *counts.end() == 2 * counts.start() + MOST_TRIES);
     // A handle of 0.5523 is a quarter's: a few more than 4 segments.
     for (k, last) in [
         (4.0 / 3.0 * (f64::sqrt(2.0) - 1.0), 7),
@@ -315,6 +327,20 @@ fn bounds_decide_where_they_can() {
     }
     // What is stated afterwards must not be beyond.
     assert!(!told(&shape, 1.0 + 0.5e-9).1 && told(&shape, 1.0 + 3e-9).1);
+}
+
+#[test]
+fn a_tolerance_of_a_few_roundings_is_decided_by_the_error_itself() {
+    let shape = ellipse((1e6, 6e5));
+    let options = options(Rule::default(), Some(Precision::Full));
+    let request = request(&shape, &options);
+    let joints = Joints::equal(&request.outline.unit, 120).unwrap();
+    let mut sketch = request.cut(joints, None, None).unwrap();
+    let curve = sketch.rounded();
+    let peak = radial::error(&curve.segments, &request.outline.truth).peak();
+    assert!(peak < 1000.0 * 8.0 * f64::EPSILON * request.reach());
+    let mut decided = |part: f64| request.is_within_for_certain(&mut sketch, &curve, part * peak);
+    assert!(decided(1.0) && !decided(0.999));
 }
 
 #[test]

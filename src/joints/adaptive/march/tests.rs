@@ -252,6 +252,18 @@ fn narrowed_joints_err_less_than_equal_ones() {
 }
 
 #[test]
+fn what_is_missing_halves_the_worst() {
+    let balance = balance(Method::Minimax, 0.9, 10.0, 180.0);
+    for (mut joints, filled) in [
+        (vec![0.0, 20.0, 180.0], [0.0, 20.0, 100.0, 180.0]),
+        (vec![0.0, 150.0, 180.0], [0.0, 75.0, 150.0, 180.0]),
+    ] {
+        balance.fill(&mut joints, 3);
+        assert_eq!(joints, filled);
+    }
+}
+
+#[test]
 fn the_marched_count_is_the_lesser_of_both_ways() {
     let (mut rough, mut fewer) = (0, 0);
     for i in 0..1500 {
