@@ -135,4 +135,17 @@ mod tests {
             assert_eq!(arc.chord().unwrap().unwrap().sign(), sign);
         }
     }
+
+    #[test]
+    fn an_arc_of_numbers_that_are_not_finite_has_no_chord() {
+        let arc = parse_svg_arc("M0 0A5 3 0 0 1 3 4").unwrap();
+        for wrong in [f64::NAN, f64::INFINITY] {
+            let mut radius = arc;
+            radius.radii.y = wrong;
+            let mut end = arc;
+            end.to.x = wrong;
+            assert!(radius.check().is_err() && end.check().is_err());
+        }
+        assert!(arc.check().is_ok());
+    }
 }
