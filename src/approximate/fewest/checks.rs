@@ -108,6 +108,27 @@ fn tolerances_that_no_curve_meets_are_refused_by_what_they_are() {
 }
 
 #[test]
+fn methods_without_an_order_are_counted_from_one_on() {
+    let shape = circle(100.0);
+    for (method, tolerances) in [
+        (Method::LancasterBest, &[10.0, 1.0, 0.1, 0.01][..]),
+        (Method::LancasterDrawellipse, &[10.0, 1.0, 0.1]),
+    ] {
+        assert_eq!(method.card().order, 0);
+        let options = options(method, None);
+        for &tolerance in tolerances {
+            let is_within = |count: &usize| {
+                let span = Span::from_degrees(360.0 / *count as f64);
+                let error = options.rule.radial_error(&span);
+                error.is_ok_and(|error| error.peak() <= 1.1 * tolerance / 100.0)
+            };
+            let count = request(&shape, &options).least_count(tolerance);
+            assert_eq!(Some(count), (1..10).find(is_within), "{tolerance}");
+        }
+    }
+}
+
+#[test]
 fn the_least_count_ends_with_the_most_segments() {
     let shape = circle(1.0);
     // A method of second order needs as many for 1e-12 or so; what serves none is said to need more.
