@@ -144,3 +144,18 @@ fn similarities_keep_a_circle_and_nothing_else_does() {
         assert!(is_named, "{radii:?}");
     }
 }
+
+#[test]
+fn a_map_that_nearly_flattens_keeps_the_area_of_an_enlarged_arc() {
+    // Radii of 1 are enlarged to 2, and the map divides areas by 1024.
+    let map = Affine::new([1.0, 1.0, 1.0, 1.0 + 1.0 / 1024.0, 0.0, 0.0]);
+    for radius in [1.0, 2.0, 2.5] {
+        let text = format!("M0 0A{radius} {radius} 0 0 1 4 0");
+        let arc = crate::shape::endpoint::parse_svg_arc(&text).unwrap();
+        let outline = arc.shape().unwrap().outline().unwrap();
+        let Vec2 { x, y } = outline.transformed(map).unwrap().truth.radii;
+        let radius = f64::max(radius, 2.0);
+        let off = x * y * 1024.0 / (radius * radius) - 1.0;
+        assert!(off.abs() < 1e-13, "{radius}: {off}");
+    }
+}
