@@ -125,3 +125,33 @@ fn counts_are_doubled_and_then_halved() {
     let request = Request::new(&small, &handle).unwrap().unwrap();
     assert_eq!(tries(&request, 4, 1e-9), (None, 2));
 }
+
+#[test]
+fn marched_joints_serve_where_rounding_moves_the_others() {
+    // Two are the fewest: a segment takes half a turn at most.
+    for (short, start, sweep, tolerance) in [
+        (
+            43.535_270_169_4,
+            21.407_333_994_1,
+            338.097_125_867_2,
+            0.654_868_7,
+        ),
+        (
+            48.069_765_255_4,
+            290.782_953_419_2,
+            326.362_735_381_6,
+            0.685_450_7,
+        ),
+    ] {
+        let [zero, start, sweep] = [0.0, start, sweep].map(Angle::from_degrees);
+        let arc = Arc::new((0.0, 0.0), (100.0, short), zero, start, sweep);
+        let shape = Shape::Arc(arc.unwrap());
+        let options = Options {
+            precision: Some(Precision::Fixed(1)),
+            ..Options::default()
+        };
+        let request = Request::new(&shape, &options).unwrap().unwrap();
+        let found = request.fewest(Tolerance::Absolute(tolerance)).unwrap();
+        assert_eq!(found.curve.segments.len(), 2, "{short}");
+    }
+}
