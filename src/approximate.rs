@@ -252,6 +252,8 @@ impl<'a> Request<'a> {
 
     /// The curve through these joints; `told` is its peak error over the larger radius, where the lobes told it.
     fn cut(&self, joints: Joints, told: Option<f64>, tolerance: Option<f64>) -> Result<Sketch> {
+        #[cfg(test)]
+        fewest::TRIES.set(fewest::TRIES.get() + 1);
         let pieces = self.pieces(&joints)?;
         let placed = Placed::new(&self.outline, &joints);
         let curve = placed.curve(pieces, joints.closed);

@@ -326,4 +326,19 @@ mod tests {
         let pieces = Joints::pieces(&closed, &[0.0, 90.0, 180.0].map(degrees));
         assert_eq!(pieces, [70.0, 160.0, 340.0, 430.0]);
     }
+
+    #[test]
+    fn joints_that_a_hint_asks_for_are_as_far_apart_as_may_be() {
+        let arc = UnitArc {
+            start: Angle::ZERO,
+            sweep: Angle::from_degrees(360.0),
+            closed: true,
+        };
+        let joints = Joints::at(&arc, &[0.0, 180.0].map(Angle::from_degrees)).unwrap();
+        let refused = joints.check_distances(Rule::default(), 90.0);
+        let Err(Error::Impossible { remedy, .. }) = refused else {
+            panic!("{refused:?}");
+        };
+        assert_eq!(remedy, Remedy::Joints(vec![0.0, 90.0, 180.0, 270.0]));
+    }
 }

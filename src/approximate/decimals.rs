@@ -78,7 +78,7 @@ mod tests {
     use super::*;
     use crate::joints::Joints;
     use crate::joints::cutting::EqualPieces;
-    use crate::{Angle, Ellipse, Shape};
+    use crate::{Angle, Cut, Ellipse, Method, Options, Shape, approximate};
 
     #[test]
     fn lobes_tell_where_coordinates_leave_them_their_digits() {
@@ -116,5 +116,34 @@ mod tests {
         assert!(tells(Some(1.001 * 4000.0 * f64::EPSILON * 2.0), 100.0));
         assert!(!tells(Some(0.999 * 4000.0 * f64::EPSILON * 2.0), 100.0));
         assert!(!tells(Some(near), 1.0));
+    }
+
+    #[test]
+    fn decimals_are_those_that_the_exact_peak_asks_for() {
+        let mut seen = std::collections::BTreeSet::new();
+        // Peaks over a factor of ten, so close to one another that some lie beside where one decimal more is needed.
+        for i in 0..400 {
+            let size = libm::pow(10.0, f64::from(i) / 400.0);
+            let radii = (100.0 * size, 60.0 * size);
+            let shape = Shape::Ellipse(Ellipse::new((0.0, 0.0), radii, Angle::ZERO).unwrap());
+            let drawn = |precision| {
+                let options = Options {
+                    rule: Method::QuadraticMinimax.into(),
+                    cut: Cut::Count(9),
+                    precision,
+                    ..Options::default()
+                };
+                approximate(&shape, &options).unwrap()
+            };
+            let exact = drawn(Some(Precision::Full));
+            let segments = &exact.curve.segments;
+            let expected =
+                Precision::moving_at_most(0.1 * exact.error.peak(), largest_coordinate(segments));
+            assert_eq!(automatic_precision(exact.error.peak(), segments), expected);
+            let found = drawn(None).precision;
+            assert_eq!(found, expected, "{size}");
+            seen.insert(format!("{found:?}"));
+        }
+        assert_eq!(seen.len(), 2, "{seen:?}");
     }
 }

@@ -35,7 +35,7 @@ impl Request<'_> {
             });
             measured.min_by(|a, b| a.1.total_cmp(&b.1))
         };
-        let (mut low, mut high, mut before) = (first.max(1) - 1, first.max(1), f64::INFINITY);
+        let (mut low, mut high, mut before) = (first.max(1), first.max(1), f64::INFINITY);
         let mut found = loop {
             let (sketch, error) = at(high)?;
             if error <= tolerance {

@@ -164,3 +164,27 @@ fn cut_where_beyond(parts: &mut [usize], drawing: &Drawing, truth: &Truth, toler
         *count += usize::from(is_beyond || is_none);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::fewest::TRIES;
+    use super::*;
+    use crate::Circle;
+    use crate::number::Precision;
+
+    #[test]
+    fn parts_whose_joints_rounding_moves_too_far_are_not_drawn() {
+        // Within 0.05 of this circle no point of the grid lies that joins up to so many parts of a quarter.
+        let shape = Shape::Circle(Circle::new((0.0, 0.0), 6.0).unwrap());
+        let options = Options {
+            precision: Some(Precision::Fixed(0)),
+            cut: Cut::Tolerance(crate::Tolerance::Absolute(0.05)),
+            ..Options::default()
+        };
+        let before = TRIES.get();
+        let drawn = approximate_at_extremes(&shape, false, &options);
+        let refused = matches!(drawn, Err(Error::ToleranceOutOfReach { .. }));
+        // As many parts as there are at most, and one before.
+        assert!(refused && TRIES.get() - before == 2);
+    }
+}

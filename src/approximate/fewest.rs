@@ -36,6 +36,12 @@ const NEARLY: [f64; 14] = [
     1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7, 0.6, 0.5, 0.4, 0.33,
 ];
 
+#[cfg(test)]
+thread_local! {
+    /// How many curves were cut: what a search costs, to one who counts.
+    pub(super) static TRIES: core::cell::Cell<usize> = const { core::cell::Cell::new(0) };
+}
+
 /// A bound on how far rounding may bring a curve nearer to the true shape.
 pub(crate) fn rounding(precision: Option<Precision>, tolerance: f64) -> f64 {
     match precision {
@@ -349,3 +355,5 @@ impl Request<'_> {
 
 #[cfg(test)]
 mod checks;
+#[cfg(test)]
+mod costs;

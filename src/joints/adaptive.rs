@@ -11,6 +11,8 @@
 //! Marching through the sweep with segments as long as an error T lets them be takes f(T) of them, and no cut takes fewer where
 //! a longer segment errs more; f falls with T as T^(-1/order), so that the T of a whole count is found in a few steps.
 
+#[cfg(test)]
+mod costs;
 mod errors;
 mod level;
 mod lobes;
@@ -21,6 +23,8 @@ use super::Joints;
 use crate::method::{Ends, Method, Rule};
 use crate::shape::{Outline, UnitArc};
 use errors::Errors;
+#[cfg(test)]
+pub(crate) use errors::LOOKS;
 use level::Level;
 use lobes::Lobes;
 pub(crate) use told::{around, nearly};

@@ -104,3 +104,48 @@ impl Cutting for Chord {
         1.0_f64.copysign(self.sweep)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::angle::Angle;
+    use crate::shape::endpoint::parse_svg_arc;
+
+    #[test]
+    fn equal_joints_keep_their_digits_beside_either_end() {
+        for count in [7, 998, 999] {
+            let arc = UnitArc {
+                start: Angle::ZERO,
+                sweep: Angle::from_degrees(360.0),
+                closed: true,
+            };
+            let equal = EqualPieces::new(arc, count).unwrap();
+            let first = 360.0 / count as f64;
+            assert!((equal.angle(1) / first - 1.0).abs() < 4e-16);
+            for joint in 0..=count / 2 {
+                assert_eq!(equal.angle(count - joint), 360.0 - equal.angle(joint));
+            }
+        }
+    }
+
+    #[test]
+    fn a_chord_runs_the_way_of_its_flag() {
+        for (flag, sign) in [(0, -1.0), (1, 1.0)] {
+            let arc = parse_svg_arc(&format!("M0 0A5 3 0 0 {flag} 3 4")).unwrap();
+            assert_eq!(arc.chord().unwrap().unwrap().sign(), sign);
+        }
+    }
+
+    #[test]
+    fn an_arc_of_numbers_that_are_not_finite_has_no_chord() {
+        let arc = parse_svg_arc("M0 0A5 3 0 0 1 3 4").unwrap();
+        for wrong in [f64::NAN, f64::INFINITY] {
+            let mut radius = arc;
+            radius.radii.y = wrong;
+            let mut end = arc;
+            end.to.x = wrong;
+            assert!(radius.check().is_err() && end.check().is_err());
+        }
+        assert!(arc.check().is_ok());
+    }
+}

@@ -175,6 +175,11 @@ fn what_follows_a_run_keeps_its_meaning() {
             "M0 0c2.7614 0 5 2.2386 5 5s-2.2386 5-5 5 1 2 3 4 5 6 7 8",
             "M0 0a5 5 0 0 1 0 10c-2.7614 0 1 2 3 4s5 6 7 8",
         ),
+        // The next run comes some curves later.
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5c1 2 3 4 5 6c1 2-3 4 5 6c3-1 2 2 7 1c2.7614 0 5 2.2386 5 5",
+            "M0 0a5 5 0 0 1 5 5c1 2 3 4 5 6c1 2-3 4 5 6c3-1 2 2 7 1a5 5 0 0 1 5 5",
+        ),
     ] {
         assert_eq!(path(before), after, "{before}");
     }
@@ -255,6 +260,15 @@ fn a_second_conversion_finds_nothing() {
         (
             "M24 19.801c0 2.268-1.841 4.105-4.109 4.105s-4.107-1.838-4.107-4.105 1.839-4.107 4.107-4.107 4.109 1.839 4.109 4.107z",
             "M24 19.801a4.107 4.107 0 1 1-4.109-4.107a4.11 4.11 0 0 1 4.109 4.107z",
+        ),
+        // Beside what has four decimals, before it and behind it, an arc of none.
+        (
+            "M0 0c2.7614 0 5 2.2386 5 5c3 0 5 2 5 5   1 2 3 4 5 6",
+            "M0 0a5 5 0 0 1 5 5a5 5 0 0 1 5 5c1 2 3 4 5 6",
+        ),
+        (
+            "M0 0c3 0 5 2 5 5   1 2 3 4 5 6c2.7614 0 5 2.2386 5 5",
+            "M0 0a5 5 0 0 1 5 5c1 2 3 4 5 6a5 5 0 0 1 5 5",
         ),
     ] {
         assert_eq!(path(before), after);
@@ -347,6 +361,7 @@ fn whole_paths_become_shapes() {
         r#"<rect x="3" y="3" width="18" height="18" rx="2"/>"#,
         r#"<rect x="3" y="3" width="18" height="12" rx="2" ry="3"/>"#,
         r#"<rect x="1" y="1" width="10" height="4" rx="2"/>"#,
+        r#"<rect x="3" y="3" width="2" height="1" rx="0.25"/>"#,
     ] {
         let text = svg(shape);
         let drawn = document::convert(&text, &Options::default()).unwrap().text;

@@ -77,6 +77,58 @@ fn the_least_count_of_a_circle_is_that_by_trial() {
 }
 
 #[test]
+fn what_rounding_may_bring_nearer_is_its_last_decimal_or_a_tenth() {
+    assert_eq!(rounding(Some(Precision::Fixed(3)), 0.5), 1e-3);
+    assert_eq!(rounding(Some(Precision::Full), 0.5), 0.05);
+    assert_eq!(rounding(None, 0.5), 0.05);
+    let shape = circle(100.0);
+    let fixed = |decimals| options(Rule::default(), Some(Precision::Fixed(decimals)));
+    for (tolerance, expected) in [(0.009, Some(2)), (0.011, None)] {
+        let options = fixed(2);
+        let found = request(&shape, &options).too_few_decimals(tolerance);
+        assert_eq!(found, expected);
+    }
+    // A quarter errs 0.0196 % of the radius, a third 0.11 %.
+    let full = options(Rule::default(), Some(Precision::Full));
+    assert_eq!(least_count(&shape, &full, 0.0197), Some(4));
+}
+
+#[test]
+fn tolerances_that_no_curve_meets_are_refused_by_what_they_are() {
+    let shape = circle(100.0);
+    let options = options(Rule::default(), None);
+    let request = request(&shape, &options);
+    for tolerance in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        let refused = request.check_tolerance(tolerance);
+        assert!(matches!(refused, Err(Error::NotPositive { .. })));
+    }
+    let refused = request.check_tolerance(1e-14);
+    assert!(matches!(refused, Err(Error::ToleranceOutOfReach { .. })));
+    assert!(request.check_tolerance(1e-12).is_ok());
+}
+
+#[test]
+fn methods_without_an_order_are_counted_from_one_on() {
+    let shape = circle(100.0);
+    for (method, tolerances) in [
+        (Method::LancasterBest, &[10.0, 1.0, 0.1, 0.01][..]),
+        (Method::LancasterDrawellipse, &[10.0, 1.0, 0.1]),
+    ] {
+        assert_eq!(method.card().order, 0);
+        let options = options(method, None);
+        for &tolerance in tolerances {
+            let is_within = |count: &usize| {
+                let span = Span::from_degrees(360.0 / *count as f64);
+                let error = options.rule.radial_error(&span);
+                error.is_ok_and(|error| error.peak() <= 1.1 * tolerance / 100.0)
+            };
+            let count = request(&shape, &options).least_count(tolerance);
+            assert_eq!(Some(count), (1..10).find(is_within), "{tolerance}");
+        }
+    }
+}
+
+#[test]
 fn the_least_count_ends_with_the_most_segments() {
     let shape = circle(1.0);
     // A method of second order needs as many for 1e-12 or so; what serves none is said to need more.
@@ -119,6 +171,18 @@ fn counts_begin_where_a_rule_may_serve() {
             assert_eq!(*request.counts(tolerance).start(), least / parts);
         }
     }
+    let flat = ellipse((10.0, 5.0));
+    for (method, shape, first, last) in [
+        (Method::LancasterBest, &closed, 1, 8),
+        (Method::LancasterDrawellipse, &closed, 4, 4),
+        (Method::MinimaxEllipseFree, &flat, 4, 4),
+    ] {
+        let counts = request(shape, &options(method, None)).counts(1e-3);
+        assert_eq!(counts, first..=last, "{method:?}");
+    }
+    // On a circle it is as any other, which tries twice as many as the estimate and a few.
+    let counts = request(&closed, &options(Method::MinimaxEllipseFree, None)).counts(1e-3);
+    assert!(*counts.start() > 4 && *counts.end() == 2 * counts.start() + MOST_TRIES);
     // A handle of 0.5523 is a quarter's: a few more than 4 segments.
     for (k, last) in [
         (4.0 / 3.0 * (f64::sqrt(2.0) - 1.0), 7),
@@ -142,6 +206,7 @@ fn joints_that_rounding_moves_too_far_are_not_drawn() {
     assert!(has_joint_beyond(&circle(10.3), 4, 0.29));
     assert!(!has_joint_beyond(&circle(10.3), 4, 0.31));
     assert!(!has_joint_beyond(&circle(10.0), 4, 1e-9));
+    assert!(!has_joint_beyond(&circle(10.0), 4, 1e-15));
     assert!(has_joint_beyond(&circle(10.0), 1000, 0.2));
     // The first joint of a closed shape is looked at, the ends of an arc are not.
     assert!(has_joint_beyond(&circle(10.3), 1, 0.2));
@@ -283,6 +348,20 @@ fn bounds_decide_where_they_can() {
     }
     // What is stated afterwards must not be beyond.
     assert!(!told(&shape, 1.0 + 0.5e-9).1 && told(&shape, 1.0 + 3e-9).1);
+}
+
+#[test]
+fn a_tolerance_of_a_few_roundings_is_decided_by_the_error_itself() {
+    let shape = ellipse((1e6, 6e5));
+    let options = options(Rule::default(), Some(Precision::Full));
+    let request = request(&shape, &options);
+    let joints = Joints::equal(&request.outline.unit, 120).unwrap();
+    let mut sketch = request.cut(joints, None, None).unwrap();
+    let curve = sketch.rounded();
+    let peak = radial::error(&curve.segments, &request.outline.truth).peak();
+    assert!(peak < 1000.0 * 8.0 * f64::EPSILON * request.reach());
+    let mut decided = |part: f64| request.is_within_for_certain(&mut sketch, &curve, part * peak);
+    assert!(decided(1.0) && !decided(0.999));
 }
 
 #[test]

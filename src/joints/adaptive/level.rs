@@ -150,10 +150,7 @@ impl Balance {
                 if level.least * fewer > BEYOND * allowed {
                     beyond = count - 1;
                 }
-                if count == beyond + 1 {
-                    return Some(Least { count, level });
-                }
-                let next = by_law(count, level.most).min(count - 1);
+                let next = by_law(count, level.most);
                 within = Some(Least { count, level });
                 count = next;
             }

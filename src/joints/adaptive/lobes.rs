@@ -287,6 +287,8 @@ impl Segment {
     /// The distances at places v, and what is known of them there.
     #[inline(always)]
     fn at<S: Real>(&self, v: S) -> Lobe<S> {
+        #[cfg(test)]
+        super::errors::LOOKS.set(super::errors::LOOKS.get() + 1);
         let ([h, g], middle) = (self.excess, self.middle);
         let [none, one, half] = [0.0, 1.0, 0.5].map(S::exact);
         let turned = |x: S, y: S| {

@@ -50,3 +50,42 @@ fn between(rule: Rule, [larger, reach]: [f64; 2], peak: f64, off: f64) -> Option
     let peak = larger * peak;
     (peak > OVER_ROUNDING * reach).then_some([1.0 - off, 1.0 + off].map(|part| part * peak))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::angle::Angle;
+    use crate::joints::Joints;
+    use crate::shape::UnitArc;
+
+    #[test]
+    fn a_peak_is_told_to_a_hundredth() {
+        let told = around(Rule::default(), [100.0, 150.0], 1e-3).unwrap();
+        for (found, expected) in told.into_iter().zip([0.099, 0.101]) {
+            assert!((found - expected).abs() < 1e-12, "{told:?}");
+        }
+        // Beside coordinates of 150, not less than 4000 times their last digit.
+        assert!(around(Rule::default(), [100.0, 150.0], 1.3e-12).is_none());
+        assert!(around(Rule::default(), [100.0, 150.0], 1.4e-12).is_some());
+    }
+
+    #[test]
+    fn joints_count_from_the_axis() {
+        let told = |axis: f64, start: f64| {
+            let axes = Axes {
+                short: 0.3,
+                angle: axis,
+            };
+            let arc = UnitArc {
+                start: Angle::from_degrees(start),
+                sweep: Angle::from_degrees(70.0),
+                closed: false,
+            };
+            let joints = Joints::equal(&arc, 3).unwrap();
+            nearly(Rule::default(), axes, [100.0, 100.0], &joints).unwrap()
+        };
+        let [along, turned] = [told(0.0, 10.0), told(25.0, 35.0)];
+        assert!((along[0] / turned[0] - 1.0).abs() < 1e-9);
+        assert!((along[0] / told(-25.0, 35.0)[0] - 1.0).abs() > 0.1);
+    }
+}

@@ -109,12 +109,19 @@ fn similarities_keep_a_circle_and_nothing_else_does() {
             "{columns:?}"
         );
     }
-    assert_eq!(Axes::of(Vec2::new(2.0, 1.0)).angle, 90.0);
-    assert_eq!(Axes::of(Vec2::new(1.0, 2.0)).angle, 0.0);
+    for (x, y, short, angle) in [
+        (3.0, 2.0, 2.0 / 3.0, 90.0),
+        (2.0, 3.0, 2.0 / 3.0, 0.0),
+        (4.0, 4.0, 1.0, 90.0),
+    ] {
+        assert_eq!(Axes::of(Vec2::new(x, y)), Axes { short, angle });
+    }
     for (columns, is_so) in [
         ([1.0, 0.0, 0.0, 1e-9], false),
         ([1.0, 1.0, 1.0, 1.5], true),
         ([3.0, 1.0, 2.0, 3.0], false),
+        ([4.0, 0.0, 0.0, 0.25], false),
+        ([0.0, 4.0, 0.25, 0.0], false),
     ] {
         let [a, b, c, d] = columns;
         assert_eq!(
@@ -130,5 +137,25 @@ fn similarities_keep_a_circle_and_nothing_else_does() {
         ((1e-16, 1e-3), false),
     ] {
         assert_eq!(positive_radii(radii.into()).is_ok(), serves, "{radii:?}");
+    }
+    for (radii, named) in [((0.0, 0.0), "radius"), ((0.0, 1.0), "radii")] {
+        let refused = positive_radii(radii.into());
+        let is_named = matches!(refused, Err(Error::NotPositive { what, .. }) if what == named);
+        assert!(is_named, "{radii:?}");
+    }
+}
+
+#[test]
+fn a_map_that_nearly_flattens_keeps_the_area_of_an_enlarged_arc() {
+    // Radii of 1 are enlarged to 2, and the map divides areas by 1024.
+    let map = Affine::new([1.0, 1.0, 1.0, 1.0 + 1.0 / 1024.0, 0.0, 0.0]);
+    for radius in [1.0, 2.0, 2.5] {
+        let text = format!("M0 0A{radius} {radius} 0 0 1 4 0");
+        let arc = crate::shape::endpoint::parse_svg_arc(&text).unwrap();
+        let outline = arc.shape().unwrap().outline().unwrap();
+        let Vec2 { x, y } = outline.transformed(map).unwrap().truth.radii;
+        let radius = f64::max(radius, 2.0);
+        let off = x * y * 1024.0 / (radius * radius) - 1.0;
+        assert!(off.abs() < 1e-13, "{radius}: {off}");
     }
 }

@@ -79,6 +79,14 @@ fn a_point_beside_the_ellipse_strays_by_its_distance() {
 }
 
 #[test]
+fn on_an_axis_any_point_strays_by_its_distance() {
+    let errors = errors(Method::Minimax, 0.25);
+    for (x, y, distance) in [(3.0, 0.0, 0.5), (-0.5, 0.0, 0.125), (0.0, 1.5, 0.5)] {
+        assert!((errors.strays(Point::new(x, y)) - distance).abs() < 1e-15);
+    }
+}
+
+#[test]
 fn rough_and_sharp_are_told_by_their_edges() {
     for (short, is_sharp) in [(0.029, true), (0.031, false)] {
         assert_eq!(errors(Method::Minimax, short).is_sharp(), is_sharp);
