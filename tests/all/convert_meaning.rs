@@ -593,11 +593,11 @@ fn what_is_trusted_does_not_hold_back() {
         ),
         (
             "motion-path",
-            r##"<g style="offset-path: url( '#p' )"/><circle id="p" r="5"/>"##,
+            r#"<g style="offset-path: url( '#p' )"/><circle id="p" r="5"/>"#,
         ),
         (
             "motion-path",
-            r##"<style>.c{offset-path:url(#p)}</style><circle id="p" r="5"/>"##,
+            r#"<style>.c{offset-path:url(#p)}</style><circle id="p" r="5"/>"#,
         ),
         ("empty-arc", r#"<path d="M5 5a5 5 0 1 1 0 0"/>"#),
         (
