@@ -151,8 +151,14 @@ lint: ## Check formatting, lints, each feature alone, and the documentation of t
 	RUSTDOCFLAGS='-D warnings' $(CARGO) doc --no-deps --locked --no-default-features
 	if command -v cargo-deny >/dev/null; then $(CARGO) deny --offline check licenses bans sources; fi
 
-coverage: ## List the lines that no test runs (cargo install cargo-llvm-cov)
-	$(CARGO) llvm-cov --locked --all-features --ignore-filename-regex '(tests|benches)/' --show-missing-lines
+# The tests start the program thousands of times: its runs add to four files, in place of one each. What fails is for make test to say.
+coverage: export PROPTEST_RNG_SEED ?= 1
+coverage: export LLVM_PROFILE_FILE_NAME ?= curveto-%4m.profraw
+coverage: judges ## List the lines that no test runs, in the library and in the programs that tests start (ten minutes)
+	command -v cargo-llvm-cov > /dev/null || $(CARGO) install --locked cargo-llvm-cov
+	! command -v rustup > /dev/null || rustup component add llvm-tools
+	CARGO_PROFILE_TEST_DEBUG=0 $(CARGO) llvm-cov --locked --all-features --ignore-run-fail \
+		--ignore-filename-regex '(tests|benches)/' --show-missing-lines
 
 # In parts: make mutants FILES='src/shape src/joints.rs' SHARD=0/20 TESTS='shape:: bites:: golden::'
 FILES ?= src/shape src/shape.rs src/joints src/joints.rs src/method src/method.rs src/measure src/measure.rs src/approximate \

@@ -170,8 +170,8 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let mut error = 0.0_f64;
     for piece in &pieces {
         let cuts = chords::cuts(piece, room);
-        let count = segments.len() + cuts.len();
-        if count > MOST_SEGMENTS {
+        let before = segments.len();
+        if before + cuts.len() > MOST_SEGMENTS {
             return Err(plan.too_many());
         }
         let (mut from, mut at) = (plan.end(piece.start()), 0.0);
@@ -186,7 +186,10 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
             let shift = to.distance(truth);
             let off = if cut - at < 1.0 { plan.cut } else { 0.0 };
             error = error.max(piece.chord_distance(at, cut) + off + shift.max(moved));
-            segments.push(PathSeg::Line(Line::new(from, to)));
+            // Of a chord that rounding makes a point nothing is left to draw, unless the whole piece is one.
+            if from != to || (cut == 1.0 && segments.len() == before) {
+                segments.push(PathSeg::Line(Line::new(from, to)));
+            }
             (from, at, moved) = (to, cut, shift);
         }
     }

@@ -234,7 +234,10 @@ impl Builder<'_> {
         let end = self.rounded(to, ends_given);
         let moved = from.distance(self.at).max(to.distance(end));
         self.error = self.error.max(off + moved);
-        self.course.steps.push(course::Step::Line(end));
+        // Of a piece of a curve that rounding makes a point nothing is left to draw.
+        if end != self.at || ends_given {
+            self.course.steps.push(course::Step::Line(end));
+        }
         self.at = end;
     }
 

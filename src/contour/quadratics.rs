@@ -21,9 +21,10 @@ pub(super) fn count_of_quadratics(cubic: &CubicBez, cut: &Cut) -> Result<usize> 
     // The distance falls with the third power of the count.
     let count = libm::cbrt(whole / tolerance).ceil().max(1.0);
     if count >= MOST_SEGMENTS as f64 {
-        return Err(Error::Count {
-            count: count as usize,
+        return Err(Error::TooManySegments {
+            tolerance,
             most: MOST_SEGMENTS,
+            enough: f64::INFINITY,
         });
     }
     // The rounding of the root may have cost one.

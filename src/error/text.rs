@@ -64,7 +64,7 @@ pub enum TextError {
     )]
     Operator(String),
     /// An operator of PostScript with too few numbers before it.
-    #[error("{operator} takes {takes} numbers, and there are {count}")]
+    #[error("{operator} takes {takes} numbers and has {count}")]
     Operands {
         /// The operator.
         operator: String,

@@ -7,7 +7,7 @@ use curveto::kurbo::{CubicBez, ParamCurve, Point, Vec2};
 use proptest::prelude::*;
 
 use crate::judges::independent::{P, Segment, segments};
-use crate::judges::program::{printed, run};
+use crate::judges::program::{json, printed, run};
 use crate::judges::random::uniform;
 use crate::judges::way_back::apart;
 
@@ -495,4 +495,41 @@ fn a_chain_that_comes_back_to_itself_takes_time_in_proportion() {
     };
     let (few, many) = (length(100), length(2000));
     assert!(many < 30 * few, "{few} {many}");
+}
+
+#[test]
+fn what_no_arc_follows_in_so_few_decimals_becomes_lines_within_what_is_stated() {
+    let cases: [(&str, &[&str]); 3] = [
+        ("M0.7 0Q-0.2 0.3 -0.717 1", &["-p", "1"]),
+        (
+            "M-4 3.9C7.6 6-7.483-1.021-8.2 2c3.805 4 9.127 3.814 3 7.432",
+            &["--elliptic", "-p", "0"],
+        ),
+        (
+            "M-41.9 30.6A13.1 13-77.2 0 1 83.206-41",
+            &["-t", "0.24", "-p", "1"],
+        ),
+    ];
+    for (path, options) in cases {
+        let drawn = json(&[&["path", path, "--to", "arcs"], options].concat());
+        let peak = drawn["error"]["peak"].as_f64().unwrap();
+        let new = drawn["path"].as_str().unwrap();
+        let ends = ends(&segments(new));
+        // Only an end that was given may stay a step of no length.
+        let still = ends.windows(2).filter(|pair| pair[0] == pair[1]).count();
+        assert!(still <= 1, "{new}");
+        let off = apart(&segments(path), &segments(new)).unwrap();
+        assert!(off <= peak + 1e-3, "{path}: {off} beyond {peak}");
+        // More than twice as far would be no statement.
+        assert!(peak <= 2.2 * off, "{path}: {off} within {peak}");
+    }
+}
+
+#[test]
+fn chords_that_rounding_makes_points_are_left_out() {
+    let curve = "M0 0C0.1 0.2 0.3 0.4 2 1L3 2";
+    assert_eq!(
+        printed(&["path", curve, "--to", "lines", "-p", "0"]),
+        "M0 0L1 0L1 1L2 1L3 2\n"
+    );
 }

@@ -69,6 +69,7 @@ mod promises;
 mod renderers;
 mod same_numbers;
 mod schema;
+mod seldom;
 mod sphere;
 mod spline;
 mod stated_errors;

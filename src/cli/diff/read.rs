@@ -64,8 +64,7 @@ fn of_svg(text: &str, name: &str) -> Result<Vec<Track>, Failure> {
 fn of_json(text: &str, name: &str) -> Result<Vec<Track>, Failure> {
     let mut found = Vec::new();
     for value in Deserializer::from_str(text).into_iter::<Value>() {
-        let value =
-            value.map_err(|error| Failure::request(format!("{name}: this is no JSON: {error}")))?;
+        let value = value.map_err(|error| no_json(text, name, &error))?;
         let documents = match value {
             Value::Array(documents) => documents,
             one => vec![one],
@@ -84,4 +83,22 @@ fn of_json(text: &str, name: &str) -> Result<Vec<Track>, Failure> {
         }
     }
     Ok(found)
+}
+
+fn no_json(text: &str, name: &str, error: &serde_json::Error) -> Failure {
+    let line = text.lines().nth(error.line().saturating_sub(1));
+    // The column counts bytes.
+    let before = |&(at, c): &(usize, char)| at + c.len_utf8() < error.column();
+    let column = line
+        .unwrap_or_default()
+        .char_indices()
+        .take_while(before)
+        .count()
+        + 1;
+    let why = if error.is_eof() {
+        "the JSON ends too soon"
+    } else {
+        "this is no JSON"
+    };
+    Failure::request(format!("{name}:{}:{column}: {why}", error.line()))
 }

@@ -1,0 +1,353 @@
+//! What is asked for seldom, each with the answer that it must have.
+
+use curveto::method::{Method, Rule};
+use curveto::shape::endpoint::SvgArc;
+use curveto::{Angle, Arc, Error};
+use kurbo::{CubicBez, Point, Vec2};
+
+use crate::judges::program::{json, piped, printed, refused, run, run_in, words};
+
+#[test]
+fn a_closed_shape_starts_at_the_joint_that_is_named() {
+    let from_joint = "circle 5 --joints 0,90,180,270 --start 90 -p 2";
+    let data = printed(&words(from_joint));
+    assert_eq!(
+        data,
+        "M0 5C-2.76 5-5 2.76-5 0C-5-2.76-2.76-5 0-5C2.76-5 5-2.76 5 0C5 2.76 2.76 5 0 5Z\n"
+    );
+}
+
+#[test]
+fn open_paths_are_drawn_to_their_start_and_not_closed() {
+    let lines = printed(&["path", "M0 0L5 5L9 0Z", "--open"]);
+    assert_eq!(lines, "M0 0L5 5L9 0L0 0\n");
+    let arcs = printed(&["path", "M0 0A5 5 0 0 0 10 0Z", "--to", "arcs", "--open"]);
+    assert_eq!(arcs, "M0 0A5 5 0 0 0 10 0L0 0\n");
+}
+
+#[test]
+fn comparisons_say_what_was_compared() {
+    let of_ellipse = json(&words("compare --ellipse 0.5 -n 4 -m midpoint"));
+    assert_eq!(of_ellipse["ellipse"], 0.5);
+    let several = json(&words("compare --by peak,mean -n 4 -m midpoint"));
+    assert_eq!(
+        (&several[0]["by"], &several[1]["by"]),
+        (&"peak".into(), &"mean".into())
+    );
+    let page = "compare -m chen-2 --quadrature gauss2 --ellipse 0.5 -n 4 -f html";
+    let command = "curveto compare --ellipse 0.5 --quadrature gauss2 -m chen-2 -n 4 -o page.html";
+    assert!(printed(&words(page)).contains(command));
+}
+
+#[test]
+fn subpaths_in_another_order_are_named_by_both_numbers() {
+    let [old, new] = ["M0 0L1 0M5 5L6 6", "M5 5L6 6.5M0 0L1 0"];
+    let output = run(&["diff", old, new, "-t", "0.01"]);
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        said.starts_with("subpath 2 and 1: up to 0.5 apart"),
+        "{said}"
+    );
+    let alone = run(&["diff", old, "M0 0L1 0", "-f", "json"]);
+    let document: serde_json::Value = serde_json::from_slice(&alone.stdout).unwrap();
+    let pair = &document["subpaths"][1];
+    assert_eq!(pair["old"], 2, "{document}");
+    assert!(
+        pair["new"].is_null() && pair["distance"].is_null(),
+        "{document}"
+    );
+}
+
+#[test]
+fn drawings_of_json_are_read_from_arrays() {
+    let folder = tempfile::tempdir().unwrap();
+    let documents = r#"[{"path":"M0 0L1 0"},{"path":"M5 5L6 6"}]"#;
+    std::fs::write(folder.path().join("a.json"), documents).unwrap();
+    let output = run_in(folder.path(), &["diff", "a.json", "M0 0L1 0M5 5L6 6"]);
+    assert_eq!(output.stdout, b"2 subpaths with equal segments\n");
+}
+
+#[test]
+fn true_shapes_are_fitted_and_named() {
+    let half = "M5 0C5 2.7614 2.7614 5 0 5C-2.7614 5-5 2.7614-5 0";
+    let fit = printed(&["measure", "--path", half, "--fit", "joints"]);
+    assert!(
+        fit.contains("against the circle about 0,0 of radius 5,"),
+        "{fit}"
+    );
+    // Twice as wide as high: from the same formula, so that the nearest ellipse is the one it was made of but for some 1e-3.
+    let wide = "M6 0C6 1.6569 3.3137 3 0 3C-3.3137 3-6 1.6569-6 0C-6-1.6569-3.3137-3 0-3C3.3137-3 6-1.6569 6 0";
+    let near = json(&["measure", "--path", wide, "--fit", "ellipse"]);
+    let radii = &near["reference"]["radii"];
+    for (i, radius) in [6.0, 3.0].into_iter().enumerate() {
+        let found = radii[i].as_f64().unwrap();
+        assert!((found - radius).abs() < 2e-3, "{near}");
+    }
+    let quarter = "M6 0C6 1.6569 3.3137 3 0 3";
+    let turned = "M0 6C-1.6569 6-3 3.3137-3 0";
+    let of = |path: &str, against: &str| {
+        json(&["measure", "--path", path, "--against", against])["error"]["outward"]
+            .as_f64()
+            .unwrap()
+    };
+    let [straight, upright] = [
+        of(quarter, "ellipse:0,0,6,3"),
+        of(turned, "ellipse:0,0,6,3,90"),
+    ];
+    assert!((straight / upright - 1.0).abs() < 1e-9 && straight > 1e-4);
+}
+
+#[test]
+fn long_tables_of_joints_are_cut_and_say_so() {
+    let data = printed(&words("circle 5 -n 20"));
+    let against = "circle:0,0,5";
+    let table = printed(&["measure", "--path", data.trim(), "--against", against]);
+    let last = table.lines().last();
+    assert_eq!(last, Some("... and 4 more joints: -f json lists them all"));
+}
+
+#[test]
+fn uses_are_not_followed_by_measure_and_it_says_so() {
+    let drawing = br##"<svg><path id="a" d="M5 0C5 2.76 2.76 5 0 5"/><use href="#a"/></svg>"##;
+    let output = piped(&["measure", "--file", "-"], drawing);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success());
+    assert!(said.contains("<use> is not followed"), "{said}");
+}
+
+#[test]
+fn measures_of_conics_are_csv_too() {
+    let conic = "measure conic --from 0,0 --control 5,8 --to 10,0 --weight 2 -n 2 -m minimax";
+    let csv = printed(&[&words(conic)[..], &["-f", "csv"]].concat());
+    let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let [names, values] = &lines[..] else {
+        panic!("{csv}")
+    };
+    assert_eq!(names.len(), values.len());
+    let document = json(&words(conic));
+    let peak = names.iter().position(|name| *name == "peak").unwrap();
+    assert_eq!(
+        values[peak].parse::<f64>().ok(),
+        document["error"]["peak"].as_f64()
+    );
+    assert_eq!(values[0], "hyperbola");
+}
+
+#[test]
+fn natural_ends_are_named() {
+    let spline = ["spline", "--points", "0,0 5,5 9,0", "--ends", "natural"];
+    assert_eq!(json(&spline)["ends"], "natural");
+}
+
+#[test]
+fn each_kind_of_element_can_be_converted_alone() {
+    let drawing = br#"<svg><circle r="5"/><ellipse rx="5" ry="3"/><rect width="9" height="9" rx="1"/><path d="M0 0A5 5 0 0 1 5 5"/></svg>"#;
+    for kind in ["circle", "ellipse", "rect", "path"] {
+        let output = piped(&["convert", "--only", kind], drawing);
+        let text = String::from_utf8(output.stdout).unwrap();
+        let left = ["<circle", "<ellipse", "<rect", "A5 5"].map(|mark| text.contains(mark));
+        let others = ["circle", "ellipse", "rect", "path"].map(|other| other != kind);
+        assert_eq!(left, others, "{kind}: {text}");
+    }
+}
+
+#[test]
+fn pages_name_the_whole_command() {
+    let page = printed(&words(
+        "explore circle 5 --center 3,4 --open -n 4 -m minimax -f html",
+    ));
+    assert!(
+        page.contains("circle 5 --center 3,4") && page.contains("--open"),
+        "no command with both"
+    );
+}
+
+#[test]
+fn angles_are_shown_in_degrees() {
+    assert_eq!(Angle::from_degrees(22.5).to_string(), "22.5deg");
+}
+
+#[test]
+fn arcs_give_as_many_cubics_by_a_rule_as_are_asked_for() {
+    let rule = Rule::from(Method::Midpoint);
+    let quarter = Angle::from_degrees(90.0);
+    let arc = Arc::new((0.0, 0.0), (5.0, 5.0), Angle::ZERO, Angle::ZERO, quarter).unwrap();
+    let k = 20.0 / 3.0 * (2.0_f64.sqrt() - 1.0);
+    let by_hand = CubicBez::new((5.0, 0.0), (5.0, k), (k, 5.0), (0.0, 5.0));
+    let ends = SvgArc {
+        from: Point::new(5.0, 0.0),
+        radii: Vec2::new(5.0, 5.0),
+        rotation: Angle::ZERO,
+        large_arc: false,
+        sweep: true,
+        to: Point::new(0.0, 5.0),
+    };
+    for cubics in [
+        arc.cubics_by(rule, 1).unwrap(),
+        ends.cubics_by(rule, 1).unwrap().unwrap(),
+    ] {
+        let cubics: Vec<CubicBez> = cubics.collect();
+        let [cubic] = cubics[..] else { panic!() };
+        let off = [cubic.p0, cubic.p1, cubic.p2, cubic.p3]
+            .iter()
+            .zip([by_hand.p0, by_hand.p1, by_hand.p2, by_hand.p3])
+            .map(|(p, q)| p.distance(q))
+            .fold(0.0, f64::max);
+        assert!(off < 1e-14, "{cubic:?}");
+    }
+    assert_eq!(arc.cubics_by(rule, 3).unwrap().count(), 3);
+    assert!(matches!(
+        arc.cubics_by(rule, 0),
+        Err(Error::Count { count: 0, .. })
+    ));
+    let free = Rule::from(Method::MinimaxFree);
+    assert!(matches!(
+        arc.cubics_by(free, 1),
+        Err(Error::Impossible { .. })
+    ));
+    let line = SvgArc {
+        radii: Vec2::ZERO,
+        ..ends
+    };
+    assert!(line.cubics_by(rule, 1).unwrap().is_none());
+}
+
+#[test]
+fn hints_name_what_was_meant() {
+    let path = "M0 0A5 5 0 0 1 9 9";
+    for (arguments, hint) in [
+        (&["arc", path][..], "curveto arc --svg 'M0 0A5 5 0 0 1 9 9'"),
+        (
+            &["circle", "50", "--center", "1.5 2.5"],
+            "without a space: 1.5,2.5",
+        ),
+        (
+            &["spline", "0,0", "5,8"],
+            "points have a flag: --points '0,0 5,8 10,0'",
+        ),
+        (
+            &["spline", "--points", "0,0 5,8 9,0", "--ends", "closed"],
+            "--ends cyclic closes it",
+        ),
+        (
+            &["circle", "5", "--joints", "0,90,180", "--start", "45"],
+            "--start may name another of them",
+        ),
+    ] {
+        let said = refused(arguments);
+        assert!(said.contains(hint), "{arguments:?}: {said}");
+    }
+    let postscript = piped(&["path", "-"], b"%!PS\n0 0 moveto");
+    let said = String::from_utf8(postscript.stderr).unwrap();
+    assert!(
+        said.contains("hint: 'curveto diff' reads PostScript drawings"),
+        "{said}"
+    );
+}
+
+#[test]
+fn quadratics_of_a_straight_cubic_are_one_in_any_tolerance() {
+    for tolerance in ["1", "1%", "1e-9"] {
+        let words = [
+            "path",
+            "M0 0C1 0 2 0 3 0",
+            "--to",
+            "quadratics",
+            "-t",
+            tolerance,
+        ];
+        assert_eq!(printed(&words), "M0 0Q1.5 0 3 0\n");
+    }
+}
+
+#[test]
+fn elliptic_arcs_are_scaled_exactly() {
+    for (transform, path) in [
+        ("scale(.5)", "M0 0A2.5 1.5 0 0 1 5 0\n"),
+        ("translate(1,2)", "M1 2A5 3 0 0 1 11 2\n"),
+    ] {
+        let words = ["path", "M0 0A5 3 0 0 1 10 0", "--to", "arcs", "--elliptic"];
+        assert_eq!(
+            printed(&[&words[..], &["--transform", transform]].concat()),
+            path
+        );
+    }
+}
+
+#[test]
+fn the_side_that_reaches_farther_is_named() {
+    for (old, new, side) in [
+        ("M0 0L2 0", "M0 0L1 0", "old"),
+        ("M0 0L1 0", "M0 0L2 0", "new"),
+    ] {
+        let output = run(&["diff", old, new, "-f", "json"]);
+        let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(
+            document["subpaths"][0]["farthest"]["drawing"], side,
+            "{document}"
+        );
+        assert_eq!(document["distance"], 1);
+    }
+}
+
+#[test]
+fn pictures_of_elliptic_arcs_have_their_box() {
+    // Half an ellipse above the axis, as SVG looks at it, and a line below; half the width of the line around.
+    let path = "M0 0A5 3 0 0 1 10 0L5 5";
+    let eps = printed(&[
+        "path",
+        path,
+        "--to",
+        "arcs",
+        "--elliptic",
+        "-f",
+        "eps",
+        "-p",
+        "1",
+    ]);
+    let bounds = "%%HiResBoundingBox: -0.05 -3.05 10.05 5.05";
+    assert!(eps.lines().any(|line| line == bounds), "{eps}");
+}
+
+#[test]
+fn a_path_that_nobody_paints_is_forgotten() {
+    let eps = printed(&words("circle 5 -f eps --stroke none"));
+    assert_eq!(eps.matches("newpath").count(), 1, "{eps}");
+}
+
+#[test]
+fn derivatives_of_the_curvature_of_conics_are_plotted() {
+    let folder = tempfile::tempdir().unwrap();
+    let conic = "measure conic --from 0,0 --control 5,8 --to 10,0 --weight 2 -n 2 --plot a.svg";
+    let quantities = ["--quantity", "curvature-d1,curvature-d2"];
+    let output = run_in(folder.path(), &[&words(conic)[..], &quantities].concat());
+    assert!(output.status.success());
+    let plot = std::fs::read_to_string(folder.path().join("a.svg")).unwrap();
+    for title in [
+        "First derivative of curvature",
+        "Second derivative of curvature",
+    ] {
+        assert!(plot.contains(title), "{title}");
+    }
+}
+
+#[test]
+fn styles_that_may_round_a_rectangle_leave_it_unless_they_are_trusted() {
+    let rect = |style: &str| {
+        format!(
+            "<svg><style>.a{{rx:{style}}}</style><rect class='a' width='9' height='9' rx='1'/></svg>"
+        )
+    };
+    let unread = rect("var([a])");
+    let left = piped(&["convert"], unread.as_bytes());
+    assert_eq!(left.stdout, unread.as_bytes());
+    assert!(!left.stderr.is_empty());
+    let trusted = piped(&["convert", "--trust", "style-geometry"], unread.as_bytes());
+    assert!(trusted.stderr.is_empty() && !trusted.stdout.windows(5).any(|text| text == b"<rect"));
+    // Without corners of its own a trusted one is a plain rectangle, which has no arcs.
+    let plain = unread.replace(" rx='1'", "");
+    let trusted = piped(&["convert", "--trust", "style-geometry"], plain.as_bytes());
+    assert!(trusted.stderr.is_empty());
+    assert_eq!(trusted.stdout, plain.as_bytes());
+}
