@@ -15,6 +15,7 @@ mod piece;
 pub(crate) mod recognize;
 #[cfg(test)]
 mod tests;
+pub(crate) mod turn;
 
 use kurbo::{Affine, Line, PathSeg, Point, Rect};
 
@@ -159,7 +160,6 @@ fn advised(
 
 fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     let pieces = pieces(contour, options.transform)?;
-    let pieces: Vec<Piece> = pieces.into_iter().map(|(piece, _)| piece).collect();
     let plan = Plan::new(&pieces, options, 0.0)?;
     let room = plan.room_of_chords(options, plan.cut);
     let curved = pieces.iter().any(|piece| !piece.is_line());
@@ -209,17 +209,13 @@ fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
     })
 }
 
-/// The steps of a contour under a map, and what they become; cubics of no length are left out where there is anything else.
-fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<(Piece, &Step)>> {
-    let pieces = contour.steps.iter();
-    let pieces = pieces.map(|step| Ok((Piece::new(step, transform)?, step)));
-    let mut pieces = pieces.collect::<Result<Vec<_>>>()?;
-    if pieces.iter().all(|(piece, _)| piece.is_dot()) {
-        pieces.truncate(1);
-    } else {
-        pieces.retain(|(piece, _)| !piece.is_dot());
-    }
-    Ok(pieces)
+/// The steps of a contour under a map.
+fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<Piece>> {
+    contour
+        .steps
+        .iter()
+        .map(|step| Piece::new(step, transform))
+        .collect()
 }
 
 /// How far what is made of a subpath may lie from it, and how its points are rounded.

@@ -8,6 +8,7 @@ use super::fit::Search;
 use super::near::moved;
 use super::piece::{Piece, cubic_from_chord};
 use super::recognize::{self, Rules};
+use super::turn;
 use super::{Options, Plan, decimals_given, pieces};
 use crate::Angle;
 use crate::approximate::{self, approximate};
@@ -35,7 +36,7 @@ const ROUNDED_AGAIN: f64 = 1e-3;
 const STRAIGHT: f64 = 1e-9;
 
 pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
-    let (given, steps): (Vec<_>, Vec<_>) = pieces(contour, options.transform)?.into_iter().unzip();
+    let given = pieces(contour, options.transform)?;
     let decimals = decimals_given(contour);
     let explained = Precision::Fixed(decimals).farthest_moved();
     let plan = Plan::new(&given, options, explained)?;
@@ -65,8 +66,10 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
     };
     builder.at = builder.course.start;
     let mut cubics = Vec::new();
-    for (piece, step) in given.iter().zip(steps) {
-        if let Piece::Cubic(cubic) = piece {
+    for (piece, step) in given.iter().zip(&contour.steps) {
+        if let Piece::Cubic(cubic) = piece
+            && !piece.is_dot()
+        {
             cubics.push(*cubic);
         } else {
             builder.flush(&mut cubics, 0.0)?;
@@ -207,6 +210,14 @@ impl Builder<'_> {
 /// are fewer.
 fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
     let spans = spans_alike(chain, rules, room);
+    let is_whole = match spans[..] {
+        [Span::Found(_, a), Span::Found(_, b)] => a.given.radii == b.given.radii,
+        _ => false,
+    };
+    if !is_whole && let Some([a, b]) = turn::whole(chain, rules) {
+        let (first, second) = chain.split_at(a.count);
+        return vec![Span::Found(first, a), Span::Found(second, b)];
+    }
     if rules.elliptic && spans.len() > 1 {
         let rules = Rules {
             elliptic: false,

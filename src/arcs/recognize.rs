@@ -10,7 +10,7 @@
 
 use core::cell::Cell;
 
-use kurbo::{CubicBez, PathSeg, Point, Vec2};
+use kurbo::{CubicBez, PathSeg, Vec2};
 
 use super::bound::{is_surely_within, is_within, roughly_from_arc};
 use super::diameters::ellipse_of;
@@ -31,7 +31,7 @@ use crate::shape::{Arc, Shape, Truth};
 const SWEEPS: [f64; 2] = [4.0, 350.0];
 
 /// Half a turn and the noise of a computed sweep, in degrees.
-const HALF_TURN: f64 = 180.0 + 1e-9;
+pub(super) const HALF_TURN: f64 = 180.0 + 1e-9;
 
 /// The part of the tolerance by which a radius is rounded that nobody meant.
 const NEAR_PART: f64 = 0.3;
@@ -173,37 +173,6 @@ fn is_alone(cubics: &[CubicBez]) -> bool {
     cubics.get(..2).is_none_or(|pair| !joins_smoothly(pair))
 }
 
-/// An upright ellipse.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Turn {
-    pub(crate) center: Point,
-    pub(crate) radii: Vec2,
-}
-
-impl Turn {
-    /// The arc of it on which cubics lie that begin and end near it: its ends are those of the cubics, brought there.
-    fn arc(&self, cubics: &[CubicBez]) -> Option<Arc> {
-        let truth = Truth::new(self.center, self.radii, Vec2::new(1.0, 0.0));
-        let mut arc = swept(cubics, &truth)?;
-        let brought = |p: Point| {
-            let out = (truth.placement().inverse() * p).to_vec2();
-            truth.placement() * (out / out.hypot2().sqrt()).to_point()
-        };
-        arc.ends = arc.ends.map(|ends| ends.map(brought));
-        Some(arc)
-    }
-}
-
-/// How far cubics turn about the centre of an ellipse, in degrees, and a bound, both ways, of their distance from what they turn
-/// over there; `None` where they are not drawn like an arc of it.
-pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<(f64, f64)> {
-    let arc = turn.arc(cubics)?;
-    let fits = cubics.windows(2).all(joins_smoothly)
-        && is_drawn_like(cubics, &arc, rules)
-        && strays(cubics, &arc) <= rules.room(size(cubics, larger(&arc)));
-    fits.then(|| (arc.sweep.degrees(), roughly_from_arc(cubics, &arc)))
-}
-
 /// Whether an arc with some decimals is worth a closer look.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Worth {
@@ -277,7 +246,7 @@ fn meant(
 }
 
 /// The arc, where it is near enough to the cubics, and, where that much is explained, these are drawn like it.
-fn near_enough(
+pub(super) fn near_enough(
     cubics: &[CubicBez],
     given: SvgArc,
     rules: &Rules,

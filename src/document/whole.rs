@@ -6,7 +6,8 @@ use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Rect, Shape as _, Vec2};
 
 use super::runs::{decimals, rules};
 use super::style::property::Kind;
-use crate::arcs::recognize::{MARGIN, Rules, Turn, turned};
+use crate::arcs::recognize::{MARGIN, Rules};
+use crate::arcs::turn::{Turn, turned};
 use crate::contour::{Contour, Step};
 use crate::joints::Tolerance;
 use crate::number::{push_shortest, round};

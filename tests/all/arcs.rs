@@ -450,12 +450,12 @@ fn a_machine_gets_no_moves_of_no_length() {
 }
 
 #[test]
-fn a_cubic_of_no_length_is_passed_over() {
+fn a_cubic_of_no_length_is_a_line_of_none() {
     for (data, expected) in [
         ("M1 1C1 1 1 1 1 1", "M1 1L1 1"),
         (
             "M0 0C0 0 10 0 10 0C10 0 10 0 10 0C10 0 10 0 0 -10",
-            "M0 0L10 0L0-10",
+            "M0 0L10 0L10 0L0-10",
         ),
     ] {
         for to in ["lines", "arcs"] {
@@ -478,5 +478,28 @@ fn a_cubic_of_no_length_is_passed_over() {
             let words = [&["path", data, "--to", "arcs"], options].concat();
             assert!(printed(&words).starts_with('M'), "{data}");
         }
+    }
+}
+
+#[test]
+fn whole_ellipses_are_found_by_all_of_their_cubics() {
+    for (ellipse, expected) in [
+        ("8 4 -p 1", "M8 0A8 4 0 0 1-8 0A8 4 0 0 1 8 0Z"),
+        (
+            "12.25 10 -p 3",
+            "M12.25 0A12.25 10 0 0 1-12.25 0A12.25 10 0 0 1 12.25 0Z",
+        ),
+        (
+            "24 12.25 -n 8 -p 3 --start 200",
+            "M-22.553-4.19A24 12.25 0 0 1 22.553 4.19A24 12.25 0 0 1-22.553-4.19Z",
+        ),
+    ] {
+        let words: Vec<&str> = format!("ellipse {ellipse}")
+            .leak()
+            .split_whitespace()
+            .collect();
+        let drawn = printed(&words);
+        let found = printed(&["path", drawn.trim_end(), "--to", "arcs", "--elliptic"]);
+        assert_eq!(found.trim_end(), expected);
     }
 }
