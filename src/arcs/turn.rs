@@ -47,11 +47,11 @@ pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<
 /// cubic may say too little of its radii where all of them together say enough.
 pub(super) fn whole(cubics: &[CubicBez], rules: &Rules) -> Option<[Found; 2]> {
     let (first, last) = (cubics.first()?, cubics.last()?);
-    let boxes = cubics.iter().map(kurbo::Shape::bounding_box);
-    let bounds = boxes.reduce(|a, b| a.union(b))?;
     if first.p0 != last.p3 || cubics.len() < 2 {
         return None;
     }
+    let boxes = cubics.iter().map(kurbo::Shape::bounding_box);
+    let bounds = boxes.reduce(|a, b| a.union(b))?;
     let most = rules.decimals.saturating_add(MORE_DECIMALS);
     (0..=most).find_map(|decimals| {
         let [x, y] = [bounds.width(), bounds.height()].map(|side| round(side / 2.0, decimals));

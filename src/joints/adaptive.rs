@@ -12,7 +12,7 @@
 //! a longer segment errs more; f falls with T as T^(-1/order), so that the T of a whole count is found in a few steps.
 
 #[cfg(test)]
-mod costs;
+pub(crate) mod costs;
 mod errors;
 mod level;
 mod lobes;

@@ -6,7 +6,7 @@ use curveto::kurbo::{ParamCurve, PathSeg, Point};
 use curveto::{Tolerance, path};
 use proptest::prelude::*;
 
-use crate::judges::program::{printed, run};
+use crate::judges::program::{printed, run, words};
 
 const SAMPLES: usize = 120;
 
@@ -494,11 +494,7 @@ fn whole_ellipses_are_found_by_all_of_their_cubics() {
             "M-22.553-4.19A24 12.25 0 0 1 22.553 4.19A24 12.25 0 0 1-22.553-4.19Z",
         ),
     ] {
-        let words: Vec<&str> = format!("ellipse {ellipse}")
-            .leak()
-            .split_whitespace()
-            .collect();
-        let drawn = printed(&words);
+        let drawn = printed(&words(&format!("ellipse {ellipse}")));
         let found = printed(&["path", drawn.trim_end(), "--to", "arcs", "--elliptic"]);
         assert_eq!(found.trim_end(), expected);
     }

@@ -128,9 +128,9 @@ fn where_the_conic_is_sharper_than_the_error_it_is_the_distance_too() {
 fn a_sharp_conic_is_met_within_a_tolerance_that_is_larger_than_its_tip() {
     for (weight, tolerance, count) in [("2.5", "0.5", 1), ("2.5", "0.05", 2), ("26", "0.05", 1)] {
         let needle = "conic --from=7.96,3.36 --control=-9.33,-4.05 --to=7.24,2.73 -f json";
-        let mut words: Vec<&str> = needle.split(' ').collect();
-        words.extend(["--weight", weight, "-t", tolerance]);
-        let document = json(&words);
+        let document = json(&words(&format!(
+            "{needle} --weight {weight} -t {tolerance}"
+        )));
         let peak = document["error"]["peak"].as_f64().unwrap();
         assert!(
             peak <= tolerance.parse().unwrap(),

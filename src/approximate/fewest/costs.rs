@@ -2,35 +2,17 @@
 
 use super::*;
 use crate::joints::adaptive::LOOKS;
+use crate::joints::adaptive::costs::{arcs, even};
 use crate::{Angle, Arc};
-
-/// Numbers from 0 to 1 that spread evenly with their index.
-fn even(index: usize, step: usize) -> f64 {
-    (index * step % 1009) as f64 / 1009.0
-}
 
 /// A method, the flatnesses of ellipses, whether decimals are fixed, and how many there are; what the search costs at most, and the segments
 /// of all.
 type Group = (Method, [f64; 2], bool, usize, [usize; 2], usize);
 
 fn cost_little(groups: &[Group]) {
-    for &(method, [low, high], is_fixed, shapes, most, segments) in groups {
+    for &(method, flat, is_fixed, shapes, most, segments) in groups {
         let (mut costs, mut count) = ([0; 2], 0);
-        for i in 1..=shapes {
-            let flatness = low * libm::pow(high / low, even(i, 389));
-            let start = if i % 5 == 0 {
-                90.0
-            } else {
-                360.0 * even(i, 617)
-            };
-            let sweep = match i % 3 {
-                0 => 360.0,
-                1 => 20.0 + 320.0 * even(i, 241),
-                _ => -20.0 - 320.0 * even(i, 241),
-            };
-            let [zero, start, sweep] = [0.0, start, sweep].map(Angle::from_degrees);
-            let arc = Arc::new((0.0, 0.0), (100.0, 100.0 * flatness), zero, start, sweep);
-            let shape = Shape::Arc(arc.unwrap());
+        for (i, shape) in (1..).zip(arcs(flat, shapes)) {
             let exponent = 0.5 - 3.0 * even(i, 773);
             let options = Options {
                 rule: method.into(),
@@ -48,7 +30,7 @@ fn cost_little(groups: &[Group]) {
         let is_cheap = costs[0] <= most[0] && costs[1] <= most[1];
         assert!(
             is_cheap && count <= segments,
-            "{method:?} {low}: {costs:?} {count}"
+            "{method:?} {flat:?}: {costs:?} {count}"
         );
     }
 }

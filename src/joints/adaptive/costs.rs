@@ -5,19 +5,26 @@ use crate::{Angle, Arc, Shape};
 
 /// A method on an arc of an ellipse, in degrees.
 fn balance(method: Method, flatness: f64, start: f64, sweep: f64) -> Balance {
+    on(method, &arc(flatness, start, sweep))
+}
+
+fn on(method: Method, shape: &Shape) -> Balance {
+    Balance::new(&shape.outline().unwrap(), Rule::Method(method)).unwrap()
+}
+
+fn arc(flatness: f64, start: f64, sweep: f64) -> Shape {
     let [zero, start, sweep] = [0.0, start, sweep].map(Angle::from_degrees);
     let arc = Arc::new((0.0, 0.0), (100.0, 100.0 * flatness), zero, start, sweep);
-    let outline = Shape::Arc(arc.unwrap()).outline().unwrap();
-    Balance::new(&outline, Rule::Method(method)).unwrap()
+    Shape::Arc(arc.unwrap())
 }
 
 /// Numbers from 0 to 1 that spread evenly with their index.
-fn even(index: usize, step: usize) -> f64 {
+pub(crate) fn even(index: usize, step: usize) -> f64 {
     (index * step % 1009) as f64 / 1009.0
 }
 
 /// Closed shapes and arcs of ellipses of flatnesses between these, evenly by their logarithm; every fifth starts on an axis.
-fn balances(method: Method, [low, high]: [f64; 2], count: usize) -> impl Iterator<Item = Balance> {
+pub(crate) fn arcs([low, high]: [f64; 2], count: usize) -> impl Iterator<Item = Shape> {
     (1..=count).map(move |i| {
         let flatness = low * libm::pow(high / low, even(i, 389));
         let start = if i % 5 == 0 {
@@ -30,8 +37,12 @@ fn balances(method: Method, [low, high]: [f64; 2], count: usize) -> impl Iterato
             1 => 20.0 + 320.0 * even(i, 241),
             _ => -20.0 - 320.0 * even(i, 241),
         };
-        balance(method, flatness, start, sweep)
+        arc(flatness, start, sweep)
     })
+}
+
+fn balances(method: Method, flat: [f64; 2], count: usize) -> impl Iterator<Item = Balance> {
+    arcs(flat, count).map(move |arc| on(method, &arc))
 }
 
 /// How many segments are looked at for something.
