@@ -15,6 +15,7 @@ mod piece;
 pub(crate) mod recognize;
 #[cfg(test)]
 mod tests;
+pub(crate) mod together;
 pub(crate) mod turn;
 
 use kurbo::{Affine, Line, PathSeg, Point, Rect};

@@ -7,9 +7,9 @@ use super::chain::runs_on;
 use super::fit::Search;
 use super::near::moved;
 use super::piece::{Piece, cubic_from_chord};
-use super::recognize::{self, Rules};
-use super::turn;
+use super::recognize::Rules;
 use super::{Options, Plan, decimals_given, pieces};
+use super::{together, turn};
 use crate::Angle;
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step, Subpath};
@@ -210,11 +210,9 @@ impl Builder<'_> {
 /// are fewer.
 fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
     let spans = spans_alike(chain, rules, room);
-    let is_whole = match spans[..] {
-        [Span::Found(_, a), Span::Found(_, b)] => a.given.radii == b.given.radii,
-        _ => false,
-    };
-    if !is_whole && let Some([a, b]) = turn::whole(chain, rules) {
+    if !is_one_shape(&spans)
+        && let Some([a, b]) = turn::whole(chain, rules)
+    {
         let (first, second) = chain.split_at(a.count);
         return vec![Span::Found(first, a), Span::Found(second, b)];
     }
@@ -231,17 +229,31 @@ fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
     spans
 }
 
+/// Whether all that was found are arcs of one circle, or two of one ellipse.
+fn is_one_shape(spans: &[Span<'_>]) -> bool {
+    let radii = |span: &Span<'_>| match span {
+        Span::Found(_, found) => Some(found.given.radii),
+        _ => None,
+    };
+    let is_like_first = |span: &Span<'_>| {
+        let (first, own) = (radii(&spans[0]), radii(span));
+        own == first && own.is_some_and(|radii| radii.x == radii.y || spans.len() == 2)
+    };
+    spans.iter().all(is_like_first)
+}
+
 fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
     let mut search = Search::new(room, rules.elliptic);
     let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
     while at < chain.len() {
         let rest = &chain[at..];
         let straight = is_straight(&rest[0], room);
-        let found = (!straight)
-            .then(|| recognize::halves(rest, rules))
-            .flatten();
-        let found = found.map_or([None; 2], |(first, second)| [Some(first), second]);
-        let taken: usize = found.iter().flatten().map(|found| found.count).sum();
+        let found = if straight {
+            Vec::new()
+        } else {
+            together::arcs(rest, rules)
+        };
+        let taken: usize = found.iter().map(|found| found.count).sum();
         if taken == 0 && !straight {
             at += 1;
             continue;
@@ -252,7 +264,7 @@ fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<
             spans.push(Span::Straight(&rest[0]));
         }
         let mut begin = 0;
-        for found in found.into_iter().flatten() {
+        for found in found {
             spans.push(Span::Found(&rest[begin..begin + found.count], found));
             begin += found.count;
         }
@@ -262,7 +274,7 @@ fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<
     }
     let pieces = search.pieces(&chain[free..], MOST_SEGMENTS);
     spans.extend(pieces.into_iter().map(Span::Fitted));
-    if drawn > 0 && spans.len() > 1 {
+    if drawn > 0 && spans.len() > 1 && !is_one_shape(&spans) {
         let fewer = search.pieces(chain, spans.len());
         if fewer.len() < spans.len() {
             spans = fewer.into_iter().map(Span::Fitted).collect();

@@ -89,13 +89,22 @@ impl Builder<'_> {
                 return self.counted();
             }
             Span::Found(cubics, found) => {
-                let precision = if self.plan.rounds_given {
-                    self.plan.precision
+                // Half a turn whose radius is too small for its ends is drawn with theirs, which has many digits.
+                let radii = found.arc.radii;
+                let enlarged = radii.x == radii.y && radii != found.given.radii;
+                let (given, precisions) = if enlarged {
+                    (
+                        SvgArc {
+                            radii,
+                            ..found.given
+                        },
+                        self.precisions(),
+                    )
                 } else {
-                    Precision::Full
+                    (found.given, vec![self.given_precision()])
                 };
-                let to = self.plan.end(found.given.to);
-                if self.arc(cubics, &found.given, to, &[precision], strayed) {
+                let to = self.plan.end(given.to);
+                if self.arc(cubics, &given, to, &precisions, strayed) {
                     return self.counted();
                 }
                 (*cubics, true)
@@ -134,15 +143,28 @@ impl Builder<'_> {
             }
             return fits;
         };
-        let precisions: Vec<_> = match self.plan.precision {
+        self.arc(&fit.parts, &arc, to, &self.precisions(), strayed)
+    }
+
+    /// To what radii are rounded: one after the other is tried.
+    fn precisions(&self) -> Vec<Precision> {
+        match self.plan.precision {
             Precision::Fixed(decimals) if !self.plan.rounds_given => (decimals
                 ..=decimals + MORE_DECIMALS)
                 .map(Precision::Fixed)
                 .chain([Precision::Full])
                 .collect(),
             precision => vec![precision],
-        };
-        self.arc(&fit.parts, &arc, to, &precisions, strayed)
+        }
+    }
+
+    /// To what a radius is rounded that was found.
+    const fn given_precision(&self) -> Precision {
+        if self.plan.rounds_given {
+            self.plan.precision
+        } else {
+            Precision::Full
+        }
     }
 
     /// Cubics as shorter pieces.
@@ -212,6 +234,10 @@ impl Builder<'_> {
             let Ok(Shape::Arc(arc)) = given.shape() else {
                 continue;
             };
+            let is_enlarged = arc.radii.x > given.radii.x;
+            if is_enlarged && precisions.len() > 1 && *precision != Precision::Full {
+                continue;
+            }
             let off = from_arc(parts, &arc) + strayed;
             if best.as_ref().is_none_or(|(_, _, least)| off < *least) {
                 best = Some((given, arc, off));

@@ -278,21 +278,30 @@ impl<'a> Look<'a> {
         };
         let noise = NOISE * circle.radius;
         let size = self.size(circle.radius);
-        let room = explained.min(rules.room(size)) + noise;
-        if circle.off(self.on) > room {
+        let meant = rules.of_what_is_meant();
+        let most = meant.room(size).min(explained.max(meant.part * size)) + noise;
+        let off = circle.off(self.on);
+        if off > most {
+            return false;
+        }
+        let [before, after] = self.quarters.map(|p| circle.off(p));
+        let off = off.max(before).max(after);
+        if off > most {
             return false;
         }
         let bulge = self.half / (circle.radius + depth);
         let length = 4.0 / 3.0 * bulge * circle.radius;
-        let slack = rules.slack(size) + noise;
+        let slack = if off <= explained.min(rules.room(size)) + noise {
+            rules.slack(size).max(rules.turned())
+        } else {
+            rules.turned()
+        } + noise;
         let is_unlike = |end: Point, control: Point| {
             let out = (end - circle.center) / circle.radius;
             let own = control - end;
             let (along, across) = (own.cross(out).abs(), own.dot(out).abs());
             unlike_by(along - length, across, length, slack) > 0.0
         };
-        !(is_unlike(self.cubic.p0, self.cubic.p1)
-            || is_unlike(self.cubic.p3, self.cubic.p2)
-            || self.quarters.iter().any(|p| circle.off(*p) > room))
+        !(is_unlike(self.cubic.p0, self.cubic.p1) || is_unlike(self.cubic.p3, self.cubic.p2))
     }
 }

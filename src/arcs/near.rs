@@ -12,6 +12,9 @@ use crate::shape::{Arc, Given, Truth};
 /// What a rough constant, such as 0.55, may have done to a point, as a part of the radius.
 const HANDLE_PART: f64 = 1.3e-3;
 
+/// The largest part of the size of an arc that the rounding of a file explains: with whole numbers anything looks like a circle of a few units.
+const ROUNDED_PART: f64 = 0.05;
+
 /// How far a handle may be longer or shorter than the usual one, as a part of it: quadratics of an eighth of a turn differ by 4 %.
 const LENGTH_PART: f64 = 0.08;
 
@@ -54,7 +57,22 @@ pub(crate) struct Rules {
 impl Rules {
     /// How far an arc of this size may lie from its cubics.
     pub(crate) fn room(&self, size: f64) -> f64 {
-        self.part * size + self.absolute
+        let absolute = if self.part > 0.0 {
+            self.absolute.min(ROUNDED_PART * size)
+        } else {
+            self.absolute
+        };
+        self.part * size + absolute
+    }
+
+    /// The same where joints and directions say by themselves what was meant: files without a tolerance may stray by what a rough constant does.
+    pub(crate) fn of_what_is_meant(&self) -> Self {
+        let part = if self.drawn_only && self.part > 0.0 {
+            self.part.max(HANDLE_PART)
+        } else {
+            self.part
+        };
+        Self { part, ..*self }
     }
 
     /// The most decimals that the text has room for in place of so many cubics; `None` where it has none for the radius.
@@ -92,6 +110,11 @@ impl Rules {
     /// How far the rounding of the file moves a point.
     pub(crate) fn moved(&self) -> f64 {
         Precision::Fixed(self.decimals).farthest_moved()
+    }
+
+    /// How far the rounding of the file moves a handle, whose both ends are rounded.
+    pub(crate) fn turned(&self) -> f64 {
+        2.0 * self.moved()
     }
 
     /// How far a control point may lie from where an arc of this size has it.
@@ -174,12 +197,23 @@ pub(super) fn larger(arc: &Arc) -> f64 {
 
 /// Whether cubics are drawn as an arc is: their control points lie where it has them, up to what rounding and other constants do.
 pub(super) fn is_drawn_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bool {
-    unlike(cubics, arc, rules) <= 0.0
+    unlike(cubics, arc, rules.slack(size(cubics, larger(arc)))) <= 0.0
 }
 
-/// How much farther than that control points lie from there at most; not positive where none does.
-fn unlike(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> f64 {
-    let (to_unit, slack) = (to_unit(arc), rules.slack(size(cubics, larger(arc))));
+/// Whether the ends of cubics lie on an arc and their handles along it, up to rounding: then it was meant, whatever constant they have.
+pub(super) fn leaves_its_ends_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bool {
+    unlike(cubics, arc, rules.turned()) <= 0.0
+}
+
+/// Whether cubics are drawn as a circle is of which their joints are known to lie on it.
+pub(super) fn handles_are_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bool {
+    let slack = rules.turned() + HANDLE_PART * size(cubics, larger(arc));
+    unlike(cubics, arc, slack) <= 0.0
+}
+
+/// How much farther off than so far control points lie from where an arc has them at most; not positive where none does.
+fn unlike(cubics: &[CubicBez], arc: &Arc, slack: f64) -> f64 {
+    let to_unit = to_unit(arc);
     let from_unit = to_unit.inverse();
     let on = |p: Point| ((to_unit * p).to_vec2().hypot2().sqrt() - 1.0).abs() * larger(arc) - slack;
     let control = |end: Point, control: Point, unit: Vec2, length: f64| {
@@ -238,9 +272,9 @@ pub(super) struct Pencil {
     /// The square of half the chord.
     square: f64,
     is_large: bool,
-    /// A point of the run on the circle that was found, and how far other ones may be from it.
+    /// A point of the run on the circle that was found.
     on: Point,
-    explained: f64,
+    rules: Rules,
     /// How high the arc is that was found, and how unlike it the cubics are.
     height: f64,
     unlike: f64,
@@ -248,12 +282,7 @@ pub(super) struct Pencil {
 
 impl Pencil {
     /// `None` of an ellipse, and where one cubic turns by about half a turn, beyond which it is not compared with what it should be.
-    pub(super) fn new(
-        cubics: &[CubicBez],
-        found: &Arc,
-        rules: &Rules,
-        explained: f64,
-    ) -> Option<Self> {
+    pub(super) fn new(cubics: &[CubicBez], found: &Arc, rules: &Rules) -> Option<Self> {
         let [from, on, to] = ends_and_middle(cubics)?;
         let (chord, sweep) = (to - from, found.sweep.degrees());
         if found.radii.x != found.radii.y || cubics.len() == 1 && sweep.abs() > WIDEST {
@@ -265,9 +294,9 @@ impl Pencil {
             square: 0.25 * chord.hypot2(),
             is_large: sweep.abs() > 180.0,
             on,
-            explained,
+            rules: rules.of_what_is_meant(),
             height: 0.0,
-            unlike: unlike(cubics, found, rules),
+            unlike: unlike(cubics, found, rules.slack(size(cubics, larger(found)))),
         };
         pencil.height = pencil.height_and_off(found.radii.x)[0];
         Some(pencil)
@@ -286,8 +315,8 @@ impl Pencil {
     /// Whether the arc of a radius may be near enough, and the cubics be drawn like it: a look that lets none of these go.
     pub(super) fn allows(&self, radius: f64) -> bool {
         let [height, off] = self.height_and_off(radius);
-        let noise = 1e-12 * radius;
-        off <= self.explained + noise
+        let (noise, size) = (1e-12 * radius, radius.max(self.square.sqrt()));
+        off <= self.rules.room(size) + noise
             && self.unlike <= CONTROLS * (height - self.height).abs() + noise
     }
 }

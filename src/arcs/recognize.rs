@@ -18,7 +18,7 @@ use super::glance::{Glance, glance, goes_on_along, is_askew, strays_from};
 pub(crate) use super::near::{MARGIN, Rules};
 use super::near::{
     MORE_DECIMALS, Pencil, THROUGH_MIDDLE, ends_and_middle, is_drawn_like, is_tangent,
-    joins_smoothly, larger, size, strays, swept,
+    joins_smoothly, larger, leaves_its_ends_like, size, strays, swept,
 };
 use crate::Angle;
 use crate::curve::first_direction;
@@ -102,31 +102,6 @@ fn along_ellipse(cubics: &[CubicBez], rough: &Truth, rules: &Rules) -> Option<Fo
     })
 }
 
-/// The run at the beginning of a chain; a whole turn as its halves.
-pub(crate) fn halves(cubics: &[CubicBez], rules: &Rules) -> Option<(Found, Option<Found>)> {
-    let found = run(cubics, rules)?;
-    let from = found.given.from;
-    let near = 1e-9 * found.given.radii.x.max(found.given.radii.y);
-    let returns = |cubic: &CubicBez| cubic.p3.distance_squared(from) <= near * near;
-    // What is left of a turn after 350 degrees takes no more than it took so far.
-    let rest = cubics[found.count..].iter().take(2 * found.count);
-    let Some(more) = rest.clone().position(returns) else {
-        return Some((found, None));
-    };
-    let whole = &cubics[..=found.count + more];
-    let (first, second) = whole.split_at(whole.len() / 2);
-    let rules = Rules {
-        longest: usize::MAX,
-        ..*rules
-    };
-    let half =
-        |cubics: &[CubicBez]| run(cubics, &rules).filter(|found| found.count == cubics.len());
-    Some(match (half(first), half(second)) {
-        (Some(a), Some(b)) if a.given.radii == b.given.radii => (a, Some(b)),
-        _ => (found, None),
-    })
-}
-
 /// The run of most cubics for which `arc_of` gives an arc that survives a closer look; that of the first one may be known.
 fn longest(
     cubics: &[CubicBez],
@@ -200,7 +175,7 @@ fn meant(
     let explained = MARGIN * strays(cubics, found) + rules.moved();
     // What the tangents say does not depend on the constant of the cubics; what the middle says, not on the rounding of handles.
     let guesses = [by_tangents(cubics, found), Some(*found)];
-    let pencil = Pencil::new(cubics, found, rules, explained);
+    let pencil = Pencil::new(cubics, found, rules);
     let mut tried = [0.0; 2];
     for decimals in 0..=most.min(limit) {
         for (guess, tried) in guesses.iter().flatten().zip(&mut tried) {
@@ -252,20 +227,38 @@ pub(super) fn near_enough(
     rules: &Rules,
     explained: Option<f64>,
 ) -> Option<Found> {
-    if let [cubic] = cubics
-        && strays_from(cubic, &given) > explained.unwrap_or(f64::INFINITY)
-    {
-        return None;
+    let meant = rules.of_what_is_meant();
+    // How far cubics may lie off whose ends and directions say what was meant.
+    let room_of_meant =
+        |size: f64, explained: f64| meant.room(size).min(explained.max(meant.part * size));
+    if let [cubic] = cubics {
+        let larger = given.radii.x.max(given.radii.y);
+        let most = explained.map_or(rules.room(larger), |explained| {
+            room_of_meant(larger, explained)
+        });
+        if strays_from(cubic, &given) > most {
+            return None;
+        }
     }
     let Ok(Shape::Arc(arc)) = given.shape() else {
         return None;
     };
-    let room = rules.room(size(cubics, larger(&arc)));
+    let size = size(cubics, larger(&arc));
     let off = strays(cubics, &arc);
-    // A radius that is too small for its ends is drawn larger: what was meant is that one.
-    let enlarged = larger(&arc) - given.radii.x.max(given.radii.y);
-    let is_drawn = |explained| off.max(enlarged) <= explained && is_drawn_like(cubics, &arc, rules);
-    if !(off <= room && is_tangent(cubics, &arc) && explained.is_none_or(is_drawn)) {
+    let mut room = rules.room(size);
+    if let Some(explained) = explained {
+        // A radius that is too small for its ends is drawn larger: what was meant is that one.
+        if larger(&arc) - given.radii.x.max(given.radii.y) > explained {
+            return None;
+        }
+        if !(off <= explained.min(room) && is_drawn_like(cubics, &arc, rules)) {
+            room = room_of_meant(size, explained);
+            if !(off <= room && leaves_its_ends_like(cubics, &arc, rules)) {
+                return None;
+            }
+        }
+    }
+    if !(off <= room && is_tangent(cubics, &arc)) {
         return None;
     }
     let count = cubics.len();
@@ -322,16 +315,17 @@ fn circle_of(cubics: &[CubicBez], rules: &Rules) -> Option<Arc> {
     let Ok(Shape::Arc(arc)) = through(from, on, to) else {
         return None;
     };
-    let fits = within(arc.sweep) && strays(cubics, &arc) <= room(larger(&arc));
+    let fits = is_of_an_arc(arc.sweep) && strays(cubics, &arc) <= room(larger(&arc));
     fits.then_some(arc)
 }
 
-fn within(sweep: Angle) -> bool {
+/// Whether an arc may sweep so far.
+pub(super) fn is_of_an_arc(sweep: Angle) -> bool {
     let [least, most] = SWEEPS;
     (least..=most).contains(&sweep.degrees().abs())
 }
 
 /// The arc of an ellipse from the beginning of a run to its end, where it is long enough.
 fn placed(cubics: &[CubicBez], ellipse: &Truth) -> Option<Arc> {
-    swept(cubics, ellipse).filter(|arc| within(arc.sweep))
+    swept(cubics, ellipse).filter(|arc| is_of_an_arc(arc.sweep))
 }

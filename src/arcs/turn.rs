@@ -20,8 +20,15 @@ pub(crate) struct Turn {
 }
 
 impl Turn {
+    /// How far a point lies from it, in lengths of the larger radius where it is the unit circle.
+    pub(crate) fn off(&self, p: Point) -> f64 {
+        let Vec2 { x, y } = p - self.center;
+        let out = Vec2::new(x / self.radii.x, y / self.radii.y);
+        (out.hypot2().sqrt() - 1.0).abs() * self.radii.x.max(self.radii.y)
+    }
+
     /// The arc of it on which cubics lie that begin and end near it: its ends are those of the cubics, brought there.
-    fn arc(&self, cubics: &[CubicBez]) -> Option<Arc> {
+    pub(super) fn arc(&self, cubics: &[CubicBez]) -> Option<Arc> {
         let truth = Truth::new(self.center, self.radii, Vec2::new(1.0, 0.0));
         let mut arc = swept(cubics, &truth)?;
         let brought = |p: Point| {

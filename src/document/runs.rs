@@ -13,7 +13,8 @@ use super::path_data::{Handles, Segment, Segments};
 use super::position::Position;
 use super::reason::Reason;
 use super::run_text::{self, Edit, Link, Run, family};
-use crate::arcs::recognize::{self, Rules};
+use crate::arcs::recognize::Rules;
+use crate::arcs::together;
 use crate::joints::Tolerance;
 use crate::number::Precision;
 use crate::number::read::{WITH_EXPONENT, decimals_spelled};
@@ -23,6 +24,9 @@ const DEFAULT_PART: f64 = 1e-3;
 
 /// The most decimals of a file that are believed: beyond, digits are noise.
 const MOST_DECIMALS: u8 = 12;
+
+/// How often what lies between runs is looked at again.
+const MOST_LEVELS: usize = 8;
 
 /// What became of one path.
 #[derive(Debug, Default)]
@@ -203,7 +207,7 @@ impl Finder<'_> {
 
     /// Makes arcs of the runs of the chain.
     fn chain(&mut self) {
-        let runs = self.runs(0..self.links.len(), None);
+        let runs = self.runs(0..self.links.len(), None, 0);
         if runs.is_empty() {
             return;
         }
@@ -216,21 +220,30 @@ impl Finder<'_> {
         self.outcome.edits.extend(edits);
     }
 
-    /// The runs of a part of the chain, at the beginning of which the run before it may end. What lies between them may have fewer decimals,
-    /// and is looked at again by these, so that nothing is left that a second conversion would find.
-    fn runs(&mut self, part: Range<usize>, before: Option<Run>) -> Vec<Run> {
+    /// The runs of a part of the chain, at the beginning of which the run before it may end. What lies between those that are taken may have fewer
+    /// decimals, or other radii by itself, and is looked at again, so that nothing is left that a second conversion would find.
+    fn runs(&mut self, part: Range<usize>, before: Option<Run>, level: usize) -> Vec<Run> {
         let decimals = self.decimals(part.clone());
         let mut runs = self.runs_by(part.clone(), before, &rules(self.tolerance, decimals));
         let has_fewer = |link: &Link| link.decimals < decimals;
-        if runs.is_empty() || !self.links[part.clone()].iter().any(has_fewer) {
+        let share = |pair: &[Run]| pair[0].found.given.radii == pair[1].found.given.radii;
+        let is_final =
+            !runs.windows(2).any(share) && !self.links[part.clone()].iter().any(has_fewer);
+        if runs.is_empty() || is_final {
             return runs;
         }
         let (_, taken) = run_text::edits(self.text, &self.links, &runs);
         let (mut more, mut start, mut last) = (Vec::new(), part.start, before);
         for next in taken.iter().copied().map(Some).chain([None]) {
             let between = start..next.map_or(part.end, |run| run.start);
-            if !between.is_empty() && self.decimals(between.clone()) < decimals {
-                more.extend(self.runs(between, last));
+            // Runs that were let go may have had the radius of those that were taken.
+            let is_free = |run: &Run| between.contains(&run.start);
+            if !between.is_empty()
+                && between != part
+                && (self.decimals(between.clone()) < decimals
+                    || level < MOST_LEVELS && runs.iter().any(is_free))
+            {
+                more.extend(self.runs(between, last, level + 1));
             }
             start = next.map_or(part.end, |run| run.end());
             last = next;
@@ -258,12 +271,11 @@ impl Finder<'_> {
                 longest: run_text::longest(self.text, &self.links, start, before),
                 ..*rules
             };
-            let Some((found, half)) = recognize::halves(&self.cubics[start..part.end], &rules)
-            else {
+            let arcs = together::arcs(&self.cubics[start..part.end], &rules);
+            if arcs.is_empty() {
                 start += 1;
-                continue;
-            };
-            for found in [Some(found), half].into_iter().flatten() {
+            }
+            for found in arcs {
                 if self.keeps_vertices && found.count > 1 {
                     let at = self.links[start].segment.start;
                     self.outcome.left.get_or_insert((at, Reason::MarkerOnRun));

@@ -22,6 +22,10 @@ const MORE_DECIMALS: u8 = 1;
 /// Curves that keep to one side stray so many times as far from the circle that was meant as from the one in their middle.
 const ONE_SIDED: f64 = 2.0;
 
+/// How far curves may lie from the circle on which their joints do, as a part of its radius, to be drawn like it: two Béziers of half a turn lie
+/// nearly so far.
+const ROUGHEST: f64 = 0.02;
+
 /// What the last bits of a number may be off, as a part of it.
 const NOISE: f64 = 1e-12;
 
@@ -138,7 +142,18 @@ fn ellipse(segments: &[PathSeg], bounds: Rect, rules: &Rules) -> Option<Whole> {
             center: Point::new(cx, cy),
             radii: Vec2::new(rx, ry),
         };
-        let (swept, strayed) = turned(&cubics, &turn, rules)?;
+        let is_meant = segments
+            .iter()
+            .all(|segment| turn.off(segment.start()) <= MARGIN * rules.moved());
+        let rules = if is_meant {
+            Rules {
+                part: rules.part.max(ROUGHEST),
+                ..*rules
+            }
+        } else {
+            *rules
+        };
+        let (swept, strayed) = turned(&cubics, &turn, &rules)?;
         let fits = (swept.abs() - 360.0).abs() < 1.0 && strayed <= rules.room(rx.max(ry));
         fits.then(|| Whole {
             kind: if is_circle {
@@ -156,7 +171,10 @@ fn ellipse(segments: &[PathSeg], bounds: Rect, rules: &Rules) -> Option<Whole> {
                 && start.distance(turn.center + Vec2::new(rx, 0.0)) <= rules.slack(rx),
         })
     };
-    meant(([center.x, center.y], [radii.x, radii.y]), rules, shape)
+    let found = meant(([center.x, center.y], [radii.x, radii.y]), rules, shape)?;
+    // What was meant may be farther off than is allowed: then it is that or nothing.
+    let room = rules.of_what_is_meant().room(radii.x.max(radii.y));
+    (found.strayed <= room).then_some(found)
 }
 
 /// A rectangle with round corners.

@@ -139,7 +139,7 @@ fn fitted(
 
 fn fitted_circle(points: &[Point]) -> Result<(Truth, f64)> {
     let (center, radius) =
-        nearest_circle(points).ok_or(Error::Unmeasurable(UnmeasurableError::NoCircle))?;
+        nearest_circle(points, None).ok_or(Error::Unmeasurable(UnmeasurableError::NoCircle))?;
     let squares = points.iter().map(|p| power(p.distance(center) - radius, 2));
     Ok((Truth::circle(center, radius), squares.sum()))
 }
@@ -151,8 +151,8 @@ fn fitted_ellipse(points: &[Point]) -> Result<(Truth, f64)> {
     Ok((truth, squares))
 }
 
-/// The centre and radius of the circle nearest to these points.
-fn nearest_circle(points: &[Point]) -> Option<(Point, f64)> {
+/// The centre and radius of the circle nearest to these points, of all or of those of a given radius.
+pub(crate) fn nearest_circle(points: &[Point], radius: Option<f64>) -> Option<(Point, f64)> {
     if points.len() < 3 {
         return None;
     }
@@ -164,7 +164,7 @@ fn nearest_circle(points: &[Point]) -> Option<(Point, f64)> {
     // None too where the size is 0 or no number.
     let mut center = kasa(&offsets)?;
     for _ in 0..MOST_STEPS {
-        let Some(step) = gauss_newton(&offsets, center) else {
+        let Some(step) = gauss_newton(&offsets, center, radius.map(|radius| radius / size)) else {
             break;
         };
         center += step;
@@ -172,8 +172,9 @@ fn nearest_circle(points: &[Point]) -> Option<(Point, f64)> {
             break;
         }
     }
-    let radius = offsets.iter().map(|&v| (v - center).hypot()).sum::<f64>() / count;
-    let (center, radius) = ((mean + center * size).to_point(), radius * size);
+    let mean_distance = offsets.iter().map(|&v| (v - center).hypot()).sum::<f64>() / count;
+    let center = (mean + center * size).to_point();
+    let radius = radius.unwrap_or(mean_distance * size);
     (center.is_finite() && radius.is_finite()).then_some((center, radius))
 }
 
@@ -183,10 +184,10 @@ fn kasa(offsets: &[Vec2]) -> Option<Vec2> {
     solve(offsets, right)
 }
 
-fn gauss_newton(offsets: &[Vec2], center: Vec2) -> Option<Vec2> {
+fn gauss_newton(offsets: &[Vec2], center: Vec2, given: Option<f64>) -> Option<Vec2> {
     let count = offsets.len() as f64;
     let distances: Vec<f64> = offsets.iter().map(|&v| (v - center).hypot()).collect();
-    let radius = distances.iter().sum::<f64>() / count;
+    let radius = given.unwrap_or(distances.iter().sum::<f64>() / count);
     let directions: Vec<Vec2> = offsets
         .iter()
         .zip(&distances)
@@ -198,7 +199,11 @@ fn gauss_newton(offsets: &[Vec2], center: Vec2) -> Option<Vec2> {
             }
         })
         .collect();
-    let mean = directions.iter().copied().sum::<Vec2>() / count;
+    // Of a given radius the mean distance does not follow the centre.
+    let mean = match given {
+        Some(_) => Vec2::ZERO,
+        None => directions.iter().copied().sum::<Vec2>() / count,
+    };
     let centred: Vec<Vec2> = directions.iter().map(|&g| g - mean).collect();
     let right = centred
         .iter()
@@ -244,7 +249,7 @@ mod tests {
         let center = Point::new(300.0, -7.0);
         for sweep in [6.2, 3.0, 0.5, 0.05] {
             let points = on_circle(center, 50.0, (0..40).map(|i| f64::from(i) / 40.0 * sweep));
-            let (found, radius) = nearest_circle(&points).unwrap();
+            let (found, radius) = nearest_circle(&points, None).unwrap();
             let allowed = 1e-12 / (sweep * sweep);
             assert!((radius - 50.0).abs() < 300.0 * allowed, "{sweep}: {radius}");
             assert!(found.distance(center) < 300.0 * allowed, "{sweep}: {found}");
@@ -255,7 +260,7 @@ mod tests {
     fn the_fit_is_where_the_sum_of_squares_is_least() {
         let mut points = on_circle(Point::ORIGIN, 1.0, (0..7).map(f64::from));
         points.push(Point::new(1.4, 0.3));
-        let (center, _) = nearest_circle(&points).unwrap();
+        let (center, _) = nearest_circle(&points, None).unwrap();
         let cost = |center: Point| {
             let distances: Vec<f64> = points.iter().map(|p| p.distance(center)).collect();
             let mean = distances.iter().sum::<f64>() / 8.0;
@@ -271,8 +276,8 @@ mod tests {
         let points: Vec<Point> = (0..9)
             .map(|i| Point::new(f64::from(i), 0.1 * f64::from(i)))
             .collect();
-        assert_eq!(nearest_circle(&points), None);
-        assert_eq!(nearest_circle(&[Point::new(1.0, 1.0); 9]), None);
+        assert_eq!(nearest_circle(&points, None), None);
+        assert_eq!(nearest_circle(&[Point::new(1.0, 1.0); 9], None), None);
     }
     #[test]
     fn lines_in_any_direction_have_no_circle() {
@@ -281,7 +286,7 @@ mod tests {
             let points: Vec<Point> = (0..9)
                 .map(|i| Point::new(3.0, 1.0) + direction * (0.1 * f64::from(i)))
                 .collect();
-            assert_eq!(nearest_circle(&points), None, "{degree}");
+            assert_eq!(nearest_circle(&points, None), None, "{degree}");
         }
     }
 
@@ -313,11 +318,14 @@ mod tests {
     #[test]
     fn three_points_are_enough() {
         let points = [(1.0, 1.0), (4.0, 5.0), (1.0, 5.0)].map(Point::from);
-        let (center, radius) = nearest_circle(&points).unwrap();
+        let (center, radius) = nearest_circle(&points, None).unwrap();
         assert!(center.distance(Point::new(2.5, 3.0)) < 1e-14 && (radius - 2.5).abs() < 1e-14);
-        assert_eq!(nearest_circle(&points[..2]), None);
-        assert_eq!(nearest_circle(&[]), None);
-        assert_eq!(nearest_circle(&[Point::new(f64::INFINITY, 1.0); 9]), None);
+        assert_eq!(nearest_circle(&points[..2], None), None);
+        assert_eq!(nearest_circle(&[], None), None);
+        assert_eq!(
+            nearest_circle(&[Point::new(f64::INFINITY, 1.0); 9], None),
+            None
+        );
     }
 
     /// The points along the ellipse of a circle's cubics lie four times nearer to an ellipse from a certain ratio on.
