@@ -161,13 +161,18 @@ pub(super) fn path_data(
     }
 }
 
-/// Refuses what arithmetic or the precision asked for cannot hold.
+/// How many times its size a shape may lie from the origin: beyond, the single precision of renderers moves its points by a hundredth of that.
+const FARTHEST: f64 = (1 << 18) as f64;
+
+/// Refuses what arithmetic, the precision asked for or a renderer cannot hold.
 fn check_size(lengths: &[&[Length; 2]], options: &Options, smallest: f64) -> Result<(), Reason> {
-    if lengths
-        .iter()
-        .flat_map(|pair| pair.iter())
-        .any(|length| length.value.abs() > 1e15)
-    {
+    let largest = |pairs: &[&[Length; 2]]| {
+        let lengths = pairs.iter().flat_map(|pair| pair.iter());
+        lengths.fold(0.0, |most: f64, length| most.max(length.value.abs()))
+    };
+    let (place, sizes) = lengths.split_at(1);
+    let most = largest(sizes);
+    if largest(lengths) > 1e15 || largest(place) > FARTHEST * most {
         return Err(Reason::TooLarge);
     }
     match options.precision {

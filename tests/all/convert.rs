@@ -259,6 +259,32 @@ fn what_is_too_large_is_left() {
     }
 }
 
+/// In single precision a point of such a shape lies a hundredth of its size off, and of a path each on its own.
+#[test]
+fn what_lies_too_far_away_for_its_size_is_left() {
+    for (shape, left) in [
+        (r#"<circle cx="100000050" cy="50" r="30"/>"#, true),
+        (
+            r#"<ellipse cx="3500010" cy="5000010" rx="3" ry="8"/>"#,
+            true,
+        ),
+        (
+            r#"<rect x="-900000" y="5" width="3" height="2" rx="1"/>"#,
+            true,
+        ),
+        (r#"<circle cx="100000" cy="-200000" r="1"/>"#, false),
+        (r#"<ellipse rx="10000" ry="0.01"/>"#, false),
+        (
+            r#"<rect x="20" y="20" width="1000" height="500" rx="0.001"/>"#,
+            false,
+        ),
+    ] {
+        let found = codes(&svg(shape));
+        let expected: &[&str] = if left { &["too-large"] } else { &[] };
+        assert_eq!(found, expected, "{shape}");
+    }
+}
+
 /// Where renderers place the point after a number beyond numbers nobody knows.
 #[test]
 fn what_follows_a_number_beyond_numbers_is_left() {
