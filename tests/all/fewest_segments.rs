@@ -112,9 +112,19 @@ fn judged(drawing: &Drawing, flatness: f64, rotation: f64) -> f64 {
     peak
 }
 
-fn assert_symmetric(drawing: &Drawing) {
+/// Joints mirror one another, but where those that do err more: the sharp end of a very flat ellipse hides behind a joint of one side.
+fn assert_symmetric(drawing: &Drawing, shape: &Shape, method: Method) {
     let angles = &drawing.angles;
     let count = drawing.curve.segments.len();
+    let turned = |i: usize| f64::midpoint(angles[i], 360.0 - angles[count - i]);
+    let even: Vec<f64> = (0..count).map(turned).collect();
+    if even[..] != angles[..count] {
+        let even = even.into_iter().map(Angle::from_degrees).collect();
+        let mirrored = draw(shape, method, Cut::At(even));
+        let (most, least) = (mirrored.error.peak(), drawing.error.peak());
+        assert!(most > 1.2 * least, "{angles:?}: {most:e} for {least:e}");
+        return;
+    }
     for i in 0..=count {
         assert_eq!(angles[i] + angles[count - i], 360.0, "{angles:?}");
         if count.is_multiple_of(2) && i <= count / 2 {
@@ -159,7 +169,7 @@ proptest! {
             let adaptive = draw(&shape, method, Cut::Adaptive(count));
             prop_assert_eq!(adaptive.curve.segments.len(), count);
             prop_assert!(adaptive.error.peak() <= draw(&shape, method, Cut::Count(count)).error.peak());
-            assert_symmetric(&adaptive);
+            assert_symmetric(&adaptive, &shape, method);
         }
     }
 }
