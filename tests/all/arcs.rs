@@ -148,6 +148,24 @@ fn ends_and_lines_stay_digit_for_digit_and_nothing_vanishes() {
 }
 
 #[test]
+fn a_loop_that_is_smaller_than_the_tolerance_stays_one() {
+    for tolerance in [0.1, 1.0, 2.3, 3.0, 4.0, 5.0, 10.0, 100.0] {
+        let drawing = drawn("M0 0C3 3-3 3 0 0", tolerance);
+        let ends = drawing
+            .curves()
+            .flat_map(|curve| &curve.segments)
+            .map(PathSeg::end);
+        let ends: Vec<Point> = ends.collect();
+        let area = ends
+            .windows(2)
+            .map(|pair| pair[0].to_vec2().cross(pair[1].to_vec2()))
+            .sum::<f64>();
+        assert!(area > 1.0, "{tolerance}: {ends:?}");
+        assert!(drawing.error().peak() <= tolerance);
+    }
+}
+
+#[test]
 fn more_than_a_million_segments_are_refused_with_a_tolerance_that_serves() {
     let wide = "M0 0C1e5 4e5 7e5 9e5 1e6 0";
     let refused = run(&["path", wide, "--to", "lines", "-t", "1e-7"]);
