@@ -312,4 +312,32 @@ mod tests {
             assert_eq!(within_a_turn(angle), within);
         }
     }
+
+    #[test]
+    fn rounding_leaves_the_radii_of_an_elliptical_arc() {
+        let arc = SvgArc {
+            from: Point::new(0.26, 0.0),
+            radii: Vec2::new(3.14, 2.71),
+            rotation: Angle::from_degrees(12.34),
+            large_arc: true,
+            sweep: false,
+            to: Point::new(4.04, 1.96),
+        };
+        let course = Course {
+            start: arc.from,
+            steps: vec![Step::Elliptical(arc)],
+            closed: false,
+        };
+        let rounded = course.rounded(Precision::Fixed(1));
+        let [Step::Elliptical(found)] = rounded.steps[..] else {
+            panic!("{rounded:?}")
+        };
+        assert_eq!(
+            (rounded.start, found.from),
+            (Point::new(0.3, 0.0), Point::new(0.3, 0.0))
+        );
+        assert_eq!(found.to, Point::new(4.0, 2.0));
+        assert_eq!((found.radii, found.rotation), (arc.radii, arc.rotation));
+        assert!(found.large_arc && !found.sweep);
+    }
 }

@@ -32,17 +32,11 @@ pub fn ellipse_length(radii: Vec2, from: f64, to: f64) -> f64 {
     }
     let speed = |angle: f64| libm::hypot(radii.x * libm::sin(angle), radii.y * libm::cos(angle));
     let quarter = core::f64::consts::FRAC_PI_2;
-    let mut sum = 0.0;
-    let mut here = from;
-    while here < to {
-        let next = (((here / quarter).floor() + 1.0) * quarter).min(to);
-        if next <= here {
-            break;
-        }
-        sum += adaptive_integral(&speed, here, next, 0.0);
-        here = next;
-    }
-    sign * sum
+    let first = (from / quarter).floor();
+    let count = ((to / quarter).ceil() - first) as usize;
+    let axis = |i: usize| ((first + i as f64) * quarter).clamp(from, to);
+    let pieces = (0..count).map(|i| adaptive_integral(&speed, axis(i), axis(i + 1), 0.0));
+    sign * pieces.fold(0.0, |sum, piece| sum + piece)
 }
 
 #[cfg(test)]

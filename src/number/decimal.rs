@@ -391,4 +391,11 @@ mod tests {
         let d = Decimal::round(1e14, 9);
         assert_eq!(d.value(), 1e14);
     }
+
+    #[test]
+    fn a_difference_that_leaves_the_range_is_rounded() {
+        let decimal = |units, decimals| Decimal { units, decimals };
+        let found = decimal(9_000_000_000_000_000_000, 0).minus(decimal(1, 18));
+        assert_eq!(found.value(), 9e18);
+    }
 }

@@ -273,6 +273,51 @@ mod tests {
     use crate::angle::Angle;
 
     #[test]
+    fn an_arc_whose_centre_rounding_moves_too_far_becomes_the_fewest_chords() {
+        // A lower half circle whose centre lies halfway between points of the grid.
+        let (radius, center) = (5.5, Point::new(5.5, 0.0));
+        let half = CircularArc {
+            to: Point::new(11.0, 0.0),
+            center,
+            radius,
+            start: Angle::from_degrees(180.0),
+            sweep: Angle::from_degrees(180.0),
+            ends_given: true,
+        };
+        let course = Course {
+            start: Point::ZERO,
+            steps: vec![Step::Arc(half)],
+            closed: false,
+        };
+        let room = 1.3;
+        let options = Options {
+            precision: Some(Precision::Fixed(0)),
+            feed: None,
+            closeness: Some(Closeness::exact(room)),
+        };
+        let text = program("A", &[course], &options).unwrap();
+        let place = |line: &str| {
+            let (x, y) = line.split_once('X')?.1.split_once(" Y")?;
+            Some(Point::new(x.parse().ok()?, y.parse().ok()?))
+        };
+        let points: Vec<Point> = text.lines().filter_map(place).collect();
+        // The sagitta of three is 0.74, of four 0.42, and rounding adds 0.71.
+        assert_eq!(text.matches("G1 ").count(), 4, "{text}");
+        assert_eq!((points[0], points[4]), (Point::ZERO, half.to));
+        for pair in points.windows(2) {
+            for i in 0..=50 {
+                let off = pair[0].lerp(pair[1], f64::from(i) / 50.0).distance(center) - radius;
+                assert!(off.abs() <= room, "{text}");
+            }
+        }
+        let stated = text
+            .split_once("up to ")
+            .and_then(|(_, rest)| rest.split_once(')'));
+        let stated: f64 = stated.unwrap().0.parse().unwrap();
+        assert!(stated > 1.12 && stated <= room, "{text}");
+    }
+
+    #[test]
     fn a_course_of_several_steps_is_one_run() {
         let turn = CircularArc {
             to: Point::new(2.0, 1.0),

@@ -122,4 +122,15 @@ mod tests {
             assert!((farthest - 1e-3).abs() < 1e-9, "{at}: {farthest}");
         }
     }
+
+    #[test]
+    fn a_line_is_nearest_where_it_runs_along_the_tangent() {
+        let line = PathSeg::Line(kurbo::Line::new((-3.0, 2.0), (5.0, 2.0)));
+        let foot = |t: f64| foot(Vec2::new(2.0, 1.0), line.eval(t).to_vec2());
+        let mut found = Vec::new();
+        visit_between(&line, &[], foot, |t, distance| found.push((t, distance)));
+        // Above the end of the short axis.
+        assert_eq!(found.len(), 3, "{found:?}");
+        assert!((found[1].0 - 0.375).abs() < 1e-12 && (found[1].1 - 1.0).abs() < 1e-12);
+    }
 }
