@@ -318,6 +318,60 @@ mod tests {
     }
 
     #[test]
+    fn a_flat_arc_whose_centre_rounding_moves_too_far_becomes_one_chord() {
+        // The centre (1.5, -3) rounds to (2, -3), which is 0.44 nearer to the end than to the start; the sagitta is 0.354.
+        let center = Point::new(1.5, -3.0);
+        let radius = libm::sqrt(11.25);
+        let half = libm::asin(1.5 / radius).to_degrees();
+        let arc = CircularArc {
+            to: Point::new(3.0, 0.0),
+            center,
+            radius,
+            start: Angle::from_degrees(90.0 + half),
+            sweep: Angle::from_degrees(-2.0 * half),
+            ends_given: true,
+        };
+        let course = Course {
+            start: Point::ZERO,
+            steps: vec![Step::Arc(arc)],
+            closed: false,
+        };
+        let lines = |room: f64| {
+            let options = Options {
+                precision: Some(Precision::Fixed(0)),
+                feed: None,
+                closeness: Some(Closeness::exact(room)),
+            };
+            program("A", core::slice::from_ref(&course), &options).map(|text| {
+                let moves = text.lines().filter(|line| line.starts_with('G'));
+                moves.skip(2).map(str::to_owned).collect::<Vec<_>>()
+            })
+        };
+        assert_eq!(lines(0.36).unwrap(), ["G1 X3 Y0"]);
+        assert_eq!(lines(2.0).unwrap(), ["G2 X3 Y0 I2 J-3"]);
+        assert!(lines(0.35).is_err());
+    }
+
+    #[test]
+    fn where_no_decimals_are_enough_all_digits_are_written() {
+        let third = 1.0 / 3.0;
+        let course = Course {
+            start: Point::ZERO,
+            steps: vec![Step::Line(Point::new(third, 0.0))],
+            closed: false,
+        };
+        let options = Options {
+            closeness: Some(Closeness::exact(0.0)),
+            ..Options::default()
+        };
+        let text = program("A", &[course], &options).unwrap();
+        assert_eq!(
+            text,
+            format!("(A, exact)\nG17 G90\nG0 X0 Y0\nG1 X{third} Y0\nM2\n")
+        );
+    }
+
+    #[test]
     fn a_course_of_several_steps_is_one_run() {
         let turn = CircularArc {
             to: Point::new(2.0, 1.0),

@@ -3,7 +3,7 @@
 use curveto::method::{Method, Rule};
 use curveto::shape::endpoint::SvgArc;
 use curveto::{Angle, Arc, Error};
-use kurbo::{CubicBez, Point, Vec2};
+use kurbo::{CubicBez, ParamCurve, Point, Vec2};
 
 use crate::judges::program::{json, piped, printed, refused, run, run_in, words};
 
@@ -491,4 +491,61 @@ fn samples_of_an_exact_conic_have_no_error() {
     let nearly = of("0.99999");
     assert!(nearly.iter().all(|row| row[0] == "ellipse"), "{nearly:?}");
     assert!(nearly.iter().any(|row| row[7] != "0"), "{nearly:?}");
+}
+
+#[test]
+fn what_has_no_size_has_no_relative_error() {
+    let dot = json(&["path", "M5 5Z"]);
+    assert_eq!(dot["subpaths"][0]["error"]["relative_peak"], 0);
+    let line = run(&words("arc --from 0,0 --to 5,0 --bulge 0 -v"));
+    let said = String::from_utf8(line.stderr).unwrap();
+    assert_eq!(said, "line: exact\n");
+}
+
+#[test]
+fn exact_arcs_in_postscript_stray_no_farther_than_it_says() {
+    let text = printed(&["path", "M0 0A5 5 0 0 1 5 5", "--to", "arcs", "-f", "eps"]);
+    let stated = text
+        .split_once(", within ")
+        .unwrap()
+        .1
+        .lines()
+        .next()
+        .unwrap();
+    let stated: f64 = stated.parse().unwrap();
+    assert!(stated < 1e-6, "{stated}");
+    let mut from = Point::ZERO;
+    let mut count = 0;
+    for line in text
+        .lines()
+        .filter_map(|line| line.strip_suffix(" curveto"))
+    {
+        let c: Vec<f64> = line.split(' ').map(|x| x.parse().unwrap()).collect();
+        let [p1, p2, p3] = [0, 2, 4].map(|i| Point::new(c[i], c[i + 1]));
+        let cubic = CubicBez::new(from, p1, p2, p3);
+        for i in 0..=20 {
+            let p = cubic.eval(f64::from(i) / 20.0);
+            let off = (p.distance(Point::new(0.0, 5.0)) - 5.0).abs();
+            assert!(off <= stated, "{off}");
+        }
+        (from, count) = (p3, count + 1);
+    }
+    assert!(count > 4 && from == Point::new(5.0, 5.0));
+}
+
+#[test]
+fn a_side_of_a_rectangle_that_comes_back_is_no_side() {
+    let rect = br#"<svg><rect width="20" height="10" rx="3"/></svg>"#;
+    let path = String::from_utf8(piped(&["convert"], rect).stdout).unwrap();
+    let back = |text: &str| {
+        let words = ["convert", "--to", "arcs", "--shapes", "--only", "rect"];
+        String::from_utf8(piped(&words, text.as_bytes()).stdout).unwrap()
+    };
+    assert!(
+        back(&path).contains(r#"<rect x="0" y="0" width="20" height="10" rx="3""#),
+        "{path}"
+    );
+    let hesitating = path.replacen("H17", "H10H8H17", 1);
+    assert_ne!(hesitating, path);
+    assert_eq!(back(&hesitating), hesitating);
 }
