@@ -8,7 +8,7 @@ use crate::angle::Angle;
 use crate::curve::Curve;
 use crate::number::Precision;
 use crate::shape::endpoint::SvgArc;
-use crate::shape::{Arc, Given, Outline, Shape};
+use crate::shape::{Arc, Given, Outline};
 
 /// By what part the radii of a circle may differ after a map that turns and scales it: its rounding, and a margin.
 const ROUND: f64 = 1e-12;
@@ -70,16 +70,18 @@ impl Step {
     pub fn outline(&self, from: Point) -> Option<Outline> {
         match self {
             Self::Line(_) => None,
-            Self::Arc(arc) => Shape::Arc(Arc {
-                center: arc.center,
-                radii: Vec2::splat(arc.radius),
-                rotation: Angle::ZERO,
-                start: arc.start,
-                sweep: arc.sweep,
-                ends: Some([from, arc.to]),
-                given: Given::Sweep,
-            })
-            .outline(),
+            Self::Arc(arc) => {
+                let own = Arc {
+                    center: arc.center,
+                    radii: Vec2::splat(arc.radius),
+                    rotation: Angle::ZERO,
+                    start: arc.start,
+                    sweep: arc.sweep,
+                    ends: Some([from, arc.to]),
+                    given: Given::Sweep,
+                };
+                Some(own.outline())
+            }
             Self::Elliptical(arc) => arc.shape().ok()?.outline(),
         }
     }

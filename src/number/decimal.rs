@@ -394,8 +394,10 @@ mod tests {
 
     #[test]
     fn a_difference_that_leaves_the_range_is_rounded() {
-        let decimal = |units, decimals| Decimal { units, decimals };
-        let found = decimal(9_000_000_000_000_000_000, 0).minus(decimal(1, 18));
-        assert_eq!(found.value(), 9e18);
+        let of = |units, decimals| Decimal { units, decimals };
+        assert_eq!(
+            of(9_000_000_000_000_000_000, 0).minus(of(1, 18)).value(),
+            9e18
+        );
     }
 }

@@ -518,9 +518,14 @@ fn exact_arcs_in_postscript_stray_no_farther_than_it_says() {
     let mut count = 0;
     for line in text
         .lines()
+        .filter(|line| !line.starts_with('%'))
         .filter_map(|line| line.strip_suffix(" curveto"))
     {
-        let c: Vec<f64> = line.split(' ').map(|x| x.parse().unwrap()).collect();
+        let numbers = line
+            .split(' ')
+            .map(str::parse)
+            .collect::<Result<Vec<f64>, _>>();
+        let c = numbers.unwrap_or_else(|error| panic!("{line}: {error}"));
         let [p1, p2, p3] = [0, 2, 4].map(|i| Point::new(c[i], c[i + 1]));
         let cubic = CubicBez::new(from, p1, p2, p3);
         for i in 0..=20 {
