@@ -391,13 +391,4 @@ mod tests {
         let d = Decimal::round(1e14, 9);
         assert_eq!(d.value(), 1e14);
     }
-
-    #[test]
-    fn a_difference_that_leaves_the_range_is_rounded() {
-        let of = |units, decimals| Decimal { units, decimals };
-        assert_eq!(
-            of(9_000_000_000_000_000_000, 0).minus(of(1, 18)).value(),
-            9e18
-        );
-    }
 }

@@ -321,3 +321,10 @@ fn what_has_no_digits_to_round_is_left() {
         assert_eq!(round_one_two_five(none), 1.0);
     }
 }
+
+#[test]
+fn a_difference_that_leaves_the_range_is_rounded() {
+    let of = |units, decimals| decimal::Decimal { units, decimals };
+    let found = of(9_000_000_000_000_000_000, 0).minus(of(1, 18));
+    assert_eq!(found.value(), 9e18);
+}
