@@ -554,3 +554,41 @@ fn a_side_of_a_rectangle_that_comes_back_is_no_side() {
     assert_ne!(hesitating, path);
     assert_eq!(back(&hesitating), hesitating);
 }
+
+#[test]
+fn what_style_sheets_hold_beside_declarations_says_nothing_of_arcs() {
+    let with = |css: &str, data: &str| {
+        format!(r#"<svg><marker id="m"/><style>{css}</style><path d="{data}"/></svg>"#)
+    };
+    let arc = "M0 0A5 5 0 1 1 5 5";
+    // Two joints more, on which a marker would stand.
+    let cubic = "M0 0C0-2.7596 2.2404-5 5-5 7.7596-5 10-2.7596 10 0 10 2.7596 7.7596 5 5 5";
+    for (css, expected) in [
+        ("@keyframes k{from{fill:red;.a{stroke:blue}}}", cubic),
+        (".a{fill:(5) [b] {c}}", cubic),
+        ("path{marker:none}", cubic),
+        // A value that is not understood may be a marker.
+        ("path{marker:none (5)}", arc),
+        ("path{marker:[none]}", arc),
+    ] {
+        let output = piped(&["convert"], with(css, arc).as_bytes());
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(text, with(css, expected), "{css}");
+    }
+}
+
+#[test]
+fn the_smallest_arc_of_a_path_has_its_digits_and_so_have_the_others() {
+    let digits = |data: &str| printed(&["path", data]).split(' ').map(str::len).max();
+    let large = "M0 0A5 5 0 0 1 5 5";
+    assert!(digits(large) < Some(10));
+    let both = format!("{large}M0 0A1e-40 1e-40 0 0 1 1e-40 1e-40");
+    assert!(printed(&["path", &both]).starts_with("M0 0C2.75957512246755"));
+}
+
+#[test]
+fn a_reference_that_is_not_declared_stays_as_it_stands() {
+    let drawing = br#"<svg><path transform="&foo;" d="M5 0C5 2.76 2.76 5 0 5"/></svg>"#;
+    let said = String::from_utf8(piped(&["measure", "--file", "-"], drawing).stderr).unwrap();
+    assert!(said.contains("cannot read the transform '&foo;'"), "{said}");
+}
