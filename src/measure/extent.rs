@@ -83,4 +83,33 @@ mod tests {
         assert_eq!(sector_area(&line, Point::new(3.0, -1.0)), -2.0);
         assert_eq!(sector_area(&line, Point::new(3.0, 3.0)), 2.0);
     }
+
+    #[test]
+    fn arcs_are_as_long_a_turn_farther_and_mirrored() {
+        let radii = Vec2::new(3.0, 0.7);
+        for (from, to) in [(0.3, 1.0), (1.4, 1.7), (-5.0, -1.0), (-0.2, 4.0)] {
+            let length = ellipse_length(radii, from, to);
+            let near = |other: f64| (other / length - 1.0).abs() < 1e-13;
+            for turns in [-3.0, -1.0, 2.0] {
+                let by = 2.0 * PI * turns;
+                assert!(
+                    near(ellipse_length(radii, from + by, to + by)),
+                    "{from} {turns}"
+                );
+            }
+            assert!(near(ellipse_length(radii, -to, -from)), "{from}");
+            assert!(near(-ellipse_length(radii, to, from)), "{from}");
+            // The sum of many chords.
+            let at = |i: u32| from + (to - from) * f64::from(i) / 20_000.0;
+            let point =
+                |angle: f64| Vec2::new(radii.x * libm::cos(angle), radii.y * libm::sin(angle));
+            let chords: f64 = (0..20_000)
+                .map(|i| (point(at(i + 1)) - point(at(i))).hypot())
+                .sum();
+            assert!(
+                (chords / length - 1.0).abs() < 1e-6,
+                "{from}: {chords} {length}"
+            );
+        }
+    }
 }
