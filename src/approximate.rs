@@ -124,10 +124,7 @@ impl Drawing {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn approximate(shape: &Shape, options: &Options) -> Result<Drawing> {
-    match Request::new(shape, options)? {
-        Some(request) => request.drawing(),
-        None => straight(shape, options),
-    }
+    drawn(shape, options, false)
 }
 
 /// As [`approximate`], but an arc that was given by its ends keeps them whatever the precision: for a path, whose other segments
@@ -137,9 +134,13 @@ pub fn approximate(shape: &Shape, options: &Options) -> Result<Drawing> {
 ///
 /// As [`approximate`].
 pub(crate) fn approximate_between(shape: &Shape, options: &Options) -> Result<Drawing> {
+    drawn(shape, options, true)
+}
+
+fn drawn(shape: &Shape, options: &Options, keeps_ends: bool) -> Result<Drawing> {
     match Request::new(shape, options)? {
         Some(request) => Request {
-            keeps_ends: true,
+            keeps_ends,
             ..request
         }
         .drawing(),

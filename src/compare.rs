@@ -262,9 +262,7 @@ impl Comparison {
             let piece = rule.piece(&Span::from_degrees(span))?;
             let sweep = Angle::from_degrees(span);
             let arc = Arc::new((0.0, 0.0), (1.0, 1.0), Angle::ZERO, Angle::ZERO, sweep)?;
-            let Some(outline) = Shape::Arc(arc).outline() else {
-                return Ok(0.0);
-            };
+            let outline = arc.outline();
             let whole = EqualPieces::new(outline.unit, 1)?;
             let curve = Placed::new(&outline, &whole).curve([[piece; 2]], false);
             Ok(by.of(&curve, &outline))

@@ -269,27 +269,18 @@ impl Finisher<'_> {
         let mut radius = 0.0_f64;
         let mut truths = Vec::new();
         for (step, sketch) in contour.steps.iter().zip(arcs) {
-            match (step, sketch) {
-                (Step::Arc(arc), Some(sketch)) => {
-                    let kept = sketch.kept.as_ref().map_or(&[][..], |ends| &ends[..]);
-                    let curve = sketch.curve.rounded(self.precision, kept);
-                    let outline = Shape::Arc(*arc).outline();
-                    if let Some(outline) = outline {
-                        let outline = outline.transformed(self.options.transform)?;
-                        error = error.with(radial::error(&curve.segments, &outline.truth));
-                        radius = radius.max(outline.truth.larger_radius());
-                        truths.push((
-                            segments.len()..segments.len() + curve.segments.len(),
-                            outline,
-                        ));
-                    }
-                    segments.extend(curve.segments);
-                }
-                (Step::Given(segment), _) => {
-                    let moved = self.given(self.options.transform * *segment, &mut segments)?;
-                    error = error.with(RadialError::balanced(moved));
-                }
-                (Step::Arc(_), None) => {}
+            if let (Step::Arc(arc), Some(sketch)) = (step, sketch) {
+                let kept = sketch.kept.as_ref().map_or(&[][..], |ends| &ends[..]);
+                let curve = sketch.curve.rounded(self.precision, kept);
+                let outline = arc.outline().transformed(self.options.transform)?;
+                error = error.with(radial::error(&curve.segments, &outline.truth));
+                radius = radius.max(outline.truth.larger_radius());
+                let piece = segments.len()..segments.len() + curve.segments.len();
+                truths.push((piece, outline));
+                segments.extend(curve.segments);
+            } else if let Step::Given(segment) = step {
+                let moved = self.given(self.options.transform * *segment, &mut segments)?;
+                error = error.with(RadialError::balanced(moved));
             }
         }
         let curve = Curve {

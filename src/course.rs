@@ -8,7 +8,7 @@ use crate::angle::Angle;
 use crate::curve::Curve;
 use crate::number::Precision;
 use crate::shape::endpoint::SvgArc;
-use crate::shape::{Arc, Given, Outline, Shape};
+use crate::shape::{Arc, Given, Outline};
 
 /// By what part the radii of a circle may differ after a map that turns and scales it: its rounding, and a margin.
 const ROUND: f64 = 1e-12;
@@ -70,16 +70,18 @@ impl Step {
     pub fn outline(&self, from: Point) -> Option<Outline> {
         match self {
             Self::Line(_) => None,
-            Self::Arc(arc) => Shape::Arc(Arc {
-                center: arc.center,
-                radii: Vec2::splat(arc.radius),
-                rotation: Angle::ZERO,
-                start: arc.start,
-                sweep: arc.sweep,
-                ends: Some([from, arc.to]),
-                given: Given::Sweep,
-            })
-            .outline(),
+            Self::Arc(arc) => {
+                let own = Arc {
+                    center: arc.center,
+                    radii: Vec2::splat(arc.radius),
+                    rotation: Angle::ZERO,
+                    start: arc.start,
+                    sweep: arc.sweep,
+                    ends: Some([from, arc.to]),
+                    given: Given::Sweep,
+                };
+                Some(own.outline())
+            }
             Self::Elliptical(arc) => arc.shape().ok()?.outline(),
         }
     }
@@ -311,5 +313,33 @@ mod tests {
         for (angle, within) in [(-90.0, 270.0), (360.0, 0.0), (725.0, 5.0), (-1e-300, 0.0)] {
             assert_eq!(within_a_turn(angle), within);
         }
+    }
+
+    #[test]
+    fn rounding_leaves_the_radii_of_an_elliptical_arc() {
+        let arc = SvgArc {
+            from: Point::new(0.26, 0.0),
+            radii: Vec2::new(3.24, 2.71),
+            rotation: Angle::from_degrees(12.34),
+            large_arc: true,
+            sweep: false,
+            to: Point::new(4.04, 1.96),
+        };
+        let course = Course {
+            start: arc.from,
+            steps: vec![Step::Elliptical(arc)],
+            closed: false,
+        };
+        let rounded = course.rounded(Precision::Fixed(1));
+        let [Step::Elliptical(found)] = rounded.steps[..] else {
+            panic!("{rounded:?}")
+        };
+        assert_eq!(
+            (rounded.start, found.from),
+            (Point::new(0.3, 0.0), Point::new(0.3, 0.0))
+        );
+        assert_eq!(found.to, Point::new(4.0, 2.0));
+        assert_eq!((found.radii, found.rotation), (arc.radii, arc.rotation));
+        assert!(found.large_arc && !found.sweep);
     }
 }

@@ -155,9 +155,11 @@ pub(crate) fn segment_of(points: &[Point]) -> PathSeg {
     match *points {
         [p0, p1, p2, p3] => PathSeg::Cubic(CubicBez::new(p0, p1, p2, p3)),
         [p0, p1, p2] => PathSeg::Quad(QuadBez::new(p0, p1, p2)),
-        [p0, .., p1] => PathSeg::Line(kurbo::Line::new(p0, p1)),
-        [p] => PathSeg::Line(kurbo::Line::new(p, p)),
-        [] => PathSeg::Line(kurbo::Line::new(Point::ORIGIN, Point::ORIGIN)),
+        _ => {
+            let [from, to] =
+                [points.first(), points.last()].map(|p| p.copied().unwrap_or_default());
+            PathSeg::Line(kurbo::Line::new(from, to))
+        }
     }
 }
 
@@ -183,10 +185,8 @@ pub(crate) fn first_direction(segment: &PathSeg) -> Vec2 {
 
 /// How far the end of a curve lies from its start.
 pub(crate) fn gap(curve: &Curve) -> f64 {
-    match (curve.segments.first(), curve.segments.last()) {
-        (Some(first), Some(last)) => first.start().distance(last.end()),
-        _ => 0.0,
-    }
+    let ends = curve.segments.first().zip(curve.segments.last());
+    ends.map_or(0.0, |(first, last)| first.start().distance(last.end()))
 }
 
 /// The diagonal of the curve's bounding box.

@@ -203,4 +203,11 @@ mod tests {
     fn quadrature_is_exact_for_polynomials() {
         assert!((integral(|x| x.powi(20), 0.0, 1.0) - 1.0 / 21.0).abs() < 1e-16);
     }
+
+    #[test]
+    fn the_top_of_a_parabola_is_above_its_samples() {
+        // 5 - (t - 0.25)² at -1, 0 and 1.
+        assert_eq!(top([3.4375, 4.9375, 4.4375]), 5.0);
+        assert_eq!(top([2.0, 2.0, 2.0]), 2.0);
+    }
 }

@@ -205,4 +205,10 @@ mod tests {
             prop_assert!((value(coefficients(&points), t) - work[0]).abs() < 4e-15);
         }
     }
+
+    #[test]
+    fn no_point_has_no_coefficients_and_one_is_constant() {
+        assert_eq!(coefficients(&[]), [0.0; 4]);
+        assert_eq!(coefficients(&[7.0]), [0.0, 0.0, 0.0, 7.0]);
+    }
 }

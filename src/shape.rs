@@ -175,6 +175,25 @@ impl Arc {
         Truth::new(self.center, self.radii, self.rotation.direction()).turned(self.rotation)
     }
 
+    /// The piece of the unit circle and where it lies.
+    #[must_use]
+    pub fn outline(&self) -> Outline {
+        let unit = UnitArc {
+            start: within_reach(self.start),
+            sweep: self.sweep,
+            closed: self.is_closed(),
+        };
+        let truth = self.truth();
+        let through = |ends| truth.through(ends, unit.sweep, self.given);
+        let truth = self.ends.map_or(truth, through);
+        Outline {
+            unit,
+            placement: truth.placement(),
+            truth,
+            ends: self.ends,
+        }
+    }
+
     /// Whether it ends where it starts.
     #[must_use]
     pub fn is_closed(&self) -> bool {
@@ -221,53 +240,31 @@ impl Shape {
     /// The piece of the unit circle and where it lies; `None` for a line and for nothing.
     #[must_use]
     pub fn outline(&self) -> Option<Outline> {
-        let turn = |start, reverse| {
-            let sweep = if reverse {
-                Angle::from_degrees(-360.0)
-            } else {
-                Angle::TURN
-            };
-            UnitArc {
-                start: within_reach(start),
-                sweep,
-                closed: true,
-            }
+        let whole = |start, reverse, truth: Truth| {
+            let degrees = if reverse { -360.0 } else { 360.0 };
+            Some(Outline {
+                unit: UnitArc {
+                    start: within_reach(start),
+                    sweep: Angle::from_degrees(degrees),
+                    closed: true,
+                },
+                placement: truth.placement(),
+                truth,
+                ends: None,
+            })
         };
-        let mut given = Given::Sweep;
-        let (unit, center, radii, rotation, ends) = match *self {
-            Self::Circle(c) => (
-                turn(c.start, c.reverse),
-                c.center,
-                Vec2::new(c.radius, c.radius),
-                Angle::ZERO,
-                None,
-            ),
-            Self::Ellipse(e) => (
-                turn(e.start, e.reverse),
-                e.center,
-                e.radii,
-                e.rotation,
-                None,
-            ),
-            Self::Arc(a) => {
-                let unit = UnitArc {
-                    start: within_reach(a.start),
-                    sweep: a.sweep,
-                    closed: a.is_closed(),
-                };
-                given = a.given;
-                (unit, a.center, a.radii, a.rotation, a.ends)
-            }
-            Self::Line(_) | Self::Empty => return None,
+        let truth = |center, radii, rotation: Angle| {
+            Truth::new(center, radii, rotation.direction()).turned(rotation)
         };
-        let truth = Truth::new(center, radii, rotation.direction()).turned(rotation);
-        let truth = ends.map_or(truth, |ends| truth.through(ends, unit.sweep, given));
-        Some(Outline {
-            unit,
-            placement: truth.placement(),
-            truth,
-            ends,
-        })
+        match *self {
+            Self::Circle(c) => {
+                let radii = Vec2::new(c.radius, c.radius);
+                whole(c.start, c.reverse, truth(c.center, radii, Angle::ZERO))
+            }
+            Self::Ellipse(e) => whole(e.start, e.reverse, truth(e.center, e.radii, e.rotation)),
+            Self::Arc(arc) => Some(arc.outline()),
+            Self::Line(_) | Self::Empty => None,
+        }
     }
 }
 

@@ -124,8 +124,7 @@ impl Request<'_> {
             match self.within(Joints::equal(&self.outline.unit, count)?, None, tolerance) {
                 Ok(Some(sketch)) => return Ok(sketch),
                 Ok(None) => serves = true,
-                Err(refusal @ Error::Impossible { .. }) => last_refusal = Some(refusal),
-                Err(other) => return Err(other),
+                Err(refusal) => last_refusal = Some(refusal),
             }
         }
         let found = serves.then(beyond).flatten();

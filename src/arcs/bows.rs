@@ -87,11 +87,7 @@ impl Builder<'_> {
             self.line(piece.start(), piece.end(), 0.0, true);
             return Ok(());
         };
-        let Some(outline) = Shape::Arc(*arc).outline() else {
-            self.line(piece.start(), piece.end(), 0.0, true);
-            return Ok(());
-        };
-        let outline = outline.transformed(self.options.transform)?;
+        let outline = arc.outline().transformed(self.options.transform)?;
         let kept = if outline.unit.closed {
             None
         } else if let Some(course) = Course::of_arc(&outline)

@@ -9,20 +9,32 @@ const HALVINGS: u32 = 20;
 /// How often the parameter is halved at most: beyond that floats are no closer together.
 const DEEPEST: u32 = 40;
 
+/// The ends of the chords of a loop that fewer would leave nothing of.
+const THIRDS: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
+
 /// The parameters at which the chords of a piece end, 1 the last. No more than one above [`MOST_SEGMENTS`] are found.
 pub(super) fn cuts(piece: &Piece, tolerance: f64) -> Vec<f64> {
     if piece.is_line() {
         return vec![1.0];
     }
     let whole = piece.chord_distance(0.0, 1.0);
-    if whole <= tolerance.max(0.0) {
-        // A small loop stays one.
-        return if whole > 0.0 && piece.start() == piece.end() {
-            vec![1.0 / 3.0, 2.0 / 3.0, 1.0]
-        } else {
-            vec![1.0]
-        };
+    let found = if whole <= tolerance.max(0.0) {
+        vec![1.0]
+    } else {
+        fewest(piece, tolerance)
+    };
+    // A small loop stays one.
+    let is_loop = whole > 0.0 && piece.start() == piece.end();
+    let fits = |ends: &[f64]| piece.chord_distance(ends[0], ends[1]) <= tolerance;
+    if is_loop && found.len() < 3 && THIRDS.windows(2).all(fits) {
+        THIRDS[1..].to_vec()
+    } else {
+        found
     }
+}
+
+/// The longest chords, or those by halving where they are fewer.
+fn fewest(piece: &Piece, tolerance: f64) -> Vec<f64> {
     let longest = longest(piece, tolerance);
     if longest.len() > MOST_SEGMENTS {
         return longest;

@@ -7,7 +7,7 @@ use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2}
 use crate::contour::Step;
 use crate::error::Result;
 use crate::numeric::functions::unit_vector;
-use crate::shape::{Outline, Shape};
+use crate::shape::Outline;
 
 /// How far a height above a chord may be off, as a part of the vectors that it was made from.
 const HEIGHT: f64 = 4.0 * f64::EPSILON;
@@ -39,14 +39,7 @@ impl Piece {
                 PathSeg::Line(line) => Self::Line(line),
                 bezier => Self::Cubic(bezier.to_cubic()),
             },
-            Step::Arc(arc) => {
-                if let Some(outline) = Shape::Arc(*arc).outline() {
-                    Self::Arc(Turn::new(&outline.transformed(transform)?))
-                } else {
-                    let [from, to] = arc.ends.unwrap_or([arc.center; 2]).map(|p| transform * p);
-                    Self::Line(Line::new(from, to))
-                }
-            }
+            Step::Arc(arc) => Self::Arc(Turn::new(&arc.outline().transformed(transform)?)),
         })
     }
 

@@ -2,7 +2,7 @@
 
 use kurbo::{CubicBez, Point, Vec2};
 
-use super::bound::{is_within, roughly_from_arc};
+use super::bound::{from_chord, is_within, roughly_from_arc};
 use super::glance::{Glance, glance, strays_from};
 use super::recognize::{Rules, closer, run};
 use crate::number::{Precision, round};
@@ -100,4 +100,15 @@ fn the_sizes_of_coefficients_tell_what_the_bound_tells() {
         }
     }
     assert!(within[0] > 5_000 && within[1] > 1_000, "{within:?}");
+}
+
+#[test]
+fn a_chain_that_comes_back_to_its_start_has_no_chord() {
+    let bow = |[a, b, c, d]: [(f64, f64); 4]| CubicBez::new(a, b, c, d);
+    let there = bow([(0.0, 0.0), (0.0, 1.0), (2.0, 1.0), (2.0, 0.0)]);
+    let back = bow([(2.0, 0.0), (2.0, -1.0), (0.0, -1.0), (0.0, 0.0)]);
+    // The highest point of a bow is 3/4 of its control points high.
+    assert!((from_chord(&[there]) - 0.75).abs() < 1e-14);
+    assert_eq!(from_chord(&[there, back]), f64::INFINITY);
+    assert_eq!(from_chord(&[]), f64::INFINITY);
 }

@@ -228,10 +228,7 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
 fn is_course(contour: &Contour) -> bool {
     contour.steps.iter().all(|step| match step {
         Step::Given(segment) => matches!(segment, kurbo::PathSeg::Line(_)),
-        Step::Arc(arc) => {
-            let outline = Shape::Arc(*arc).outline();
-            outline.is_none_or(|outline| Course::of_arc(&outline).is_some())
-        }
+        Step::Arc(arc) => Course::of_arc(&arc.outline()).is_some(),
     })
 }
 

@@ -175,3 +175,32 @@ impl Frame {
         (tangent.cross(self.second(x)) / tangent.hypot2() / tangent.hypot()).abs()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parabola y = x² between two places.
+    fn parabola(a: f64, b: f64) -> Conic {
+        let points = [(a, a * a), (f64::midpoint(a, b), a * b), (b, b * b)];
+        let [from, control, to] = points.map(|(x, y)| Point::new(x, y));
+        Conic::new(from, control, to, 1.0).unwrap()
+    }
+
+    #[test]
+    fn a_parabola_bends_most_where_it_is_nearest_to_its_tip() {
+        for (a, b, nearest) in [(1.0, 2.0, 1.0), (-2.0, -1.0, -1.0), (-1.0, 2.0, 0.0)] {
+            let expected = 2.0 / libm::pow(1.0 + 4.0 * nearest * nearest, 1.5);
+            let found = Frame::new(&parabola(a, b)).largest_curvature();
+            assert!((found / expected - 1.0).abs() < 1e-12, "{a} {b}: {found}");
+        }
+    }
+
+    #[test]
+    fn the_control_point_is_opposite_to_the_middle() {
+        let conic = parabola(-1.0, 1.0);
+        let frame = Frame::new(&conic);
+        assert_eq!(frame.opposite(conic.control), 0.0);
+        assert!((frame.opposite(Point::new(0.5, 0.25)) - 0.5).abs() < 1e-12);
+    }
+}

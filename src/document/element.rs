@@ -352,4 +352,35 @@ mod tests {
         assert!(text.starts_with("M1.12345678 0c"), "{text}");
         assert!(text.ends_with(" 1.12345678 0Z"), "{text}");
     }
+
+    #[test]
+    fn half_of_a_side_that_has_no_room_for_a_decimal_is_rounded() {
+        let side = Length {
+            value: 4.0,
+            exact: Decimal {
+                units: 4_000_000_000_000_000_000,
+                decimals: 18,
+            },
+        };
+        assert_eq!(clamp(Length::computed(3.0), side).value, 2.0);
+    }
+
+    #[test]
+    fn a_rectangle_whose_radii_are_both_automatic_has_square_corners() {
+        let sides = [("width", "9"), ("height", "9")];
+        let of = |radii: [&'static str; 2]| {
+            let all = [("rx", radii[0]), ("ry", radii[1])]
+                .into_iter()
+                .chain(sides);
+            read(Kind::Rect, |name| {
+                let found = all.clone().find(|(known, _)| *known == name);
+                found.map(|(_, value)| Cow::Borrowed(value))
+            })
+        };
+        assert!(matches!(of(["auto", "auto"]), Ok(Shape::Square)));
+        // Browsers disagree on what the other one is then.
+        for other in ["2", "5%"] {
+            assert!(matches!(of(["auto", other]), Err(Reason::Length { .. })));
+        }
+    }
 }

@@ -156,7 +156,9 @@ impl<'a> Rewriter<'a, '_> {
             (Some(Kind::Path), Target::Arcs { tolerance, shapes }) => {
                 let made = shapes.then(|| self.whole(element, scanner, markers, tolerance));
                 made.flatten().or_else(|| {
-                    self.path(element, scanner, markers);
+                    if self.options.only.contains(Kind::Path) {
+                        self.path(element, scanner, markers);
+                    }
                     None
                 })
             }

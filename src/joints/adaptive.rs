@@ -43,13 +43,9 @@ const MOST: usize = 4096;
 
 /// Whether the rule's pieces join at uneven angles, each one on its own.
 pub(crate) fn serves(rule: Rule) -> bool {
-    match rule {
-        Rule::Handle(_)
-        | Rule::Method(Method::Chen1 | Method::LancasterBest | Method::LancasterDrawellipse) => {
-            false
-        }
-        Rule::Chen2(_) => true,
-        Rule::Method(method) => method.card().ends == Ends::OnCircle,
+    match rule.method() {
+        None | Some(Method::Chen1 | Method::LancasterBest | Method::LancasterDrawellipse) => false,
+        Some(method) => method.card().ends == Ends::OnCircle,
     }
 }
 

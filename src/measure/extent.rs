@@ -32,17 +32,11 @@ pub fn ellipse_length(radii: Vec2, from: f64, to: f64) -> f64 {
     }
     let speed = |angle: f64| libm::hypot(radii.x * libm::sin(angle), radii.y * libm::cos(angle));
     let quarter = core::f64::consts::FRAC_PI_2;
-    let mut sum = 0.0;
-    let mut here = from;
-    while here < to {
-        let next = (((here / quarter).floor() + 1.0) * quarter).min(to);
-        if next <= here {
-            break;
-        }
-        sum += adaptive_integral(&speed, here, next, 0.0);
-        here = next;
-    }
-    sign * sum
+    let first = (from / quarter).floor();
+    let count = ((to / quarter).ceil() - first) as usize;
+    let axis = |i: usize| ((first + i as f64) * quarter).clamp(from, to);
+    let pieces = (0..count).map(|i| adaptive_integral(&speed, axis(i), axis(i + 1), 0.0));
+    sign * pieces.fold(0.0, |sum, piece| sum + piece)
 }
 
 #[cfg(test)]
@@ -88,5 +82,34 @@ mod tests {
         let line = PathSeg::Line(kurbo::Line::new((3.0, 1.0), (5.0, 3.0)));
         assert_eq!(sector_area(&line, Point::new(3.0, -1.0)), -2.0);
         assert_eq!(sector_area(&line, Point::new(3.0, 3.0)), 2.0);
+    }
+
+    #[test]
+    fn arcs_are_as_long_a_turn_farther_and_mirrored() {
+        let radii = Vec2::new(3.0, 0.7);
+        for (from, to) in [(0.3, 1.0), (1.4, 1.7), (-5.0, -1.0), (-0.2, 4.0)] {
+            let length = ellipse_length(radii, from, to);
+            let near = |other: f64| (other / length - 1.0).abs() < 1e-13;
+            for turns in [-3.0, -1.0, 2.0] {
+                let by = 2.0 * PI * turns;
+                assert!(
+                    near(ellipse_length(radii, from + by, to + by)),
+                    "{from} {turns}"
+                );
+            }
+            assert!(near(ellipse_length(radii, -to, -from)), "{from}");
+            assert!(near(-ellipse_length(radii, to, from)), "{from}");
+            // The sum of many chords.
+            let at = |i: u32| from + (to - from) * f64::from(i) / 20_000.0;
+            let point =
+                |angle: f64| Vec2::new(radii.x * libm::cos(angle), radii.y * libm::sin(angle));
+            let chords: f64 = (0..20_000)
+                .map(|i| (point(at(i + 1)) - point(at(i))).hypot())
+                .sum();
+            assert!(
+                (chords / length - 1.0).abs() < 1e-6,
+                "{from}: {chords} {length}"
+            );
+        }
     }
 }

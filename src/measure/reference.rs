@@ -128,3 +128,27 @@ impl Framed {
         found.iter().collect::<Vec<f64>>().into_iter()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_angle_turns_by_the_part_of_the_speed_across() {
+        let circle = Reference::from(Truth::circle(Point::ORIGIN, 1.0));
+        let line = |from: (f64, f64), to: (f64, f64)| {
+            let line = kurbo::Line::new(from, to);
+            circle.framed(&PathSeg::Line(line))
+        };
+        // Two units in the time of one, at the distance 2 and at the distance √5.
+        let across = line((2.0, 0.0), (2.0, 2.0));
+        assert_eq!(across.angular_speed(0.0), 1.0);
+        assert_eq!(across.angular_speed(0.5), 0.8);
+        // Through the centre there is no angle there, and it stays the same elsewhere.
+        let through = line((-1.0, 0.0), (1.0, 0.0));
+        assert_eq!(
+            [0.0, 0.25, 0.5, 1.0].map(|t| through.angular_speed(t)),
+            [0.0; 4]
+        );
+    }
+}

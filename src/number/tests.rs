@@ -311,3 +311,20 @@ fn what_needs_many_zeros_has_an_exponent_in_prose() {
     let small = format!("0.{}1", "0".repeat(57));
     assert_eq!(texts, ["2.5", &small, "1e-70", "1.96e-64", "-4.25e-99"]);
 }
+
+#[test]
+fn what_has_no_digits_to_round_is_left() {
+    assert_eq!(significant(3e-300, 1), "3e-300");
+    assert_eq!(significant(2.5e-300, 3), "2.5e-300");
+    assert_eq!(rounded_up(f64::INFINITY, 3), f64::INFINITY);
+    for none in [0.0, -3.0, f64::INFINITY, f64::NAN] {
+        assert_eq!(round_one_two_five(none), 1.0);
+    }
+}
+
+#[test]
+fn a_difference_that_leaves_the_range_is_rounded() {
+    let of = |units, decimals| decimal::Decimal { units, decimals };
+    let found = of(9_000_000_000_000_000_000, 0).minus(of(1, 18));
+    assert_eq!(found.value(), 9e18);
+}

@@ -140,4 +140,9 @@ mod tests {
         let square = x.times(x).plus(Double::difference(0.0, 1.0));
         assert_eq!(square.value(), 2.0 * e + e * e);
     }
+
+    #[test]
+    fn the_root_of_nothing_is_nothing() {
+        assert_eq!(Double::of(0.0).sqrt().value(), 0.0);
+    }
 }

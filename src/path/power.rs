@@ -133,14 +133,9 @@ fn push_contours(contours: &mut Vec<Contour>, chain: &Chain) -> Result<()> {
 
 /// Ends a run at this point, where that is its end but for rounding.
 fn join(run: &mut [Vec<Point>], start: Point, near: f64) -> bool {
-    let Some(end) = run.last_mut().and_then(|points| points.last_mut()) else {
-        return false;
-    };
-    let same = end.distance(start) <= near;
-    if same {
-        *end = start;
-    }
-    same
+    let end = run.last_mut().and_then(|points| points.last_mut());
+    let end = end.filter(|end| end.distance(start) <= near);
+    end.map(|end| *end = start).is_some()
 }
 
 /// The control points: four, three without a third power, two without a second one too.

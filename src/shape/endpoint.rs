@@ -39,18 +39,16 @@ pub fn parse_svg_arc(text: &str) -> Result<SvgArc> {
 
 /// An error of the reader of path data, where something else was `expected`.
 fn misread(text: &str, error: &svgtypes::Error, expected: &str) -> Error {
-    let column = match *error {
-        svgtypes::Error::UnexpectedEndOfStream => {
-            let why = format!("it ends where {expected} should go on");
-            return unexpected(text, text.chars().count() + 1, why);
+    match *error {
+        svgtypes::Error::UnexpectedData(at) | svgtypes::Error::InvalidNumber(at) => {
+            unexpected(text, at, format!("expected {expected}"))
         }
-        svgtypes::Error::UnexpectedData(at)
-        | svgtypes::Error::InvalidNumber(at)
-        | svgtypes::Error::InvalidChar(_, at)
-        | svgtypes::Error::InvalidString(_, at) => at,
-        _ => 1,
-    };
-    unexpected(text, column, format!("expected {expected}"))
+        // Of path data nothing else is said than that it ends.
+        _ => {
+            let why = format!("it ends where {expected} should go on");
+            unexpected(text, text.chars().count() + 1, why)
+        }
+    }
 }
 
 fn unexpected(text: &str, column: usize, why: String) -> Error {
@@ -94,14 +92,11 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
     }
     // The inscribed angle at `on` is half of what the arc leaves of the turn; the bulge is tan(sweep/4).
     let bulge = libm::tan(libm::atan2(cross.abs(), -dot) / 2.0);
-    let shape = from_bulge(from, to, if cross > 0.0 { -bulge } else { bulge })?;
-    Ok(match shape {
-        Shape::Arc(arc) => Shape::Arc(Arc {
-            given: Given::Through(on),
-            ..arc
-        }),
-        line => line,
-    })
+    let mut shape = from_bulge(from, to, if cross > 0.0 { -bulge } else { bulge })?;
+    if let Shape::Arc(arc) = &mut shape {
+        arc.given = Given::Through(on);
+    }
+    Ok(shape)
 }
 
 /// (from - on) × (to - on) and (from - on)·(to - on) to the last digit: they cancel for points near a line, and on a semicircle.

@@ -268,43 +268,4 @@ fn comment(text: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::angle::Angle;
-
-    #[test]
-    fn a_course_of_several_steps_is_one_run() {
-        let turn = CircularArc {
-            to: Point::new(2.0, 1.0),
-            center: Point::new(1.0, 1.0),
-            radius: 1.0,
-            start: Angle::from_degrees(270.0),
-            sweep: Angle::from_degrees(90.0),
-            ends_given: true,
-        };
-        let course = Course {
-            start: Point::ZERO,
-            steps: vec![
-                Step::Line(Point::new(1.0, 0.0)),
-                Step::Arc(turn),
-                Step::Line(Point::ZERO),
-            ],
-            closed: true,
-        };
-        let program = program(
-            "A (sliver)",
-            &[course],
-            &Options {
-                precision: Some(Precision::Fixed(2)),
-                feed: Some(90.0),
-                closeness: None,
-            },
-        )
-        .unwrap();
-        assert_eq!(
-            program,
-            "(A [sliver], exact but for rounding to 2 decimals)\nG17 G90\nG0 X0 Y0\nG1 X1 Y0 F90\n\
-             G3 X2 Y1 I0 J1\nG1 X0 Y0\nM2\n"
-        );
-    }
-}
+mod tests;

@@ -3,7 +3,7 @@
 use curveto::arcs::{Options, arcs, lines};
 use curveto::contour::{Contour, PathDrawing, Step};
 use curveto::kurbo::{ParamCurve, PathSeg, Point};
-use curveto::{Tolerance, path};
+use curveto::{Angle, Arc, Tolerance, path};
 use proptest::prelude::*;
 
 use crate::judges::program::{printed, run, words};
@@ -108,9 +108,11 @@ fn chords_are_no_more_than_by_halving() {
         "M0 0C150 80-50 80 100 0",
         "M0 0Q50 100 100 0",
         "M0 0C0 55 45 100 100 100",
+        "M2 4.75C-4 6.25-1.5 4.5 6.5 9",
+        "M6.5 9C14.5 13.5 9.25 12.75 13.75 11.25",
     ] {
         let piece = given(&path::contours(data).unwrap()[0])[0];
-        for tolerance in [5.0, 1.0, 0.2] {
+        for tolerance in [5.0, 1.0, 0.2, 0.1, 0.05] {
             // Rounding takes a fiftieth.
             let (ours, theirs) = (
                 count(&drawn(data, tolerance)),
@@ -145,6 +147,68 @@ fn ends_and_lines_stay_digit_for_digit_and_nothing_vanishes() {
         "M0.123456789 0L7.000000001 1L7.000000001 1Z"
     );
     assert_eq!(drawing.error().peak(), 0.0);
+}
+
+#[test]
+fn a_loop_that_is_smaller_than_the_tolerance_stays_one() {
+    for tolerance in [0.1, 1.0, 2.3, 3.0, 4.0, 5.0, 10.0, 100.0] {
+        let drawing = drawn("M0 0C3 3-3 3 0 0", tolerance);
+        let ends = drawing
+            .curves()
+            .flat_map(|curve| &curve.segments)
+            .map(PathSeg::end);
+        let ends: Vec<Point> = ends.collect();
+        let area = ends
+            .windows(2)
+            .map(|pair| pair[0].to_vec2().cross(pair[1].to_vec2()))
+            .sum::<f64>();
+        assert!(area > 1.0, "{tolerance}: {ends:?}");
+        assert!(drawing.error().peak() <= tolerance);
+    }
+}
+
+#[test]
+fn a_whole_circle_and_an_arc_of_no_length_may_be_steps() {
+    let degrees = Angle::from_degrees;
+    let circle = Arc::new(
+        (1.0, 2.0),
+        (5.0, 5.0),
+        Angle::ZERO,
+        degrees(30.0),
+        degrees(360.0),
+    )
+    .unwrap();
+    let nothing = Arc::new(
+        (1.0, 2.0),
+        (5.0, 5.0),
+        Angle::ZERO,
+        degrees(30.0),
+        Angle::ZERO,
+    )
+    .unwrap();
+    let start = Point::new(1.0 + 5.0 * 0.75_f64.sqrt(), 4.5);
+    let contour = Contour {
+        steps: vec![Step::Arc(circle), Step::Arc(nothing)],
+        closed: true,
+    };
+    let options = Options {
+        tolerance: Some(Tolerance::Absolute(0.01)),
+        ..Options::default()
+    };
+    let drawing = arcs(&[contour], &options).unwrap();
+    let course = drawing.subpaths[0].course.as_ref().unwrap();
+    assert!(course.start.distance(start) < 0.01);
+    let mut turned = 0.0;
+    for step in &course.steps {
+        if let curveto::course::Step::Arc(arc) = step {
+            assert!(
+                (arc.radius - 5.0).abs() < 0.01 && arc.center.distance(Point::new(1.0, 2.0)) < 0.02
+            );
+            turned += arc.sweep.degrees();
+        }
+    }
+    assert!((turned - 360.0).abs() < 0.2, "{course:?}");
+    assert!(drawing.error().peak() <= 0.01);
 }
 
 #[test]

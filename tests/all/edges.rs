@@ -13,7 +13,8 @@ use curveto::shape::Truth;
 use curveto::shape::endpoint::{from_bulge, parse_svg_arc, through};
 use curveto::shape::machine::{about_center, from_radius};
 use curveto::{
-    Angle, Arc, Circle, Cut, Drawing, Ellipse, Method, Options, Rule, Shape, Tolerance, approximate,
+    Angle, Arc, Circle, Cut, Drawing, Ellipse, Error, Method, Options, Rule, Shape, Tolerance,
+    approximate,
 };
 use kurbo::{Affine, CubicBez, ParamCurve, PathSeg, Point, Vec2};
 
@@ -346,6 +347,63 @@ fn a_small_arc_may_become_level_and_a_shape_may_not() {
     assert!(said("ellipse 3 0.2 --precision 0").contains("no more than a point"));
     assert!(said("ellipse 0.2 3 --precision 0").contains("no more than a point"));
     assert!(said("ellipse 3 0.6 --precision 0").starts_with('M'));
+    assert!(said("circle 0.3 --precision 0 -t 0.5").contains("no more than a point"));
+}
+
+#[test]
+fn a_line_has_no_extremes_and_is_one_segment() {
+    let line = from_bulge(Point::new(1.0, 2.0), Point::new(5.0, 4.0), 0.0).unwrap();
+    let options = Options {
+        transform: Affine::scale(2.0),
+        ..Options::default()
+    };
+    let drawing = approximate_at_extremes(&line, false, &options).unwrap();
+    let [PathSeg::Line(drawn)] = drawing.curve.segments[..] else {
+        panic!("{:?}", drawing.curve)
+    };
+    assert_eq!(
+        [drawn.p0, drawn.p1],
+        [Point::new(2.0, 4.0), Point::new(10.0, 8.0)]
+    );
+    assert_eq!(drawing.error.peak(), 0.0);
+}
+
+#[test]
+fn a_tolerance_that_is_no_distance_is_refused() {
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let options = Options {
+            cut: within(tolerance),
+            ..Options::default()
+        };
+        for drawn in [
+            approximate(&circle(5.0), &options),
+            approximate_at_extremes(&circle(5.0), false, &options),
+        ] {
+            let is_refused = matches!(
+                drawn,
+                Err(Error::NotPositive {
+                    what: "tolerance",
+                    ..
+                })
+            );
+            assert!(is_refused, "{tolerance}");
+        }
+    }
+}
+
+#[test]
+fn the_fewest_of_a_quadrature_that_are_rounded_are_those_by_trial() {
+    for (rule, tolerance) in [(Rule::CHEN_2_GAUSS_2, 0.05), (Method::Chen2.into(), 0.02)] {
+        let rounded = Some(Precision::Fixed(2));
+        let drawing = drawn(&circle(50.0), rule, within(tolerance), rounded);
+        let peak = |count| {
+            drawn(&circle(50.0), rule, Cut::Count(count), rounded)
+                .error
+                .peak()
+        };
+        let fewest = (2..50).find(|&count| peak(count) <= tolerance);
+        assert_eq!(Some(drawing.curve.segments.len()), fewest, "{tolerance}");
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use curveto::method::{Method, Rule};
 use curveto::shape::endpoint::SvgArc;
 use curveto::{Angle, Arc, Error};
-use kurbo::{CubicBez, Point, Vec2};
+use kurbo::{CubicBez, ParamCurve, Point, Vec2};
 
 use crate::judges::program::{json, piped, printed, refused, run, run_in, words};
 
@@ -350,4 +350,245 @@ fn styles_that_may_round_a_rectangle_leave_it_unless_they_are_trusted() {
     let trusted = piped(&["convert", "--trust", "style-geometry"], plain.as_bytes());
     assert!(trusted.stderr.is_empty());
     assert_eq!(trusted.stdout, plain.as_bytes());
+}
+
+#[test]
+fn pictures_without_a_stroke_have_black_joints_and_a_height() {
+    let circle = "circle 5 -f svg --stroke none --fill red --show joints";
+    assert!(printed(&words(circle)).contains(r##"<g class="joints" fill="#000""##));
+    let line = "arc --from 0,0 --to 5,0 --bulge 0 -f svg --stroke none --fill red";
+    assert!(printed(&words(line)).starts_with(r#"<svg viewBox="-0.05 -0.05 5.1 0.1""#));
+}
+
+#[test]
+fn only_the_kinds_that_are_named_come_back() {
+    let path = r#"<path d="M5 0C5 2.76 2.76 5 0 5C-2.76 5-5 2.76-5 0C-5-2.76-2.76-5 0-5C2.76-5 5-2.76 5 0Z"/>"#;
+    let drawing = format!("<svg>{path}</svg>");
+    let arcs = r#"<svg><path d="M5 0A5 5 0 0 1-5 0A5 5 0 0 1 5 0Z"/></svg>"#;
+    let circle = r#"<svg><circle cx="0" cy="0" r="5"/></svg>"#;
+    for (only, shapes, expected) in [
+        ("rect", true, &drawing[..]),
+        ("circle", false, &drawing),
+        ("rect,path", true, arcs),
+        ("path", true, arcs),
+        ("circle", true, circle),
+    ] {
+        let mut words = vec!["convert", "--to", "arcs", "--only", only];
+        words.extend(shapes.then_some("--shapes"));
+        let output = piped(&words, drawing.as_bytes());
+        assert_eq!(
+            String::from_utf8(output.stdout).unwrap(),
+            expected,
+            "{only}"
+        );
+    }
+}
+
+/// The numbers of an attribute, wherever it stands in front of a text.
+fn numbers(text: &str, attribute: &str, before: &str) -> Vec<f64> {
+    let lines = text.lines().filter(|line| line.contains(before));
+    let value = |line: &str| {
+        line.split_once(attribute)?
+            .1
+            .split_once('"')?
+            .0
+            .parse()
+            .ok()
+    };
+    lines.filter_map(value).collect()
+}
+
+#[test]
+fn a_legend_that_is_too_wide_takes_two_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let methods = "minimax,midpoint,area,goldapp,curvature,apprich,chen-2,chen-3,standard";
+    let plot = [
+        "measure", "circle", "5", "-m", methods, "--plot", "p.svg", "-q",
+    ];
+    assert!(run_in(folder.path(), &plot).status.success());
+    let text = std::fs::read_to_string(folder.path().join("p.svg")).unwrap();
+    let [mut rows, mut ends] = [Vec::new(), Vec::new()];
+    for method in methods
+        .split(',')
+        .chain(["midpoint"])
+        .filter(|id| *id != "standard")
+    {
+        let name = format!(">{method}</text>");
+        rows.extend(numbers(&text, " y=\"", &name));
+        ends.extend(numbers(&text, " x=\"", &name));
+    }
+    rows.sort_by(f64::total_cmp);
+    rows.dedup();
+    assert_eq!(rows, [46.0, 64.0]);
+    assert!(ends.iter().all(|&x| x < 760.0));
+}
+
+#[test]
+fn the_control_points_of_a_drawing_below_a_chart_are_moved_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let plot = ["--plot", "p.svg", "--quantity", "error,drawing", "-q"];
+    let words = [&["measure", "circle", "5"][..], &plot].concat();
+    assert!(run_in(folder.path(), &words).status.success());
+    let text = std::fs::read_to_string(folder.path().join("p.svg")).unwrap();
+    let [x, y] = [" cx=\"", " cy=\""].map(|name| numbers(&text, name, "<circle"));
+    // The control polygon is as wide as it is high, below the first chart.
+    let extent = |values: &[f64]| {
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        values.iter().copied().fold(0.0, f64::max) - least
+    };
+    assert_eq!((x.len(), y.len()), (16, 16));
+    assert!((extent(&x) - extent(&y)).abs() < 0.02, "{x:?} {y:?}");
+    assert!(y.iter().all(|&y| y > 280.0 && y < 560.0), "{y:?}");
+}
+
+#[test]
+fn the_farthest_place_may_be_on_the_new_drawing() {
+    let found = run(&[
+        "diff",
+        "M0 0L10 0",
+        "M0 0L5 3L10 0",
+        "-f",
+        "json",
+        "-t",
+        "1",
+    ]);
+    let document: serde_json::Value = serde_json::from_slice(&found.stdout).unwrap();
+    let farthest = &document["subpaths"][0]["farthest"];
+    assert_eq!(farthest["drawing"], "new", "{document}");
+    assert_eq!(farthest["point"], serde_json::json!([5, 3]));
+    assert_eq!(document["distance"], 3);
+}
+
+#[test]
+fn measurements_name_a_literal_handle_and_no_other() {
+    let with = json(&words("measure circle 5 --handle 0.55"));
+    assert_eq!(with["subject"]["handle"], 0.55);
+    let without = json(&words("measure circle 5"));
+    assert!(without["subject"]["handle"].is_null());
+}
+
+#[test]
+fn samples_of_an_exact_conic_have_no_error() {
+    let of = |weight: &str| {
+        let conic = "measure conic --from 0,0 --control 5,8 --to 10,0 -f csv --samples 5 --weight";
+        let csv = printed(&[&words(conic)[..], &[weight]].concat());
+        let rows: Vec<Vec<String>> = csv
+            .lines()
+            .skip(1)
+            .map(|l| l.split(',').map(str::to_owned).collect())
+            .collect();
+        assert_eq!(rows.len(), 5, "{csv}");
+        rows
+    };
+    let exact = of("1");
+    assert!(
+        exact
+            .iter()
+            .all(|row| row[0] == "parabola" && row[7] == "0"),
+        "{exact:?}"
+    );
+    // Beside the parabola an ellipse is drawn as one of its own.
+    let nearly = of("0.99999");
+    assert!(nearly.iter().all(|row| row[0] == "ellipse"), "{nearly:?}");
+    assert!(nearly.iter().any(|row| row[7] != "0"), "{nearly:?}");
+}
+
+#[test]
+fn what_has_no_size_has_no_relative_error() {
+    let dot = json(&["path", "M5 5Z"]);
+    assert_eq!(dot["subpaths"][0]["error"]["relative_peak"], 0);
+    let line = run(&words("arc --from 0,0 --to 5,0 --bulge 0 -v"));
+    let said = String::from_utf8(line.stderr).unwrap();
+    assert_eq!(said, "line: exact\n");
+}
+
+#[test]
+fn exact_arcs_in_postscript_stray_no_farther_than_it_says() {
+    let text = printed(&["path", "M0 0A5 5 0 0 1 5 5", "--to", "arcs", "-f", "eps"]);
+    let stated = text
+        .split_once(", within ")
+        .unwrap()
+        .1
+        .lines()
+        .next()
+        .unwrap();
+    let stated: f64 = stated.parse().unwrap();
+    assert!(stated < 1e-6, "{stated}");
+    let mut from = Point::ZERO;
+    let mut count = 0;
+    for line in text
+        .lines()
+        .filter(|line| !line.starts_with('%'))
+        .filter_map(|line| line.strip_suffix(" curveto"))
+    {
+        let numbers = line
+            .split(' ')
+            .map(str::parse)
+            .collect::<Result<Vec<f64>, _>>();
+        let c = numbers.unwrap_or_else(|error| panic!("{line}: {error}"));
+        let [p1, p2, p3] = [0, 2, 4].map(|i| Point::new(c[i], c[i + 1]));
+        let cubic = CubicBez::new(from, p1, p2, p3);
+        for i in 0..=20 {
+            let p = cubic.eval(f64::from(i) / 20.0);
+            let off = (p.distance(Point::new(0.0, 5.0)) - 5.0).abs();
+            assert!(off <= stated, "{off}");
+        }
+        (from, count) = (p3, count + 1);
+    }
+    assert!(count > 4 && from == Point::new(5.0, 5.0));
+}
+
+#[test]
+fn a_side_of_a_rectangle_that_comes_back_is_no_side() {
+    let rect = br#"<svg><rect width="20" height="10" rx="3"/></svg>"#;
+    let path = String::from_utf8(piped(&["convert"], rect).stdout).unwrap();
+    let back = |text: &str| {
+        let words = ["convert", "--to", "arcs", "--shapes", "--only", "rect"];
+        String::from_utf8(piped(&words, text.as_bytes()).stdout).unwrap()
+    };
+    assert!(
+        back(&path).contains(r#"<rect x="0" y="0" width="20" height="10" rx="3""#),
+        "{path}"
+    );
+    let hesitating = path.replacen("H17", "H10H8H17", 1);
+    assert_ne!(hesitating, path);
+    assert_eq!(back(&hesitating), hesitating);
+}
+
+#[test]
+fn what_style_sheets_hold_beside_declarations_says_nothing_of_arcs() {
+    let with = |css: &str, data: &str| {
+        format!(r#"<svg><marker id="m"/><style>{css}</style><path d="{data}"/></svg>"#)
+    };
+    let arc = "M0 0A5 5 0 1 1 5 5";
+    // Two joints more, on which a marker would stand.
+    let cubic = "M0 0C0-2.7596 2.2404-5 5-5 7.7596-5 10-2.7596 10 0 10 2.7596 7.7596 5 5 5";
+    for (css, expected) in [
+        ("@keyframes k{from{fill:red;.a{stroke:blue}}}", cubic),
+        (".a{fill:(5) [b] {c}}", cubic),
+        ("path{marker:none}", cubic),
+        // A value that is not understood may be a marker.
+        ("path{marker:none (5)}", arc),
+        ("path{marker:[none]}", arc),
+    ] {
+        let output = piped(&["convert"], with(css, arc).as_bytes());
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(text, with(css, expected), "{css}");
+    }
+}
+
+#[test]
+fn the_smallest_arc_of_a_path_has_its_digits_and_so_have_the_others() {
+    let digits = |data: &str| printed(&["path", data]).split(' ').map(str::len).max();
+    let large = "M0 0A5 5 0 0 1 5 5";
+    assert!(digits(large) < Some(10));
+    let both = format!("{large}M0 0A1e-40 1e-40 0 0 1 1e-40 1e-40");
+    assert!(printed(&["path", &both]).starts_with("M0 0C2.75957512246755"));
+}
+
+#[test]
+fn a_reference_that_is_not_declared_stays_as_it_stands() {
+    let drawing = br#"<svg><path transform="&foo;" d="M5 0C5 2.76 2.76 5 0 5"/></svg>"#;
+    let said = String::from_utf8(piped(&["measure", "--file", "-"], drawing).stderr).unwrap();
+    assert!(said.contains("cannot read the transform '&foo;'"), "{said}");
 }

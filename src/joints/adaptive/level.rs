@@ -56,13 +56,10 @@ impl Level {
 
     /// Makes the errors alike; no more is computed once all of them are less than an edge, or more. `None` where the lobes do not tell.
     fn refine(&mut self, lobes: &Lobes, from: f64, edge: f64) -> Option<()> {
-        loop {
+        while self.steps < MOST_STEPS {
             let is_settled = self.least > edge || self.most < edge && edge.is_finite();
             if is_settled || self.most <= ALIKE * self.least {
-                return Some(());
-            }
-            if self.steps == MOST_STEPS {
-                return None;
+                break;
             }
             self.steps += 1;
             let Step { change, level } = step(&mut self.ways, &self.peaks)?;
@@ -73,6 +70,7 @@ impl Level {
                 self.measure(lobes, from)?;
             }
         }
+        Some(())
     }
 
     fn measure(&mut self, lobes: &Lobes, from: f64) -> Option<()> {
@@ -137,7 +135,8 @@ impl Balance {
         let first = libm::pow(self.errors.on_circle(90.0) / allowed, 1.0 / self.order);
         let mut count = (quarters * mean * first).ceil().min(MOST as f64) as usize;
         let mut within: Option<Least> = None;
-        for _ in 0..MOST_STEPS {
+        // Each look leaves fewer counts, and of as many segments as degrees the lobes do not tell.
+        loop {
             let most = within.as_ref().map_or(usize::MAX, |least| least.count);
             count = count.clamp(beyond + 1, most - 1);
             let level = self.level(whole, count, allowed)?;
@@ -161,7 +160,6 @@ impl Balance {
                 return within;
             }
         }
-        None
     }
 }
 

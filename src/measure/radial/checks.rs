@@ -1,12 +1,14 @@
 //! What the bounds on distances lean on: counts of roundings, derivatives, samples and sizes, by known answers.
 
+mod far;
 mod margins;
 mod places;
+mod scales;
 
 use kurbo::Vec2;
 
 use super::part::{Motion, Part};
-use super::slopes::multipliers;
+use super::slopes::{multipliers, narrowed};
 use crate::numeric::ball::Ball;
 use crate::numeric::foot::{foot, foot_in_unit};
 
@@ -340,4 +342,14 @@ fn the_multiplier_lies_between_the_quotients() {
     // What is known in the middle cannot be less than nothing.
     let beyond = multipliers([0.01, 0.01], [1.0, 1.0], 0.0, Ball::new(0.005, 0.25));
     assert_eq!(beyond.radius, 0.25);
+}
+
+#[test]
+fn a_multiplier_is_narrowed_by_how_fast_it_changes() {
+    let (s, middle) = (Ball::new(0.25, 0.125), Ball::new(0.25, 0.015_625));
+    // Half of the part lies on either side of its middle.
+    for (rate, radius) in [(0.0, 0.015_625), (0.062_5, 0.046_875), (0.5, 0.125)] {
+        let found = narrowed(s, middle, rate);
+        assert_eq!((found.middle, found.radius), (0.25, radius));
+    }
 }

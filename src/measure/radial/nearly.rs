@@ -273,7 +273,7 @@ impl<const N: usize> Samples<N> {
         let sizes = self.excess.map(f64::abs);
         let most = largest(&sizes);
         let bound = most / unit_vector(DEGREE * step / 2.0).x;
-        if !self.turns || bound > 0.5 {
+        if !self.turns {
             return f64::INFINITY;
         }
         let between = bound * (DEGREE * DEGREE * step * step / 8.0);
@@ -293,6 +293,7 @@ impl<const N: usize> Samples<N> {
         let inner = 1.0 - bound;
         let root = (1.0 - ratio / (a.min(b) * inner)).sqrt();
         let most = (square / inner).sqrt() / (1.0 + root);
+        // Not where |F| may be beyond a half: no walk is sure to meet the ellipse from there.
         if most.is_finite() {
             most
         } else {

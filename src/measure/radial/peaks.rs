@@ -10,7 +10,7 @@ use super::known::Known;
 use super::part::{Motion, Part};
 use super::pending::Pending;
 use super::place::{EXACT, Place};
-use super::slopes::multipliers;
+use super::slopes::{multipliers, narrowed};
 use super::tangents::Tangents;
 use crate::numeric::ball::Ball;
 use crate::numeric::double::{Double, Twice};
@@ -198,7 +198,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
             place,
         } = near;
         let excess = part.certain_excess();
-        let x = self.nearness(excess[1].max(-excess[0]), gradients[0]);
+        let x = self.nearness(excess[0].abs().max(excess[1].abs()), gradients[0]);
         let at = middle.slopes(self.alpha, place.foot.multiplier);
         let mut s = multipliers(excess, *gradients, x, place.multiplier());
         let (alpha, certain) = (self.alpha, OnceCell::new());
@@ -218,9 +218,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
                 return None;
             }
             // What s is at the middle and how fast it changes says more than F and G do where the part is short.
-            s.radius = s
-                .radius
-                .min(place.multiplier().radius + all.rate.size() / 2.0);
+            s = narrowed(s, place.multiplier(), all.rate.size());
             let steepest = certain().size() + half;
             let growth = place.margin + 0.6 * steepest / gradients[0].sqrt();
             let distance = place.foot.foot.distance;

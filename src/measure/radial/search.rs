@@ -122,4 +122,27 @@ mod tests {
             assert!((farthest - 1e-3).abs() < 1e-9, "{at}: {farthest}");
         }
     }
+
+    #[test]
+    fn a_line_is_nearest_where_it_runs_along_the_tangent() {
+        let line = PathSeg::Line(kurbo::Line::new((-3.0, 2.0), (5.0, 2.0)));
+        let foot = |t: f64| foot(Vec2::new(2.0, 1.0), line.eval(t).to_vec2());
+        let mut found = Vec::new();
+        visit_between(&line, &[], foot, |t, distance| found.push((t, distance)));
+        // Above the end of the short axis.
+        assert_eq!(found.len(), 3, "{found:?}");
+        assert!((found[1].0 - 0.375).abs() < 1e-12 && (found[1].1 - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn extremes_are_looked_for_up_to_the_ends_only() {
+        // The line is nearest at t = 1.2.
+        let line = PathSeg::Line(kurbo::Line::new((-6.0, 2.0), (-1.0, 2.0)));
+        let foot = |t: f64| foot(Vec2::new(2.0, 1.0), line.eval(t).to_vec2());
+        for cuts in [&[][..], &[0.5], &[0.9, 0.2]] {
+            let mut found = Vec::new();
+            visit_between(&line, cuts, foot, |t, _| found.push(t));
+            assert_eq!(found, [0.0, 1.0], "{cuts:?}");
+        }
+    }
 }

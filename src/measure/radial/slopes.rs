@@ -57,3 +57,8 @@ pub(super) fn multipliers(
     let radius = f64::max(upper - middle.middle, middle.middle - lower);
     Ball::new(middle.middle, radius.max(0.0) + middle.radius)
 }
+
+/// The same where it is known how fast s changes along the part, of which the middle is half of the way from either end.
+pub(super) fn narrowed(s: Ball, middle: Ball, rate: f64) -> Ball {
+    Ball::new(s.middle, s.radius.min(middle.radius + rate / 2.0))
+}

@@ -178,3 +178,15 @@ fn parameter_entities_stand_for_declarations() {
 fn text_of(doctype: &Doctype, name: &str) -> Option<String> {
     text(doctype.resolve(name))
 }
+
+#[test]
+fn what_is_no_reference_stays_or_says_nothing() {
+    assert_eq!(with_characters("a&#0;b&#x42;&#"), "a&#0;bB&#");
+    let doctype = Doctype::read(r#"svg SYSTEM "x.dtd" [<!ENTITY r "1 &amp 2">]"#, 0);
+    assert_eq!(doctype.resolve("r"), Resolved::Unknown);
+    // A bracket within quotes opens nothing.
+    let doctype = Doctype::read(r#"svg "a[<!ENTITY r '5'>]""#, 0);
+    assert_eq!(doctype.resolve("r"), Resolved::Malformed);
+    assert!(Doctype::read(r#"svg [<!ENTITY r SYSTEM "x">]"#, 0).may_hold_markup());
+    assert!(!Doctype::read(r#"svg [<!ENTITY r "x">]"#, 0).may_hold_markup());
+}

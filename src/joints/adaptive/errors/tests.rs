@@ -129,3 +129,13 @@ fn a_sharp_end_between_samples_is_looked_at() {
         }
     }
 }
+
+#[test]
+fn what_a_method_does_not_serve_is_beyond_any_error() {
+    // The tangents at both ends of a whole turn lie on one line.
+    for method in [Method::QuadraticMinimax, Method::Minimax, Method::MinimaxG0] {
+        let errors = errors(method, 0.5);
+        assert_eq!(errors.of(10.0, 360.0), f64::INFINITY, "{method:?}");
+        assert!(errors.of(10.0, 100.0).is_finite(), "{method:?}");
+    }
+}

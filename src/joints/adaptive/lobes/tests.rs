@@ -255,3 +255,13 @@ fn sharp_ends_are_passed_where_they_lie() {
         assert!(is_same, "{from} {size}: {found:?}");
     }
 }
+
+#[test]
+fn a_segment_that_no_handle_serves_is_beyond_any_error() {
+    // The tangents at both ends of a whole turn lie on one line.
+    for method in METHODS {
+        let lobes = lobes(method, 0.5);
+        assert_eq!(lobes.size_up_to(10.0, 360.0, 1e9), f64::INFINITY);
+        assert!(lobes.size_up_to(10.0, 100.0, 1e9).is_finite());
+    }
+}

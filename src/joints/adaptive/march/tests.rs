@@ -285,3 +285,27 @@ fn the_marched_count_is_the_lesser_of_both_ways() {
     }
     assert!(rough > 700 && fewer > 3, "{rough} {fewer}");
 }
+
+#[test]
+fn where_newtons_steps_come_to_no_end_secants_settle() {
+    let balance = balance(
+        Method::Chen3,
+        0.707_725_086_360_640_9,
+        315.153_716_694_716_14,
+        360.0,
+    );
+    // At this length what the lobes tell leaps by a step that is just worth its while, of a 1e-4th.
+    let (way, guess, allowed) = (
+        187.274_036_926_862_75,
+        9.364_443_401_050_456,
+        1.542_206_641_612_144_4e-6,
+    );
+    assert!(
+        balance
+            .longest_by_lobes(way, allowed, guess, 180.0)
+            .is_none()
+    );
+    let size = balance.longest(way, allowed, guess, 180.0, None);
+    let error = balance.error(way, size);
+    assert!((error / allowed - 1.0).abs() < 2e-4, "{size}");
+}

@@ -242,3 +242,89 @@ fn what_is_told_decides_and_else_more_samples() {
     }
     assert_eq!(decided(None, segments, &truth, above(1.002 * peak)), None);
 }
+
+#[test]
+fn a_peak_that_is_a_sample_is_no_less_than_what_samples_tell() {
+    // Nearer than the ellipse all along, most in the middle, above the end of the short axis, where one of the samples lies.
+    let truth = level((1.0, -2.0), (3.0, 2.0));
+    let [from, to] = [60.0_f64, 120.0].map(|angle| Vec2::from_angle(angle.to_radians()));
+    let handle = 0.9 * 4.0 / 3.0 * libm::tan(core::f64::consts::FRAC_PI_6 / 2.0);
+    let unit = CubicBez::new(
+        from.to_point(),
+        (from + from.turn_90() * handle).to_point(),
+        (to - to.turn_90() * handle).to_point(),
+        to.to_point(),
+    );
+    let segment = PathSeg::Cubic(truth.placement() * unit);
+    let peak = radial::error([&segment], &truth).peak();
+    let [low, high] = closely([segment], &truth).unwrap();
+    assert!(low <= peak && low > peak * (1.0 - 1e-9), "{low} {peak}");
+    assert!(high >= peak && high < 1.02 * peak, "{high} {peak}");
+}
+
+#[test]
+fn bounds_hold_where_coordinates_are_rounded() {
+    let truth = level((1e6, -2e6), (1.0, 0.5));
+    for size in [1.0, 3.0, 7.0] {
+        let piece = Method::Minimax.piece(&Span::from_degrees(size)).unwrap();
+        for from in [0.0_f64, 40.0, 88.0, 200.0] {
+            let ends = [from, from + size].map(|angle| Vec2::from_angle(angle.to_radians()));
+            let segment = truth.placement() * piece.between(ends);
+            let peak = radial::error([&segment], &truth).peak();
+            for found in [bound([segment], &truth), closer_bound([segment], &truth)] {
+                assert!(found >= peak, "{size} {from}: {found} {peak}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bounds_hold_where_the_end_beside_a_tip_is_the_farthest() {
+    // From ten degrees before a tip to 1/1000 beside it, where the distance of as large an excess grows by a third from the last sample but one.
+    let truth = level((0.0, 0.0), (1.0, 0.001));
+    let piece = Method::Minimax.piece(&Span::from_degrees(10.0)).unwrap();
+    let ends = [10.06_f64, 0.06].map(|angle| Vec2::from_angle(angle.to_radians()));
+    let mirrored = Affine::FLIP_Y * piece.between(ends.map(|v| Vec2::new(v.x, -v.y)));
+    let PathSeg::Cubic(mut cubic) = mirrored else {
+        panic!("{mirrored:?}")
+    };
+    cubic.p3 = (cubic.p3.to_vec2() * (1.0 + 1e-7)).to_point();
+    for cubic in [cubic, CubicBez::new(cubic.p3, cubic.p2, cubic.p1, cubic.p0)] {
+        let segment = PathSeg::Cubic(truth.placement() * cubic);
+        let peak = radial::error([&segment], &truth).peak();
+        let found = bound([segment], &truth);
+        assert!(found >= peak && found < 1.3 * peak, "{found} {peak}");
+    }
+}
+
+#[test]
+fn bounds_hold_far_from_the_ellipse() {
+    let mut told = 0;
+    for radii in [(1.0, 0.8), (0.5, 1.0), (1.0, 0.25)] {
+        let truth = level((0.0, 0.0), radii);
+        for i in 0..400 {
+            let at = |k: usize| (i * k % 401) as f64 / 401.0;
+            let (from, size) = (6.2 * at(7), 0.3 + 2.0 * at(11));
+            let [a, b] = [from, from + size].map(Vec2::from_angle);
+            let reach = 4.0 / 3.0 * libm::tan(size / 4.0);
+            let [near, far] = [0.45 + 0.7 * at(17), 0.45 + 0.7 * at(23)];
+            let [out, into] = [0.2 + 1.6 * at(29), 0.2 + 1.6 * at(31)].map(|part| part * reach);
+            let points = [
+                a * near,
+                (a + a.turn_90() * out) * near,
+                (b - b.turn_90() * into) * far,
+                b * far,
+            ];
+            let [p0, p1, p2, p3] = points.map(Vec2::to_point);
+            let segment = PathSeg::Cubic(truth.placement() * CubicBez::new(p0, p1, p2, p3));
+            let peak = radial::error([&segment], &truth).peak();
+            for found in [bound([segment], &truth), closer_bound([segment], &truth)] {
+                assert!(found >= peak, "{radii:?} {i}: {found} {peak}");
+                // Where |F| is beyond a half no walk is sure to meet the ellipse.
+                assert!(near.min(far) > 0.7 || found == f64::INFINITY);
+                told += usize::from(found.is_finite());
+            }
+        }
+    }
+    assert!(told > 200, "{told}");
+}
