@@ -5,8 +5,9 @@ use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 use super::builder::{Builder, Span};
 use super::chain::runs_on;
 use super::fit::Search;
+use super::from_chord::Above;
 use super::near::moved;
-use super::piece::{Piece, cubic_from_chord};
+use super::piece::Piece;
 use super::recognize::{self, Rules};
 use super::turn;
 use super::{Options, Plan, decimals_given, pieces};
@@ -273,5 +274,5 @@ fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<
 
 fn is_straight(cubic: &CubicBez, room: f64) -> bool {
     let length = cubic.p0.distance_squared(cubic.p3).sqrt();
-    cubic_from_chord(cubic) <= room.min(STRAIGHT * length)
+    Above::new(cubic, [cubic.p0, cubic.p3]).is_within(room.min(STRAIGHT * length))
 }

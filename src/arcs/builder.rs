@@ -5,10 +5,11 @@
 
 use kurbo::{CubicBez, Point, Vec2};
 
-use super::bound::{from_arc, from_chord};
+use super::bound::from_arc;
 use super::chords;
 use super::fit::Search;
 use super::form::Fit;
+use super::from_chord::from_chord;
 use super::piece::Piece;
 use super::recognize::{Found, Rules};
 use super::{Options, Plan};
@@ -81,7 +82,7 @@ impl Builder<'_> {
 
     /// Appends what a stretch of cubics becomes, which stray this far from what was given.
     pub(super) fn span(&mut self, span: &Span<'_>, strayed: f64) -> Result<()> {
-        let cut = strayed + self.plan.cut;
+        let cut = strayed + self.plan.cut();
         let (parts, ends_given) = match span {
             Span::Straight(cubic) => {
                 let off = strayed + from_chord(core::slice::from_ref(cubic));
@@ -175,7 +176,11 @@ impl Builder<'_> {
         let last = parts.len().saturating_sub(1);
         for (i, part) in parts.iter().enumerate() {
             let (piece, mut from) = (Piece::Cubic(*part), 0.0);
-            for to in chords::cuts(&piece, room) {
+            let room = chords::Room {
+                rounded: room,
+                exact: room,
+            };
+            for to in chords::cuts(&piece, room).ends {
                 let given = to == 1.0 && (i < last || ends_given);
                 let off = strayed + piece.chord_distance(from, to);
                 self.line(piece.point(from), piece.point(to), off, given);
