@@ -3,8 +3,17 @@
 use super::piece::Piece;
 use crate::joints::MOST_SEGMENTS;
 
-/// How often the bracket of a chord's end is halved: to a millionth of what is left of the piece.
+/// How often a chord's end is moved as its distance says.
+const STEPS: u32 = 10;
+
+/// How often what is left is halved after that; twice as often where no chord fits yet.
 const HALVINGS: u32 = 20;
+
+/// A chord is long enough where it uses this part of the tolerance.
+const USED: f64 = 1.0 - 1e-6;
+
+/// The part that is aimed at.
+const WANTED: f64 = 1.0 - 5e-7;
 
 /// How often the parameter is halved at most: beyond that floats are no closer together.
 const DEEPEST: u32 = 40;
@@ -114,10 +123,10 @@ struct Walk<'a> {
 
 impl Walk<'_> {
     fn ends(&self) -> Vec<f64> {
-        let mut ends = Vec::new();
-        let mut from = 0.0;
+        let (mut ends, mut from, mut guess) = (Vec::new(), 0.0, 1.0);
         while from < 1.0 && ends.len() <= MOST_SEGMENTS {
-            from = self.farthest(from);
+            let to = self.farthest(from, guess);
+            (from, guess) = (to, to - from);
             ends.push(from);
         }
         ends
@@ -132,18 +141,23 @@ impl Walk<'_> {
         }
     }
 
+    fn distance(&self, from: f64, to: f64) -> f64 {
+        let (from, to) = self.part(from, to);
+        self.piece.chord_distance(from, to)
+    }
+
     fn fits(&self, from: f64, to: f64) -> bool {
         let (from, to) = self.part(from, to);
         self.piece.is_chord_within(from, to, self.tolerance)
     }
 
-    /// The farthest end of a chord from here: that which halving finds, or one beyond it, where the distance falls again as it does past
-    /// inflections and folds.
-    fn farthest(&self, from: f64) -> f64 {
+    /// The farthest end of a chord from here, of about this length at first: the end that comes first, or one beyond it, where the distance
+    /// falls again as it does past inflections and folds.
+    fn farthest(&self, from: f64, guess: f64) -> f64 {
         if self.fits(from, 1.0) {
             return 1.0;
         }
-        let (near, far) = self.bisected(from, from, 1.0);
+        let (near, far) = self.end_between(from, [from, 1.0], from + guess);
         // Where not even the shortest fits, floats end: what is left is next to nothing.
         if near <= from {
             return far;
@@ -157,22 +171,30 @@ impl Walk<'_> {
         let beyond = (1..=PLACES).rev().find(|&i| self.fits(from, place(i)));
         beyond.map_or(near, |i| {
             let far = if i < PLACES { place(i + 1) } else { 1.0 };
-            self.bisected(from, place(i), far).0
+            self.end_between(from, [place(i), far], place(i)).0
         })
     }
 
-    /// The last end that fits and the first that does not, between one and another.
-    fn bisected(&self, from: f64, mut near: f64, mut far: f64) -> (f64, f64) {
-        for round in 0..2 * HALVINGS {
-            let middle = f64::midpoint(near, far);
-            if self.fits(from, middle) {
-                near = middle;
-            } else {
-                far = middle;
+    /// The last end that fits and the first that does not, between one and another, from a guess on.
+    fn end_between(&self, from: f64, [mut near, mut far]: [f64; 2], mut to: f64) -> (f64, f64) {
+        for round in 0..STEPS + 2 * HALVINGS {
+            if to <= near || to >= far || round >= STEPS {
+                to = f64::midpoint(near, far);
             }
-            if round >= HALVINGS && near > from {
+            let off = self.distance(from, to);
+            let fits = off <= self.tolerance;
+            if fits {
+                near = to;
+            } else {
+                far = to;
+            }
+            let is_used = fits && off >= USED * self.tolerance;
+            if is_used || (round >= STEPS + HALVINGS && near > from) {
                 break;
             }
+            // The distance grows with the square of the length.
+            let factor = (WANTED * self.tolerance / off).sqrt();
+            to = from + factor.clamp(0.1, 4.0) * (to - from);
         }
         (near, far)
     }
