@@ -248,7 +248,8 @@ impl Plan {
         } else {
             0.0
         };
-        self.room - strayed - again
+        // A decimal is no binary number: as much again as a cut may be off covers by how much it is missed.
+        self.room - strayed - again - self.cut()
     }
 
     fn too_coarse(&self) -> Error {

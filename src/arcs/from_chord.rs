@@ -204,8 +204,94 @@ pub(super) fn of_arc([a, b, c]: [f64; 3], half: f64, limit: f64) -> f64 {
         }
     }
     if farthest > 0.0 {
-        farthest + ROUNDING * d.max(c.abs())
+        farthest + ROUNDING * d.max(c.abs()) * half.min(1.0)
     } else {
         0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kurbo::ParamCurve as _;
+
+    /// Numbers from -1 to 1.
+    fn random(state: &mut u64) -> f64 {
+        *state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    const SAMPLES: u32 = 4000;
+
+    fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
+        (0..=SAMPLES).map(move |i| from + (to - from) * f64::from(i) / f64::from(SAMPLES))
+    }
+
+    fn sampled(points: impl Iterator<Item = Point>, [from, to]: [Point; 2]) -> f64 {
+        let off = |p: Point| {
+            let chord = to - from;
+            let part = ((p - from).dot(chord) / chord.hypot2()).clamp(0.0, 1.0);
+            p.distance(from + part * chord)
+        };
+        points.map(off).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn a_folded_cubic_is_as_far_as_its_farthest_sample() {
+        let (mut state, mut beyond) = (5, 0);
+        for round in 0..1500 {
+            let flat = [1.0, 0.1, 1e-3][round % 3];
+            let mut point = || Point::new(random(&mut state), flat * random(&mut state));
+            let cubic = CubicBez::new(point(), point(), point(), point());
+            let ends = [cubic.p0, cubic.p3];
+            let above = Above::new(&cubic, ends);
+            let (found, samples) = (
+                above.farthest(),
+                sampled(samples(0.0, 1.0).map(|t| cubic.eval(t)), ends),
+            );
+            assert!(samples <= found, "{cubic:?}: {samples} {found}");
+            assert!(
+                found <= samples * (1.0 + 1e-4) + 1e-7,
+                "{cubic:?}: {samples} {found}"
+            );
+            assert!(above.is_within(1.0001 * found) && !above.is_within(0.9999 * found));
+            beyond += usize::from(found > 1.001 * above.highest);
+        }
+        assert!(beyond > 300, "{beyond}");
+    }
+
+    #[test]
+    fn an_arc_of_an_ellipse_is_as_far_as_its_farthest_sample() {
+        let (mut state, mut beyond) = (9, 0);
+        for round in 0..1500 {
+            let flat = [1.0, 0.1, 1e-3][round % 3];
+            let (a, b) = (0.01 + random(&mut state).abs(), random(&mut state));
+            let (c, half) = (flat * random(&mut state), 1.48 * (1.01 + random(&mut state)));
+            let at = |phi: f64| {
+                let rise = libm::cos(phi) - libm::cos(half);
+                Point::new(a * libm::sin(phi) + b * rise, c * rise)
+            };
+            let found = of_arc([a, b, c], half, f64::INFINITY);
+            let samples = sampled(samples(-half, half).map(at), [at(-half), at(half)]);
+            assert!(samples <= found + 1e-14, "{a} {b} {c} {half}: {samples} {found}");
+            assert!(
+                found <= samples * (1.0 + 1e-4) + 1e-7,
+                "{a} {b} {c} {half}: {samples} {found}"
+            );
+            beyond += usize::from(found > 1.001 * (c * at(0.0).y / c).abs());
+        }
+        assert!(beyond > 300, "{beyond}");
+    }
+
+    #[test]
+    fn what_lies_a_bit_beyond_an_end_is_seen() {
+        // By a tenth of a billionth of its length.
+        let cubic = CubicBez::new((0.0, 0.0), (0.2, 0.0), (1.0 + 1.1e-5, 0.0), (1.0, 0.0));
+        let above = Above::new(&cubic, [cubic.p0, cubic.p3]);
+        let most = samples(0.99999, 1.0).map(|t| cubic.eval(t).x - 1.0);
+        let most = most.fold(0.0, f64::max);
+        assert!((above.farthest() - most).abs() < 1e-14 && most > 1e-11, "{most}");
     }
 }
