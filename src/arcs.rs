@@ -209,11 +209,11 @@ impl Plan {
         let room = tolerance - rounding;
         // A path of lines alone has nothing to fit.
         let curved = pieces.iter().any(|piece| !piece.is_line());
-        let finest = rounding.max(FINEST * largest);
+        let finest = FINEST * largest;
         if curved && tolerance <= finest && size > 0.0 {
-            return Err(Error::RoundingAlone {
-                rounding: finest,
+            return Err(Error::TooFine {
                 tolerance,
+                finest: rounded_up(2.0 * finest, 1),
             });
         }
         Ok(Self {
@@ -252,7 +252,15 @@ impl Plan {
         self.room - strayed - again - self.cut()
     }
 
+    /// Why there is no room for what is computed.
     fn too_coarse(&self) -> Error {
+        let rounding = self.precision.farthest_moved();
+        if rounding >= self.tolerance {
+            return Error::RoundingAlone {
+                rounding,
+                tolerance: self.tolerance,
+            };
+        }
         Error::TooCoarse {
             tolerance: self.tolerance,
         }
