@@ -81,7 +81,7 @@ pub struct Options {
 pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     let subpaths = contours
         .iter()
-        .map(|contour| advised(lines::subpath, 2, contour, options));
+        .map(|contour| advised(&lines::subpath, 2, contour, options));
     Ok(PathDrawing {
         subpaths: subpaths.collect::<Result<_>>()?,
         maker: Maker::Lines,
@@ -110,7 +110,7 @@ pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     let subpaths = contours
         .iter()
-        .map(|contour| advised(bows::subpath, 3, contour, options));
+        .map(|contour| advised(&bows::subpath, 3, contour, options));
     Ok(PathDrawing {
         subpaths: subpaths.collect::<Result<_>>()?,
         maker: Maker::Arcs,
@@ -120,7 +120,7 @@ pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 /// What is drawn, or why not, with a tolerance that serves: the number of segments falls by this root of it, and at a ten thousandth of
 /// their number or so they are soon counted.
 fn advised(
-    draw: impl Fn(&Contour, &Options) -> Result<Subpath>,
+    draw: &dyn Fn(&Contour, &Options) -> Result<Subpath>,
     root: i32,
     contour: &Contour,
     options: &Options,
@@ -128,6 +128,17 @@ fn advised(
     /// By how much the tolerance that is named is larger than that which seems enough.
     const MARGIN: f64 = 1.1;
     let drawn = draw(contour, options);
+    if let Err(Error::TooFine { tolerance, finest }) = drawn {
+        let options = Options {
+            tolerance: Some(Tolerance::Absolute(finest)),
+            ..*options
+        };
+        let finest = match advised(draw, root, contour, &options) {
+            Err(Error::TooManySegments { enough, .. }) => enough,
+            _ => finest,
+        };
+        return Err(Error::TooFine { tolerance, finest });
+    }
     let Err(Error::TooManySegments {
         tolerance, most, ..
     }) = drawn

@@ -317,10 +317,7 @@ pub(super) fn half_turn(arc: &SvgArc) -> SvgArc {
 fn is_half_turn(arc: &SvgArc) -> bool {
     if arc.radii.x == arc.radii.y {
         let square = |a: f64, b: f64| Double::difference(a, b).times(Double::difference(a, b));
-        let (x, y) = (
-            square(arc.to.x, arc.from.x),
-            square(arc.to.y, arc.from.y),
-        );
+        let (x, y) = (square(arc.to.x, arc.from.x), square(arc.to.y, arc.from.y));
         let diameter = square(2.0 * arc.radii.x, 0.0).scaled(-1.0);
         let more = x.plus(y).plus(diameter).value();
         return more == 0.0 || more > 4.0 * f64::EPSILON * arc.from.distance_squared(arc.to);

@@ -144,7 +144,9 @@ impl Search {
             return found;
         }
         let far = (PROBED - 1..=2 * PROBED).rev().map(place);
-        let far = far.filter(|&to| to <= end && off(to, POINTS) <= 1.0).collect::<Vec<_>>();
+        let far = far
+            .filter(|&to| to <= end && off(to, POINTS) <= 1.0)
+            .collect::<Vec<_>>();
         for to in far {
             if let Ok(fit) = self.attempt(chain, from, to) {
                 return self.longer(chain, from, (to, fit), end.min(to + length / BEYOND));

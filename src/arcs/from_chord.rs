@@ -172,9 +172,7 @@ pub(super) fn of_arc([a, b, c]: [f64; 3], half: f64, limit: f64) -> f64 {
         return f64::INFINITY;
     }
     // cos φ - cos h = 2 sin((h+φ)/2) sin((h-φ)/2).
-    let height = |phi: f64| {
-        2.0 * c * libm::sin(0.5 * (half + phi)) * libm::sin(0.5 * (half - phi))
-    };
+    let height = |phi: f64| 2.0 * c * libm::sin(0.5 * (half + phi)) * libm::sin(0.5 * (half - phi));
     let mut farthest = height(0.0).abs();
     if farthest > limit {
         return farthest;
@@ -268,14 +266,20 @@ mod tests {
         for round in 0..1500 {
             let flat = [1.0, 0.1, 1e-3][round % 3];
             let (a, b) = (0.01 + random(&mut state).abs(), random(&mut state));
-            let (c, half) = (flat * random(&mut state), 1.48 * (1.01 + random(&mut state)));
+            let (c, half) = (
+                flat * random(&mut state),
+                1.48 * (1.01 + random(&mut state)),
+            );
             let at = |phi: f64| {
                 let rise = libm::cos(phi) - libm::cos(half);
                 Point::new(a * libm::sin(phi) + b * rise, c * rise)
             };
             let found = of_arc([a, b, c], half, f64::INFINITY);
             let samples = sampled(samples(-half, half).map(at), [at(-half), at(half)]);
-            assert!(samples <= found + 1e-14, "{a} {b} {c} {half}: {samples} {found}");
+            assert!(
+                samples <= found + 1e-14,
+                "{a} {b} {c} {half}: {samples} {found}"
+            );
             assert!(
                 found <= samples * (1.0 + 1e-4) + 1e-7,
                 "{a} {b} {c} {half}: {samples} {found}"
@@ -292,6 +296,9 @@ mod tests {
         let above = Above::new(&cubic, [cubic.p0, cubic.p3]);
         let most = samples(0.99999, 1.0).map(|t| cubic.eval(t).x - 1.0);
         let most = most.fold(0.0, f64::max);
-        assert!((above.farthest() - most).abs() < 1e-14 && most > 1e-11, "{most}");
+        assert!(
+            (above.farthest() - most).abs() < 1e-14 && most > 1e-11,
+            "{most}"
+        );
     }
 }

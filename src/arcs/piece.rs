@@ -180,6 +180,10 @@ impl Turn {
         let chord = image(Vec2::new(-middle.y, middle.x));
         let length = chord.hypot2().sqrt();
         let (along, middle) = (chord / length, image(middle));
-        of_arc([length, along.dot(middle), along.cross(middle)], half, limit)
+        of_arc(
+            [length, along.dot(middle), along.cross(middle)],
+            half,
+            limit,
+        )
     }
 }

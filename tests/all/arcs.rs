@@ -150,8 +150,16 @@ fn folded_curves_take_no_more_chords_than_by_halving() {
     }
     // By two million samples.
     for (data, tolerance, distance) in [
-        ("M0 0C97.7 0.08 6.9 -0.1 85.9 0", 0.0484, 0.031_134_443_359_687),
-        ("M0 0C98.5 0.32 -45.4 0.51 42.1 0", 0.4944, 0.315_226_567_819),
+        (
+            "M0 0C97.7 0.08 6.9 -0.1 85.9 0",
+            0.0484,
+            0.031_134_443_359_687,
+        ),
+        (
+            "M0 0C98.5 0.32 -45.4 0.51 42.1 0",
+            0.4944,
+            0.315_226_567_819,
+        ),
     ] {
         let drawing = drawn(data, tolerance);
         assert_eq!(count(&drawing), 1);
@@ -175,8 +183,14 @@ fn rounding_costs_no_chord_that_halving_saves() {
 fn chords_reach_over_inflections_and_folds() {
     // By dynamic programming over 200 ends each.
     for (data, expected) in [
-        ("M44.7092 11.9574C16.8391 10.4159 4.63005 23.2765 23.1003 5.86059", 2),
-        ("M118.463 90.2637C36.9041 78.6131 102.352 112.593 17.3113 22.2887", 3),
+        (
+            "M44.7092 11.9574C16.8391 10.4159 4.63005 23.2765 23.1003 5.86059",
+            2,
+        ),
+        (
+            "M118.463 90.2637C36.9041 78.6131 102.352 112.593 17.3113 22.2887",
+            3,
+        ),
         ("M0 0C14.7991-4.98878 31.383 2.68579 56.0006 0", 2),
         ("M0 0C18.6639 18.9036 9.09409 2.88103 16.9931 0", 2),
     ] {
@@ -561,5 +575,97 @@ fn whole_ellipses_are_found_by_all_of_their_cubics() {
         let drawn = printed(&words(&format!("ellipse {ellipse}")));
         let found = printed(&["path", drawn.trim_end(), "--to", "arcs", "--elliptic"]);
         assert_eq!(found.trim_end(), expected);
+    }
+}
+
+/// The digits of a decimal number, as an integer of so many decimals.
+fn scaled(text: &str, decimals: usize) -> u128 {
+    let (whole, part) = text.split_once('.').unwrap_or((text, ""));
+    format!("{whole}{part:0<decimals$}").parse().unwrap()
+}
+
+#[test]
+fn half_a_turn_is_drawn_with_no_radius_larger_than_its_own() {
+    // One larger by 10^-16 moves the middle by 10^-8 of it.
+    for (x, y) in [
+        ("15.531", "18.4015314"),
+        ("19.7", "18.5049047"),
+        ("0.154", "16.452"),
+        ("17.37", "11.7859429"),
+        ("10", "0"),
+        ("7.0710679", "7.0710679"),
+    ] {
+        for transform in ["scale(1)", "scale(1,-1)"] {
+            let path = format!("M0 0A1 1 0 0 1 {x} {y}");
+            let text = printed(&["path", &path, "--to", "arcs", "--transform", transform]);
+            let (_, radius) = text.split_once('A').unwrap();
+            let radius = radius.split(' ').next().unwrap();
+            let [x, y, twice] = [scaled(x, 16), scaled(y, 16), 2 * scaled(radius, 16)];
+            assert!(twice * twice <= x * x + y * y, "{text}");
+            assert!(
+                (twice + twice / 1_000_000_000_000).pow(2) > x * x + y * y,
+                "{text}"
+            );
+        }
+    }
+    let ten = printed(&["path", "M0 0A1 1 0 0 1 10 0", "--to", "arcs"]);
+    assert_eq!(ten.trim_end(), "M0 0A5 5 0 0 1 10 0");
+    let given = "M50 0A50 20 0 0 1-50 0A50 20 0 0 1 50 0Z";
+    let kept = printed(&["path", given, "--to", "arcs", "--elliptic"]);
+    assert_eq!(kept.trim_end(), given);
+}
+
+#[test]
+fn few_decimals_are_refused_only_where_they_move_something() {
+    let circle = "M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z";
+    let coarse = ["--to", "arcs", "-t", "0.01", "-p", "0"];
+    let path = |data| [&["path", data], &coarse[..]].concat();
+    assert_eq!(printed(&path(circle)).trim_end(), circle);
+    for moved in [
+        "M50.3 0A50 50 0 0 1-50 0A50 50 0 0 1 50.3 0Z",
+        "M50 0A50 20 0 0 1-50 0A50 20 0 0 1 50 0Z",
+        "M50 0C50 27.6 27.6 50 0 50",
+    ] {
+        let refused = run(&path(moved));
+        assert_eq!(refused.status.code(), Some(2), "{moved}");
+        let said = String::from_utf8(refused.stderr).unwrap();
+        assert!(
+            said.starts_with("error: rounding alone moves a point by up to 0.707"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_tolerance_finer_than_digits_is_refused_with_one_that_serves() {
+    // Within less chords are more than a million.
+    for (to, serves) in [("lines", "0.000000000002"), ("arcs", "0.0000000000002")] {
+        let path = |tolerance| {
+            [
+                "path",
+                "M5 0C5 2.76 2.76 5 0 5",
+                "--to",
+                to,
+                "-t",
+                tolerance,
+            ]
+        };
+        let refused = run(&path("1e-18"));
+        assert_eq!(refused.status.code(), Some(2));
+        let said = String::from_utf8(refused.stderr).unwrap();
+        let hint = format!("hint: take a larger tolerance, as -t {serves}\n");
+        assert_eq!(
+            said,
+            format!(
+                "error: the tolerance 1e-18 is finer than the digits of a double-precision coordinate\n{hint}"
+            )
+        );
+        let options = Options {
+            tolerance: Some(Tolerance::Absolute(serves.parse().unwrap())),
+            ..Options::default()
+        };
+        let curve = path::contours("M5 0C5 2.76 2.76 5 0 5").unwrap();
+        let served = if to == "lines" { lines } else { arcs }(&curve, &options);
+        assert!(served.is_ok(), "{to}");
     }
 }
