@@ -81,7 +81,7 @@ pub struct Options {
 pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     let subpaths = contours
         .iter()
-        .map(|contour| advised(&lines::subpath, 2, contour, options));
+        .map(|contour| advised(lines::subpath, 2, contour, options));
     Ok(PathDrawing {
         subpaths: subpaths.collect::<Result<_>>()?,
         maker: Maker::Lines,
@@ -110,7 +110,7 @@ pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     let subpaths = contours
         .iter()
-        .map(|contour| advised(&bows::subpath, 3, contour, options));
+        .map(|contour| advised(bows::subpath, 3, contour, options));
     Ok(PathDrawing {
         subpaths: subpaths.collect::<Result<_>>()?,
         maker: Maker::Arcs,
@@ -120,23 +120,19 @@ pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 /// What is drawn, or why not, with a tolerance that serves: the number of segments falls by this root of it, and at a ten thousandth of
 /// their number or so they are soon counted.
 fn advised(
-    draw: &dyn Fn(&Contour, &Options) -> Result<Subpath>,
+    draw: impl Fn(&Contour, &Options) -> Result<Subpath>,
     root: i32,
     contour: &Contour,
     options: &Options,
 ) -> Result<Subpath> {
     /// By how much the tolerance that is named is larger than that which seems enough.
     const MARGIN: f64 = 1.1;
+    /// How many times the finest tolerance leaves a turn of a circle some 300,000 chords.
+    const COARSER: f64 = 400.0;
     let drawn = draw(contour, options);
+    // A million chords are not enough for the finest tolerance; arcs are.
     if let Err(Error::TooFine { tolerance, finest }) = drawn {
-        let options = Options {
-            tolerance: Some(Tolerance::Absolute(finest)),
-            ..*options
-        };
-        let finest = match advised(draw, root, contour, &options) {
-            Err(Error::TooManySegments { enough, .. }) => enough,
-            _ => finest,
-        };
+        let finest = if root == 2 { COARSER * finest } else { finest };
         return Err(Error::TooFine { tolerance, finest });
     }
     let Err(Error::TooManySegments {
