@@ -132,7 +132,11 @@ fn advised(
     let drawn = draw(contour, options);
     // A million chords are not enough for the finest tolerance; arcs are.
     if let Err(Error::TooFine { tolerance, finest }) = drawn {
-        let finest = if root == 2 { COARSER * finest } else { finest };
+        let finest = if root == 2 {
+            rounded_up(COARSER * finest, 1)
+        } else {
+            finest
+        };
         return Err(Error::TooFine { tolerance, finest });
     }
     let Err(Error::TooManySegments {
