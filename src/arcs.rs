@@ -8,7 +8,9 @@ mod chords;
 mod diameters;
 mod fit;
 mod form;
+mod from_chord;
 mod glance;
+mod lines;
 mod near;
 mod oval;
 mod piece;
@@ -18,19 +20,20 @@ mod tests;
 pub(crate) mod together;
 pub(crate) mod turn;
 
-use kurbo::{Affine, Line, PathSeg, Point, Rect};
+use kurbo::{Affine, Point, Rect};
 
 use crate::contour::{Closeness, Contour, Maker, Nearness, PathDrawing, Step, Subpath};
-use crate::curve::Curve;
 use crate::error::{Error, Result, positive};
 use crate::joints::{MOST_SEGMENTS, Tolerance};
 use crate::number::{Precision, decimals_of, rounded_up};
 use crate::numeric::functions::power;
-use crate::radial_error::RadialError;
 use piece::Piece;
 
 /// The part of the tolerance that rounding may use where no precision is asked for: it costs one chord in a hundred.
 const ROUNDING_PART: f64 = 0.02;
+
+/// The part that rounding may use where it decides how many chords there are.
+const FINER_PART: f64 = 1e-6;
 
 /// The tolerance where none is asked for, as a part of half the larger side of the subpath's box: of the radius, on a circle.
 const DEFAULT_PART: f64 = 1e-3;
@@ -79,7 +82,7 @@ pub struct Options {
 pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     let subpaths = contours
         .iter()
-        .map(|contour| advised(subpath_of_lines, 2, contour, options));
+        .map(|contour| advised(lines::subpath, 2, contour, options));
     Ok(PathDrawing {
         subpaths: subpaths.collect::<Result<_>>()?,
         maker: Maker::Lines,
@@ -125,7 +128,18 @@ fn advised(
 ) -> Result<Subpath> {
     /// By how much the tolerance that is named is larger than that which seems enough.
     const MARGIN: f64 = 1.1;
+    /// How many times the finest tolerance leaves a turn of a circle some 300,000 chords.
+    const COARSER: f64 = 400.0;
     let drawn = draw(contour, options);
+    // A million chords are not enough for the finest tolerance; arcs are.
+    if let Err(Error::TooFine { tolerance, finest }) = drawn {
+        let finest = if root == 2 {
+            rounded_up(COARSER * finest, 1)
+        } else {
+            finest
+        };
+        return Err(Error::TooFine { tolerance, finest });
+    }
     let Err(Error::TooManySegments {
         tolerance, most, ..
     }) = drawn
@@ -159,57 +173,6 @@ fn advised(
     })
 }
 
-fn subpath_of_lines(contour: &Contour, options: &Options) -> Result<Subpath> {
-    let pieces = pieces(contour, options.transform)?;
-    let plan = Plan::new(&pieces, options, 0.0)?;
-    let room = plan.room_of_chords(options, plan.cut);
-    let curved = pieces.iter().any(|piece| !piece.is_line());
-    if curved && room <= 0.0 && plan.size > 0.0 {
-        return Err(plan.too_coarse());
-    }
-    let mut segments = Vec::new();
-    let mut error = 0.0_f64;
-    for piece in &pieces {
-        let cuts = chords::cuts(piece, room);
-        let before = segments.len();
-        if before + cuts.len() > MOST_SEGMENTS {
-            return Err(plan.too_many());
-        }
-        let (mut from, mut at) = (plan.end(piece.start()), 0.0);
-        let mut moved = from.distance(piece.start());
-        for cut in cuts {
-            let (truth, to) = if cut < 1.0 {
-                let truth = piece.point(cut);
-                (truth, plan.inner(truth))
-            } else {
-                (piece.end(), plan.end(piece.end()))
-            };
-            let shift = to.distance(truth);
-            let off = if cut - at < 1.0 { plan.cut } else { 0.0 };
-            error = error.max(piece.chord_distance(at, cut) + off + shift.max(moved));
-            // Of a chord that rounding makes a point nothing is left to draw, unless the whole piece is one.
-            if from != to || (cut == 1.0 && segments.len() == before) {
-                segments.push(PathSeg::Line(Line::new(from, to)));
-            }
-            (from, at, moved) = (to, cut, shift);
-        }
-    }
-    if error > plan.tolerance {
-        return Err(plan.too_coarse());
-    }
-    Ok(Subpath {
-        curve: Curve {
-            segments,
-            closed: contour.closed,
-        },
-        course: None,
-        error: RadialError::balanced(error),
-        closeness: Some(plan.closeness([error; 2])),
-        truths: Vec::new(),
-        radius: plan.size,
-    })
-}
-
 /// The steps of a contour under a map.
 fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<Piece>> {
     contour
@@ -230,8 +193,8 @@ struct Plan {
     rounds_given: bool,
     /// Half the larger side of the subpath's box.
     size: f64,
-    /// How far off a part of a curve may be that is cut from it.
-    cut: f64,
+    /// The largest coordinate.
+    largest: f64,
 }
 
 impl Plan {
@@ -258,11 +221,11 @@ impl Plan {
         let room = tolerance - rounding;
         // A path of lines alone has nothing to fit.
         let curved = pieces.iter().any(|piece| !piece.is_line());
-        let finest = rounding.max(FINEST * largest);
+        let finest = FINEST * largest;
         if curved && tolerance <= finest && size > 0.0 {
-            return Err(Error::RoundingAlone {
-                rounding: finest,
+            return Err(Error::TooFine {
                 tolerance,
+                finest: rounded_up(2.0 * finest, 1),
             });
         }
         Ok(Self {
@@ -271,8 +234,23 @@ impl Plan {
             precision,
             rounds_given: options.precision.is_some(),
             size,
-            cut: CUT * largest,
+            largest,
         })
+    }
+
+    /// How far off a part of a curve may be that is cut from it.
+    fn cut(&self) -> f64 {
+        CUT * self.largest
+    }
+
+    /// The same with next to no rounding.
+    fn finer(self) -> Self {
+        let precision = Precision::moving_at_most(FINER_PART * self.tolerance, self.largest);
+        Self {
+            precision,
+            room: self.tolerance - precision.farthest_moved(),
+            ..self
+        }
     }
 
     /// How far a chord may lie from what strays so far itself; what rounds its ends again takes its part.
@@ -282,10 +260,19 @@ impl Plan {
         } else {
             0.0
         };
-        self.room - strayed - again
+        // A decimal is no binary number: as much again as a cut may be off covers by how much it is missed.
+        self.room - strayed - again - self.cut()
     }
 
+    /// Why there is no room for what is computed.
     fn too_coarse(&self) -> Error {
+        let rounding = self.precision.farthest_moved();
+        if rounding >= self.tolerance {
+            return Error::RoundingAlone {
+                rounding,
+                tolerance: self.tolerance,
+            };
+        }
         Error::TooCoarse {
             tolerance: self.tolerance,
         }

@@ -109,6 +109,14 @@ pub enum Error {
         /// The tolerance in user units.
         tolerance: f64,
     },
+    /// A tolerance below the noise of double precision.
+    #[error("the tolerance {} is finer than the digits of a double-precision coordinate", plain(*tolerance))]
+    TooFine {
+        /// The tolerance in user units.
+        tolerance: f64,
+        /// One that serves at this size, in user units.
+        finest: f64,
+    },
     /// With the decimals that were asked for, the arcs of a path stray too far.
     #[error(
         "with so few decimals the result strays farther than the tolerance {}: give more decimals or a larger tolerance",

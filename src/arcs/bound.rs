@@ -8,7 +8,6 @@
 use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
 use super::near::to_unit;
-use super::piece::{away, cubic_from_chord, height_and_overshoot, longer};
 use crate::measure::radial;
 use crate::numeric::bernstein::halves;
 use crate::shape::{Arc, Given, Truth};
@@ -269,30 +268,4 @@ fn runs_about(cubic: &CubicBez, center: Point, sign: f64) -> bool {
     }
     let largest = coefficients.into_iter().fold(0.0, f64::max);
     coefficients.into_iter().all(|c| c >= -1e-13 * largest)
-}
-
-/// The same for the chord from the first point of consecutive cubics to their last, by the argument of
-/// [`Piece::chord_distance`](super::piece::Piece::chord_distance).
-pub(super) fn from_chord(parts: &[CubicBez]) -> f64 {
-    let (Some(first), Some(last)) = (parts.first(), parts.last()) else {
-        return f64::INFINITY;
-    };
-    if parts.len() == 1 {
-        return cubic_from_chord(first);
-    }
-    let chord = last.p3 - first.p0;
-    let length = chord.hypot2().sqrt();
-    if length == 0.0 {
-        return f64::INFINITY;
-    }
-    let along: Vec2 = chord / length;
-    let (mut highest, mut farthest, mut longest) = (0.0_f64, 0.0_f64, chord);
-    for part in parts {
-        let points = [part.p0, part.p1, part.p2, part.p3].map(|p| p - first.p0);
-        longest = points.into_iter().fold(longest, longer);
-        let (height, over) = height_and_overshoot(points, along, length);
-        highest = highest.max(height);
-        farthest = farthest.max(over);
-    }
-    away(highest, farthest, longest)
 }

@@ -2,11 +2,12 @@
 
 use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
-use super::builder::{Builder, Span};
+use super::builder::{Builder, Span, half_turn};
 use super::chain::runs_on;
 use super::fit::Search;
+use super::from_chord::Above;
 use super::near::moved;
-use super::piece::{Piece, cubic_from_chord};
+use super::piece::Piece;
 use super::recognize::Rules;
 use super::{Options, Plan, decimals_given, pieces};
 use super::{together, turn};
@@ -18,7 +19,7 @@ use crate::error::Result;
 use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
 use crate::number::Precision;
 use crate::shape::endpoint::SvgArc;
-use crate::shape::{Arc, Shape};
+use crate::shape::{Arc, Given, Shape};
 
 /// The part of the tolerance within which an elliptical arc becomes cubics first.
 const ELLIPSE_PART: f64 = 0.02;
@@ -108,28 +109,44 @@ impl Builder<'_> {
             None
         };
         match kept {
-            Some((radii, rotation, sweep)) if self.kept_arc(piece, radii, rotation, sweep)? => {
-                Ok(())
+            Some((radii, rotation, sweep)) => {
+                let (radii, is_half) = match arc.given {
+                    Given::Enlarged(own) if self.options.transform == Affine::IDENTITY => {
+                        (own, false)
+                    }
+                    given => (radii, matches!(given, Given::Enlarged(_))),
+                };
+                if self.kept_arc(piece, (radii, rotation, sweep), is_half)? {
+                    Ok(())
+                } else {
+                    self.by_cubics(arc)
+                }
             }
-            _ => self.by_cubics(arc),
+            None => self.by_cubics(arc),
         }
     }
 
     /// Appends an arc that was given, its ends rounded, unless that moves it too far.
-    fn kept_arc(&mut self, piece: &Piece, radii: Vec2, rotation: f64, sweep: f64) -> Result<bool> {
-        let before = SvgArc {
+    fn kept_arc(
+        &mut self,
+        piece: &Piece,
+        (radii, rotation, sweep): (Vec2, f64, f64),
+        is_half: bool,
+    ) -> Result<bool> {
+        let as_given = |arc: SvgArc| if is_half { half_turn(&arc) } else { arc };
+        let before = as_given(SvgArc {
             from: piece.start(),
             radii,
             rotation: Angle::from_degrees(rotation),
             large_arc: sweep.abs() > 180.0,
             sweep: sweep > 0.0,
             to: piece.end(),
-        };
-        let after = SvgArc {
+        });
+        let after = as_given(SvgArc {
             from: self.at,
             to: self.plan.end(piece.end()),
             ..before
-        };
+        });
         // Radii that were given are not rounded.
         let (Shape::Arc(old), Shape::Arc(new)) = (before.shape()?, after.shape()?) else {
             return Ok(false);
@@ -144,6 +161,9 @@ impl Builder<'_> {
 
     /// An arc that was given as cubics first, and as what these become.
     fn by_cubics(&mut self, arc: &Arc) -> Result<()> {
+        if self.plan.room <= 0.0 {
+            return Err(self.plan.too_coarse());
+        }
         let slack = (ELLIPSE_PART * self.plan.tolerance).min(LEAST_PART * self.plan.room);
         let options = approximate::Options {
             cut: Cut::Tolerance(Tolerance::Absolute(slack)),
@@ -164,6 +184,9 @@ impl Builder<'_> {
     /// Ends a chain of cubics, which stray this far from what was given.
     fn flush(&mut self, cubics: &mut Vec<CubicBez>, strayed: f64) -> Result<()> {
         let chain = core::mem::take(cubics);
+        if self.plan.room <= 0.0 && !chain.is_empty() && self.plan.size > 0.0 {
+            return Err(self.plan.too_coarse());
+        }
         let room = self.plan.room - strayed;
         let room = (self.rules.absolute - strayed).max(LEAST_PART * room);
         // An arc that is found runs between ends that were given, with a radius that is not rounded; G-code takes decimals until
@@ -281,5 +304,5 @@ fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<
 
 fn is_straight(cubic: &CubicBez, room: f64) -> bool {
     let length = cubic.p0.distance_squared(cubic.p3).sqrt();
-    cubic_from_chord(cubic) <= room.min(STRAIGHT * length)
+    Above::new(cubic, [cubic.p0, cubic.p3]).is_within(room.min(STRAIGHT * length))
 }

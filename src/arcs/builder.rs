@@ -5,10 +5,11 @@
 
 use kurbo::{CubicBez, Point, Vec2};
 
-use super::bound::{from_arc, from_chord};
+use super::bound::from_arc;
 use super::chords;
 use super::fit::Search;
 use super::form::Fit;
+use super::from_chord::from_chord;
 use super::piece::Piece;
 use super::recognize::{Found, Rules};
 use super::{Options, Plan};
@@ -19,9 +20,10 @@ use crate::curve::Curve;
 use crate::error::Result;
 use crate::joints::MOST_SEGMENTS;
 use crate::number::Precision;
+use crate::numeric::double::Double;
 use crate::radial_error::RadialError;
 use crate::shape::endpoint::SvgArc;
-use crate::shape::{Arc, Shape};
+use crate::shape::{Arc, Given, Shape};
 
 /// How many decimals more a radius may have than the points, where these are not enough for it.
 const MORE_DECIMALS: u8 = 8;
@@ -81,7 +83,7 @@ impl Builder<'_> {
 
     /// Appends what a stretch of cubics becomes, which stray this far from what was given.
     pub(super) fn span(&mut self, span: &Span<'_>, strayed: f64) -> Result<()> {
-        let cut = strayed + self.plan.cut;
+        let cut = strayed + self.plan.cut();
         let (parts, ends_given) = match span {
             Span::Straight(cubic) => {
                 let off = strayed + from_chord(core::slice::from_ref(cubic));
@@ -197,7 +199,11 @@ impl Builder<'_> {
         let last = parts.len().saturating_sub(1);
         for (i, part) in parts.iter().enumerate() {
             let (piece, mut from) = (Piece::Cubic(*part), 0.0);
-            for to in chords::cuts(&piece, room) {
+            let room = chords::Room {
+                rounded: room,
+                exact: room,
+            };
+            for to in chords::cuts(&piece, room).ends {
                 let given = to == 1.0 && (i < last || ends_given);
                 let off = strayed + piece.chord_distance(from, to);
                 self.line(piece.point(from), piece.point(to), off, given);
@@ -301,12 +307,46 @@ impl Builder<'_> {
 
 /// The arc as a step, where it is one of a circle.
 fn circular(given: &SvgArc, arc: &Arc) -> Option<CircularArc> {
-    (arc.radii.x == arc.radii.y).then_some(CircularArc {
+    (arc.radii.x == arc.radii.y).then(|| CircularArc {
         to: given.to,
         center: arc.center,
-        radius: arc.radii.x,
+        radius: match arc.given {
+            Given::Enlarged(_) => {
+                let radii = arc.radii;
+                half_turn(&SvgArc { radii, ..*given }).radii.x
+            }
+            _ => arc.radii.x,
+        },
         start: arc.start,
         sweep: arc.sweep,
         ends_given: true,
     })
+}
+
+/// Half a turn, with radii that are no larger than it needs: one that rounding makes larger by some 10^-16 moves the centre by 10^-8 of it.
+pub(super) fn half_turn(arc: &SvgArc) -> SvgArc {
+    /// Some roundings of what comes from a map or a chord.
+    const TRIES: usize = 8;
+    const DOWN: f64 = 1.0 - f64::EPSILON / 2.0;
+    let mut half = *arc;
+    let mut tries = (0..TRIES).map(|_| {
+        half.radii *= DOWN;
+        half
+    });
+    if is_half_turn(arc) {
+        return *arc;
+    }
+    tries.find(is_half_turn).unwrap_or(*arc)
+}
+
+/// Whether radii are surely no larger than half a turn needs, in the decimals of its numbers too, which are no binary ones.
+fn is_half_turn(arc: &SvgArc) -> bool {
+    if arc.radii.x == arc.radii.y {
+        let square = |a: f64, b: f64| Double::difference(a, b).times(Double::difference(a, b));
+        let (x, y) = (square(arc.to.x, arc.from.x), square(arc.to.y, arc.from.y));
+        let diameter = square(2.0 * arc.radii.x, 0.0).scaled(-1.0);
+        let more = x.plus(y).plus(diameter).value();
+        return more == 0.0 || more > 4.0 * f64::EPSILON * arc.from.distance_squared(arc.to);
+    }
+    matches!(arc.shape(), Ok(Shape::Arc(arc)) if matches!(arc.given, Given::Enlarged(_)))
 }

@@ -47,6 +47,16 @@ const ELLIPSE_LEFT_OUT: f64 = 0.005;
 /// A line is taken where an arc is no more than this many times nearer.
 const NEARER: f64 = 2.0;
 
+/// Into how many parts of the length of a piece what lies beyond it is divided to look for a longer one.
+const BEYOND: f64 = 16.0;
+
+/// How many of them away the first look is.
+const PROBED: u32 = 5;
+
+/// How many times the tolerance a longer piece may stray there, if there is to be a second look; by the third power of the length it were more
+/// than twice as much.
+const FALLS: f64 = 1.6;
+
 /// Half the largest sweep, in radians: with more the ends are close to each other.
 const LARGEST_HALF: f64 = 2.9;
 
@@ -118,10 +128,31 @@ impl Search {
             let to = self.farthest(chain, from, guess, most);
             let piece = self.piece(chain, from, to);
             if piece.0 < from + most || most >= chain.reach() {
-                return piece;
+                return self.beyond(chain, from, piece);
             }
             guess = most;
         }
+    }
+
+    /// A longer piece than one that was found, where the distance falls again beyond it, as it does where the curvature falls after a peak.
+    fn beyond(&mut self, chain: &Chain<'_>, from: f64, found: (f64, Fit)) -> (f64, Fit) {
+        let end = chain.end().min(from + chain.reach());
+        let length = found.0 - from;
+        let place = |i: u32| found.0 + length * f64::from(i) / BEYOND;
+        let mut off = |to, points| self.nearest(chain, (from, to), points).off / self.room;
+        if place(PROBED) > end || off(place(PROBED), POINTS / 2) > FALLS {
+            return found;
+        }
+        let far = (PROBED - 1..=2 * PROBED).rev().map(place);
+        let far = far
+            .filter(|&to| to <= end && off(to, POINTS) <= 1.0)
+            .collect::<Vec<_>>();
+        for to in far {
+            if let Ok(fit) = self.attempt(chain, from, to) {
+                return self.longer(chain, from, (to, fit), end.min(to + length / BEYOND));
+            }
+        }
+        found
     }
 
     /// The piece up to where an arc of an ellipse reaches from here, or the one that there is.

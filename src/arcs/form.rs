@@ -2,7 +2,8 @@
 
 use kurbo::{CubicBez, Point, Vec2};
 
-use super::bound::{from_arc, from_chord};
+use super::bound::from_arc;
+use super::from_chord::from_chord;
 use super::oval::Oval;
 use crate::shape::Shape;
 use crate::shape::endpoint::SvgArc;

@@ -4,13 +4,11 @@ use core::f64::consts::PI;
 
 use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2};
 
+use super::from_chord::{Above, of_arc};
 use crate::contour::Step;
 use crate::error::Result;
 use crate::numeric::functions::unit_vector;
 use crate::shape::Outline;
-
-/// How far a height above a chord may be off, as a part of the vectors that it was made from.
-const HEIGHT: f64 = 4.0 * f64::EPSILON;
 
 /// A step of a contour.
 #[derive(Debug, Clone, Copy)]
@@ -86,86 +84,42 @@ impl Piece {
         }
     }
 
-    /// A bound, both ways, of the distance of the part between two parameters from its chord.
-    ///
-    /// Let the part run along its chord from 0 to L in x, at the distance y from the chord's line. Every x of the chord is taken by
-    /// some point of the part, so that no point of the chord is farther than the largest |y|; and no point of the part is farther
-    /// than that and its overshoot of the chord's ends, as the sides of a right triangle.
+    /// Whether the part between two parameters surely turns to one side alone, by less than half a turn.
+    pub(super) fn is_convex(&self, from: f64, to: f64) -> bool {
+        match self {
+            Self::Line(_) => true,
+            Self::Cubic(cubic) => {
+                let part = cubic.subsegment(from..to);
+                let legs = [part.p1 - part.p0, part.p2 - part.p1, part.p3 - part.p2];
+                let [a, b, c] = [(0, 1), (1, 2), (0, 2)].map(|(i, j)| legs[i].cross(legs[j]));
+                (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0)
+            }
+            Self::Arc(turn) => (to - from) * turn.sweep.abs() <= PI,
+        }
+    }
+
+    /// The distance, both ways, of the part between two parameters from its chord.
     pub(super) fn chord_distance(&self, from: f64, to: f64) -> f64 {
         match self {
             Self::Line(_) => 0.0,
-            Self::Cubic(cubic) => cubic_from_chord(&cubic.subsegment(from..to)),
-            Self::Arc(turn) => turn.chord_distance(from, to),
+            Self::Cubic(cubic) => above(cubic, from, to).farthest(),
+            Self::Arc(turn) => turn.chord_distance((from, to), f64::INFINITY),
+        }
+    }
+
+    /// Whether that is no more than a limit.
+    pub(super) fn is_chord_within(&self, from: f64, to: f64, limit: f64) -> bool {
+        match self {
+            Self::Line(_) => 0.0 <= limit,
+            Self::Cubic(cubic) => above(cubic, from, to).is_within(limit),
+            Self::Arc(turn) => turn.chord_distance((from, to), limit) <= limit,
         }
     }
 }
 
-/// The largest |y| exactly, y = 3t(1-t)((1-t)a + tb) with a, b of the inner control points, and the overshoot of these.
-pub(super) fn cubic_from_chord(cubic: &CubicBez) -> f64 {
-    let chord = cubic.p3 - cubic.p0;
-    let length = chord.hypot2().sqrt();
-    let inner = [cubic.p1 - cubic.p0, cubic.p2 - cubic.p0];
-    if length == 0.0 {
-        return inner
-            .map(Vec2::hypot2)
-            .into_iter()
-            .fold(0.0, f64::max)
-            .sqrt();
-    }
-    let along = chord / length;
-    let [a, b] = inner.map(|v| along.cross(v));
-    let height = |t: f64| (3.0 * t * (1.0 - t) * ((1.0 - t) * a + t * b)).abs();
-    // y' = 0: 3(a-b)t² + (2b-4a)t + a = 0.
-    let (p, q, r) = (3.0 * (a - b), 2.0 * b - 4.0 * a, a);
-    let root = (q * q - 4.0 * p * r).max(0.0).sqrt();
-    let s = -0.5 * (q + root.copysign(q));
-    let roots = [s / p, r / s];
-    let inside = |t: &f64| (0.0..=1.0).contains(t);
-    let highest = roots
-        .into_iter()
-        .filter(inside)
-        .map(height)
-        .fold(0.0, f64::max);
-    let over = inner
-        .map(|v| along.dot(v))
-        .map(|x| (-x).max(x - length).max(0.0));
-    // Within the hull the curve goes no farther beyond an end than 4/9 of one control point and 4/9 of the other.
-    let over = 4.0 / 9.0 * (over[0] + over[1]);
-    away(highest, over, inner.into_iter().fold(chord, longer))
-}
-
-/// How far a point is from a chord that is so high above its line and so far beyond its end; a height is off by some roundings of
-/// the longest vector that it was made from.
-pub(super) fn away(height: f64, over: f64, longest: Vec2) -> f64 {
-    let height = if height > 0.0 {
-        height + HEIGHT * longest.hypot2().sqrt()
-    } else {
-        0.0
-    };
-    (height * height + over * over).sqrt()
-}
-
-pub(super) fn longer(a: Vec2, b: Vec2) -> Vec2 {
-    if b.hypot2() > a.hypot2() { b } else { a }
-}
-
-/// The largest |y| of a cubic, by its control points from a chord's start, and how far its hull goes beyond the chord's ends.
-pub(super) fn height_and_overshoot(points: [Vec2; 4], along: Vec2, length: f64) -> (f64, f64) {
-    let y = points.map(|v| along.cross(v));
-    let at = |t: f64| {
-        let s = 1.0 - t;
-        (s * s * (s * y[0] + 3.0 * t * y[1]) + t * t * (3.0 * s * y[2] + t * y[3])).abs()
-    };
-    // y'/3 = (1-t)² d₀ + 2t(1-t) d₁ + t² d₂ = 0.
-    let d = [y[1] - y[0], y[2] - y[1], y[3] - y[2]];
-    let (p, q, r) = (d[0] - 2.0 * d[1] + d[2], 2.0 * (d[1] - d[0]), d[0]);
-    let root = (q * q - 4.0 * p * r).max(0.0).sqrt();
-    let s = -0.5 * (q + root.copysign(q));
-    let inside = |t: &f64| (0.0..=1.0).contains(t);
-    let inner = [s / p, r / s].into_iter().filter(inside).map(at);
-    let highest = inner.fold(y[0].abs().max(y[3].abs()), f64::max);
-    let beyond = points.map(|v| along.dot(v)).map(|x| (-x).max(x - length));
-    (highest, beyond.into_iter().fold(0.0, f64::max))
+fn above(cubic: &CubicBez, from: f64, to: f64) -> Above {
+    let part = cubic.subsegment(from..to);
+    Above::new(&part, [part.p0, part.p3])
 }
 
 impl Turn {
@@ -209,30 +163,20 @@ impl Turn {
         bounds
     }
 
-    /// On the unit circle the chord's line is 1 - cos h from the middle of the arc, half the part being h; the affine image keeps
-    /// that this is the farthest point, as it keeps parallels.
-    fn chord_distance(&self, from: f64, to: f64) -> f64 {
-        let half = 0.5 * (to - from) * self.sweep;
-        if half.abs() > core::f64::consts::FRAC_PI_2 {
-            return f64::INFINITY;
-        }
+    /// The affine image keeps parallels: with a direction of the middle of the part, and one square to it, as the plane where it is the unit
+    /// circle has them, the image of the second runs along the chord.
+    fn chord_distance(&self, (from, to): (f64, f64), limit: f64) -> f64 {
+        let half = 0.5 * (to - from) * self.sweep.abs();
         let [a, b, c, d, _, _] = self.placement.as_coeffs();
         let image = |v: Vec2| Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y);
         let middle = unit_vector(self.start + 0.5 * (from + to) * self.sweep);
-        let (sin, cos) = libm::sincos(half.abs());
-        let rise = 2.0 * libm::sin(half / 2.0) * libm::sin(half / 2.0);
         let chord = image(Vec2::new(-middle.y, middle.x));
         let length = chord.hypot2().sqrt();
-        let along = chord / length;
-        let [across, slant] = [along.cross(image(middle)), along.dot(image(middle))];
-        let height = (rise * across).abs();
-        // Along the chord the part has length·sin φ + slant·(cos φ - cos h); it ends at ±length·sin h.
-        let most = (length * length + slant * slant).sqrt();
-        let over = if libm::atan2(length, slant.abs()) < half.abs() {
-            (most - slant.abs() * cos - length * sin).max(0.0)
-        } else {
-            0.0
-        };
-        (height * height + over * over).sqrt()
+        let (along, middle) = (chord / length, image(middle));
+        of_arc(
+            [length, along.dot(middle), along.cross(middle)],
+            half,
+            limit,
+        )
     }
 }

@@ -2,7 +2,8 @@
 
 use kurbo::{CubicBez, Point, Vec2};
 
-use super::bound::{from_chord, is_within, roughly_from_arc};
+use super::bound::{is_within, roughly_from_arc};
+use super::from_chord::from_chord;
 use super::glance::{Glance, glance, strays_from};
 use super::recognize::{Rules, closer, run};
 use crate::number::{Precision, round};

@@ -34,6 +34,9 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
         Error::Impossible { remedy, .. }
         | Error::ToleranceOutOfReach { remedy, .. }
         | Error::Format { remedy, .. } => return Some(advice(remedy)),
+        Error::TooFine { finest, .. } => {
+            return Some(format!("take a larger tolerance, as -t {}", text(*finest)));
+        }
         Error::TooManySegments { enough, .. } if enough.is_finite() => {
             return Some(format!("take a larger tolerance, as -t {}", text(*enough)));
         }

@@ -17,12 +17,16 @@ pub(super) struct Output<'a> {
 impl Output<'_> {
     pub(super) fn note(&mut self, element: &'static str, at: usize, reason: Reason) {
         let (line, column) = self.places.locate(at);
-        self.notes.push(Note {
+        let note = Note {
             line,
             column,
             element,
             reason,
-        });
+        };
+        // What keeps a path from being a shape may keep its curves from being arcs.
+        if self.notes.last() != Some(&note) {
+            self.notes.push(note);
+        }
     }
 }
 

@@ -350,7 +350,7 @@ mod tests {
     fn a_point_in_the_centre_pulls_no_way() {
         // By symmetry the centre stays, and the radius is the mean distance.
         let square = [(5.0, 2.0), (4.0, 3.0), (3.0, 2.0), (4.0, 1.0), (4.0, 2.0)];
-        let (center, radius) = nearest_circle(&square.map(Point::from)).unwrap();
+        let (center, radius) = nearest_circle(&square.map(Point::from), None).unwrap();
         assert_eq!(center, Point::new(4.0, 2.0));
         assert!((radius - 0.8).abs() < 1e-15);
     }

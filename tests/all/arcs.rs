@@ -123,6 +123,83 @@ fn chords_are_no_more_than_by_halving() {
     }
 }
 
+/// Numbers from -1 to 1.
+fn random(state: &mut u64) -> f64 {
+    *state = state
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1);
+    (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+#[test]
+fn folded_curves_take_no_more_chords_than_by_halving() {
+    let mut state = 11;
+    for _ in 0..60 {
+        // Forth, back and forth again, nearly on a line.
+        let mut x = |most: f64| (10.0 * most * random(&mut state)).round() / 10.0;
+        let [a, b, c, d] = [175.0, 1.0, 175.0, 1.0].map(&mut x);
+        let data = format!("M0 0C{a} {b} {c} {d} {} 0", 50.0 + x(45.0));
+        let piece = given(&path::contours(&data).unwrap()[0])[0];
+        for tolerance in [0.05, 0.25, 1.0] {
+            let drawing = drawn(&data, tolerance);
+            // The samples say a bit less than the distance is.
+            let halved = halved(piece, 0.9999 * tolerance);
+            assert!(count(&drawing) <= halved, "{data} {tolerance}: {halved}");
+            let stated = drawing.error().peak();
+            let found = apart(&[piece], &drawing.subpaths[0].curve.segments);
+            assert!(found <= stated + 1e-9, "{data}: {found}, {stated}");
+        }
+    }
+    // By two million samples.
+    for (data, tolerance, distance) in [
+        (
+            "M0 0C97.7 0.08 6.9 -0.1 85.9 0",
+            0.0484,
+            0.031_134_443_359_687,
+        ),
+        (
+            "M0 0C98.5 0.32 -45.4 0.51 42.1 0",
+            0.4944,
+            0.315_226_567_819,
+        ),
+    ] {
+        let drawing = drawn(data, tolerance);
+        assert_eq!(count(&drawing), 1);
+        assert!((drawing.error().peak() - distance).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn rounding_costs_no_chord_that_halving_saves() {
+    for (data, tolerance, expected) in [
+        // Two halves lie sqrt(78.125) away, a hundred and twenty millionths below the tolerance.
+        ("M0 0Q50 100 100 0", "8.84", 2),
+        ("M0 0C22.7 -0.36 29.4 0.07 48.6 0", "0.1459", 1),
+    ] {
+        let printed = printed(&["path", data, "--to", "lines", "-t", tolerance]);
+        assert_eq!(printed.matches('L').count(), expected, "{printed}");
+    }
+}
+
+#[test]
+fn chords_reach_over_inflections_and_folds() {
+    // By dynamic programming over 200 ends each.
+    for (data, expected) in [
+        (
+            "M44.7092 11.9574C16.8391 10.4159 4.63005 23.2765 23.1003 5.86059",
+            2,
+        ),
+        (
+            "M118.463 90.2637C36.9041 78.6131 102.352 112.593 17.3113 22.2887",
+            3,
+        ),
+        ("M0 0C14.7991-4.98878 31.383 2.68579 56.0006 0", 2),
+        ("M0 0C18.6639 18.9036 9.09409 2.88103 16.9931 0", 2),
+    ] {
+        assert_eq!(count(&drawn(data, 1.0)), expected, "{data}");
+    }
+}
+
 #[test]
 fn a_circle_takes_as_many_chords_as_its_sagitta_says() {
     let circle = "M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z";
@@ -216,7 +293,7 @@ fn more_than_a_million_segments_are_refused_with_a_tolerance_that_serves() {
     let wide = "M0 0C1e5 4e5 7e5 9e5 1e6 0";
     let refused = run(&["path", wide, "--to", "lines", "-t", "1e-7"]);
     assert_eq!(refused.status.code(), Some(2));
-    // With the tolerance of the hint there are 982,105.
+    // With the tolerance of the hint there are 887,112.
     assert_eq!(
         String::from_utf8(refused.stderr).unwrap(),
         "error: within 1e-7 a subpath becomes more than 1000000 segments\nhint: take a larger tolerance, as -t 0.0000006\n"
@@ -233,7 +310,8 @@ fn fine_chords_stay_within_the_tolerance_far_from_the_origin() {
         "-t",
         "1e-5",
     ]);
-    assert_eq!(printed.matches('L').count(), 221_162);
+    // The integral of sqrt(curvature / 8t) over the curve is 215,364.3.
+    assert_eq!(printed.matches('L').count(), 216_169);
 }
 
 #[test]
@@ -562,4 +640,78 @@ fn whole_ellipses_are_found_by_all_of_their_cubics() {
         let found = printed(&["path", drawn.trim_end(), "--to", "arcs", "--elliptic"]);
         assert_eq!(found.trim_end(), expected);
     }
+}
+
+/// The digits of a decimal number, as an integer of so many decimals.
+fn scaled(text: &str, decimals: usize) -> u128 {
+    let (whole, part) = text.split_once('.').unwrap_or((text, ""));
+    format!("{whole}{part:0<decimals$}").parse().unwrap()
+}
+
+#[test]
+fn half_a_turn_is_drawn_with_no_radius_larger_than_its_own() {
+    // One larger by 10^-16 moves the middle by 10^-8 of it.
+    for (x, y) in [
+        ("15.531", "18.4015314"),
+        ("19.7", "18.5049047"),
+        ("0.154", "16.452"),
+        ("17.37", "11.7859429"),
+        ("10", "0"),
+        ("7.0710679", "7.0710679"),
+    ] {
+        for transform in ["scale(1)", "scale(1,-1)"] {
+            let path = format!("M0 0A1 1 0 0 1 {x} {y}");
+            let text = printed(&["path", &path, "--to", "arcs", "--transform", transform]);
+            let (_, radius) = text.split_once('A').unwrap();
+            let radius = radius.split(' ').next().unwrap();
+            let [x, y, twice] = [scaled(x, 16), scaled(y, 16), 2 * scaled(radius, 16)];
+            assert!(twice * twice <= x * x + y * y, "{text}");
+            assert!(
+                (twice + twice / 1_000_000_000_000).pow(2) > x * x + y * y,
+                "{text}"
+            );
+        }
+    }
+    let ten = printed(&["path", "M0 0A1 1 0 0 1 10 0", "--to", "arcs"]);
+    assert_eq!(ten.trim_end(), "M0 0A5 5 0 0 1 10 0");
+    let given = "M50 0A50 20 0 0 1-50 0A50 20 0 0 1 50 0Z";
+    let kept = printed(&["path", given, "--to", "arcs", "--elliptic"]);
+    assert_eq!(kept.trim_end(), given);
+}
+
+#[test]
+fn few_decimals_are_refused_only_where_they_move_something() {
+    let circle = "M50 0A50 50 0 0 1-50 0A50 50 0 0 1 50 0Z";
+    let coarse = ["--to", "arcs", "-t", "0.01", "-p", "0"];
+    let path = |data| [&["path", data], &coarse[..]].concat();
+    assert_eq!(printed(&path(circle)).trim_end(), circle);
+    for moved in [
+        "M50.3 0A50 50 0 0 1-50 0A50 50 0 0 1 50.3 0Z",
+        "M50 0A50 20 0 0 1-50 0A50 20 0 0 1 50 0Z",
+        "M50 0C50 27.6 27.6 50 0 50",
+    ] {
+        let refused = run(&path(moved));
+        assert_eq!(refused.status.code(), Some(2), "{moved}");
+        let said = String::from_utf8(refused.stderr).unwrap();
+        assert!(
+            said.starts_with("error: rounding alone moves a point by up to 0.707"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_tolerance_finer_than_digits_is_refused_with_one_that_serves() {
+    let path = ["path", "M5 0C5 2.76 2.76 5 0 5", "--to", "arcs", "-t"];
+    let refused = run(&[&path[..], &["1e-18"]].concat());
+    assert_eq!(refused.status.code(), Some(2));
+    let serves = "0.0000000000002";
+    assert_eq!(
+        String::from_utf8(refused.stderr).unwrap(),
+        format!(
+            "error: the tolerance 1e-18 is finer than the digits of a double-precision coordinate\n\
+             hint: take a larger tolerance, as -t {serves}\n"
+        )
+    );
+    assert!(printed(&[&path[..], &[serves]].concat()).starts_with("M5 0A"));
 }

@@ -115,6 +115,13 @@ fn arcs_are_as_few_as_dynamic_programming_finds() {
 }
 
 #[test]
+fn an_arc_reaches_past_a_peak_of_curvature() {
+    // The first arc is near enough up to 0.43 of the curve, and again from 0.575 to 0.59.
+    let curve = "M22.53 1.1C26.99 33.68 96.67 30.73 16.27 8.84";
+    assert_eq!(pieces(curve, "arcs", 0.338_944), 3);
+}
+
+#[test]
 fn chords_are_within_a_twentieth_of_the_optimum() {
     for numbers in FREE {
         for tolerance in [1.0, 0.1] {

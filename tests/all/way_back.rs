@@ -829,3 +829,12 @@ fn a_dot_takes_no_part_in_a_tolerance() {
         assert!(path.trim_end().ends_with("M5 5L5 5"), "{path}");
     }
 }
+
+#[test]
+fn a_path_that_is_left_is_noted_once() {
+    let circle = "M5 0C5 2.76 2.76 5 0 5C-2.76 5-5 2.76-5 0C-5-2.76-2.76-5 0-5C2.76-5 5-2.76 5 0Z";
+    let text = format!("<svg><script>1</script><path d=\"{circle}\"/><path d=\"{circle}\"/></svg>");
+    let converted = back(&text);
+    let codes = converted.notes.iter().map(|note| note.reason.code());
+    assert_eq!(codes.collect::<Vec<_>>(), ["script"; 2]);
+}
