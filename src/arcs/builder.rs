@@ -37,6 +37,9 @@ const MOVED_AGAIN: f64 = 4.0;
 /// The part of the tolerance that is left to that.
 const AGAIN_PART: f64 = 0.25;
 
+/// What rounding may do to a distance, as a part of it.
+const NOISE: f64 = 1e-12;
+
 /// The parts of the tolerance within which shorter pieces are looked for.
 const FINER: [f64; 2] = [0.5, 0.2];
 
@@ -93,8 +96,7 @@ impl Builder<'_> {
             Span::Found(cubics, found) => {
                 // Half a turn whose radius is too small for its ends is drawn with theirs, which has many digits.
                 let radii = found.arc.radii;
-                let enlarged = radii.x == radii.y && radii != found.given.radii;
-                let (given, precisions) = if enlarged {
+                let (given, precisions) = if is_enlarged(&found.given, &found.arc) {
                     (
                         SvgArc {
                             radii,
@@ -240,8 +242,7 @@ impl Builder<'_> {
             let Ok(Shape::Arc(arc)) = given.shape() else {
                 continue;
             };
-            let is_enlarged = arc.radii.x > given.radii.x;
-            if is_enlarged && precisions.len() > 1 && *precision != Precision::Full {
+            if is_enlarged(&given, &arc) && precisions.len() > 1 && *precision != Precision::Full {
                 continue;
             }
             let off = from_arc(parts, &arc) + strayed;
@@ -305,17 +306,21 @@ impl Builder<'_> {
     }
 }
 
+/// Whether the ends of an arc of a circle are farther apart than its diameter, by more than rounding.
+fn is_enlarged(given: &SvgArc, arc: &Arc) -> bool {
+    arc.radii.x == arc.radii.y && arc.radii.x > given.radii.x * (1.0 + NOISE)
+}
+
 /// The arc as a step, where it is one of a circle.
 fn circular(given: &SvgArc, arc: &Arc) -> Option<CircularArc> {
     (arc.radii.x == arc.radii.y).then(|| CircularArc {
         to: given.to,
         center: arc.center,
-        radius: match arc.given {
-            Given::Enlarged(_) => {
-                let radii = arc.radii;
-                half_turn(&SvgArc { radii, ..*given }).radii.x
-            }
-            _ => arc.radii.x,
+        radius: if is_enlarged(given, arc) {
+            let radii = arc.radii;
+            half_turn(&SvgArc { radii, ..*given }).radii.x
+        } else {
+            given.radii.x
         },
         start: arc.start,
         sweep: arc.sweep,
