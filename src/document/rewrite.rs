@@ -62,7 +62,7 @@ struct Rewriter<'a, 'f> {
     key: Vec<u8>,
     /// How far new arcs and shapes lie from what was there at most.
     strayed: f64,
-    /// The text in small letters, once it was asked for.
+    /// The text as [`value::words`], once it was asked for.
     lower: Option<String>,
 }
 
@@ -92,7 +92,9 @@ pub(super) fn run(
     loop {
         match scanner.next()? {
             Node::Start(element) => {
-                if facts.is_none() && facts::is_sign(&element, &scanner.attributes) {
+                if facts.is_none()
+                    && facts::is_sign(&element, &scanner.attributes, &scanner.doctype)
+                {
                     return Ok(Pass::NeedsFacts);
                 }
                 let inherited = open
@@ -201,7 +203,7 @@ impl<'a> Rewriter<'a, '_> {
         let source = scanner.source;
         let lower = self
             .lower
-            .get_or_insert_with(|| source.to_ascii_lowercase());
+            .get_or_insert_with(|| value::words(source, &scanner.doctype));
         let stays = path.stays(lower);
         let marked = markers.any && Reason::Marker.counts(self.options.trust);
         let reason = self
