@@ -248,13 +248,25 @@ pub enum Error {
         /// The encoding as declared or found.
         encoding: String,
     },
+    /// The result would be larger than is served.
+    #[error("{line}:{column}: from here on the result would be larger than 1 GiB")]
+    TooLarge {
+        /// The line, from 1, of the element with which it becomes so large.
+        line: usize,
+        /// The column in characters, from 1.
+        column: usize,
+    },
 }
+
+/// The most bytes of a result.
+const MOST_BYTES: usize = 1 << 30;
 
 impl Error {
     fn new(source: &str, fault: Fault) -> Self {
         let (line, column) = Places::new(source).locate(fault.at);
         match fault.kind {
             FaultKind::Malformed(why) => Self::Malformed { line, column, why },
+            FaultKind::TooLarge => Self::TooLarge { line, column },
             FaultKind::Encoding(encoding) => Self::Encoding {
                 line,
                 column,
@@ -283,7 +295,7 @@ pub struct ConvertedFile<'a> {
 ///
 /// # Errors
 ///
-/// A document that is not well-formed XML, or that declares an encoding other than UTF-8.
+/// A document that is not well-formed XML, that declares an encoding other than UTF-8, or that would become larger than a gibibyte.
 pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Error> {
     let done = pass(text.into(), options)?;
     Ok(Converted {
@@ -330,8 +342,11 @@ pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<Converted
 /// The new text, if anything was replaced, with what was and what was not.
 fn pass(source: Source<'_>, options: &Options) -> Result<Done, Error> {
     let pass = scratch::with_scratch(options, |scratch| {
-        match rewrite::run(source, options, None, scratch)? {
-            Pass::NeedsFacts => rewrite::run(source, options, Some(&Facts::read(source)?), scratch),
+        match rewrite::run(source, options, None, scratch, MOST_BYTES)? {
+            Pass::NeedsFacts => {
+                let facts = Facts::read(source)?;
+                rewrite::run(source, options, Some(&facts), scratch, MOST_BYTES)
+            }
             done @ Pass::Done(..) => Ok(done),
         }
     });

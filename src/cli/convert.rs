@@ -139,7 +139,12 @@ fn process(job: &Job, options: &Options) -> Result<Done, Trouble> {
     let plain = if compressed { &bytes } else { &raw };
     let converted = document::convert_bytes(plain, options).map_err(|error| {
         let is_path_data = matches!(plain.trim_ascii_start(), [b'M' | b'm', ..]);
-        let hint = is_path_data.then_some("path data alone goes through 'curveto path'");
+        let hint = match error {
+            document::Error::TooLarge { .. } => {
+                Some("fewer segments (-n) or a larger tolerance (-t) take less")
+            }
+            _ => is_path_data.then_some("path data alone goes through 'curveto path'"),
+        };
         Trouble::Document(error, hint)
     })?;
     let changed = converted.replaced.total() > 0;

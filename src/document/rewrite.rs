@@ -16,7 +16,7 @@ use super::style::property::{Kind, Markers};
 use super::tag;
 use super::xml::attributes::Attribute;
 use super::xml::encoding::Source;
-use super::xml::fault::Result;
+use super::xml::fault::{Fault, Result};
 use super::xml::namespace::Namespace;
 use super::xml::node::{Element, Node};
 use super::xml::place::Places;
@@ -66,19 +66,20 @@ struct Rewriter<'a, 'f> {
     lower: Option<String>,
 }
 
-/// Rewrites a document.
+/// Rewrites a document, whose new text may have so many bytes.
 pub(super) fn run(
     source: Source<'_>,
     options: &Options,
     facts: Option<&Facts>,
     scratch: &mut Scratch,
+    most: usize,
 ) -> Result<Pass> {
     let mut scanner = Scanner::new(source)?;
     let mut rewriter = Rewriter {
         options,
         facts,
         output: Output {
-            splice: Splice::new(source.text),
+            splice: Splice::new(source.text, most),
             places: Places::new(source.text),
             notes: Vec::new(),
         },
@@ -105,6 +106,9 @@ pub(super) fn run(
                     return Ok(Pass::NeedsFacts);
                 }
                 let renamed = rewriter.element(&element, &scanner, markers);
+                if rewriter.output.splice.is_full() {
+                    return Err(Fault::too_large(element.start));
+                }
                 if !element.empty {
                     open.push(Open { renamed, markers });
                 }
@@ -370,3 +374,6 @@ impl<'a> Rewriter<'a, '_> {
         self.strayed = self.strayed.max(outcome.strayed);
     }
 }
+
+#[cfg(test)]
+mod tests;
