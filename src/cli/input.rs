@@ -26,6 +26,20 @@ pub(crate) fn text(file: &Path) -> Result<(String, String), Failure> {
     Ok((read(input, &name)?, name))
 }
 
+/// What messages call path data on the command line.
+const THE_PATH: &str = "the path";
+
+/// An error in an input that messages call so: those of a file or of standard input say which.
+pub(crate) fn named(name: &str, error: curveto::Error) -> Failure {
+    match error.into() {
+        Failure::Request { message, hint } if name != THE_PATH => Failure::Request {
+            message: format!("{name}: {message}"),
+            hint,
+        },
+        failure => failure,
+    }
+}
+
 /// Path data: what stands in `words` itself where that begins with a moveto, else in the file of that name or on standard input.
 pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
     let trimmed = words.trim_start();
@@ -35,7 +49,7 @@ pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
             && !Path::new(words).is_file()
     });
     if is_data || trimmed.is_empty() {
-        return Ok((words.to_owned(), "the path".to_owned()));
+        return Ok((words.to_owned(), THE_PATH.to_owned()));
     }
     if words != "-" && !Path::new(words).exists() {
         return Err(Failure::request_with_hint(

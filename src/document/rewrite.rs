@@ -75,14 +75,15 @@ pub(super) fn run(
     most: usize,
 ) -> Result<Pass> {
     let mut scanner = Scanner::new(source)?;
+    let output = Output {
+        splice: Splice::new(source.text, most),
+        places: Places::new(source.text),
+        notes: Vec::new(),
+    };
     let mut rewriter = Rewriter {
         options,
         facts,
-        output: Output {
-            splice: Splice::new(source.text, most),
-            places: Places::new(source.text),
-            notes: Vec::new(),
-        },
+        output,
         counts: Counts::default(),
         scratch,
         key: Vec::new(),
@@ -93,14 +94,10 @@ pub(super) fn run(
     loop {
         match scanner.next()? {
             Node::Start(element) => {
-                if facts.is_none()
-                    && facts::is_sign(&element, &scanner.attributes, &scanner.doctype)
-                {
+                if facts.is_none() && facts::is_sign(&element, &scanner) {
                     return Ok(Pass::NeedsFacts);
                 }
-                let inherited = open
-                    .last()
-                    .map_or_else(Markers::default, |open| open.markers);
+                let inherited = open.last().map(|open| open.markers).unwrap_or_default();
                 let markers = rewriter.markers(inherited, &element, &scanner);
                 if facts.is_none() && markers.any && facts::is_use(&element) {
                     return Ok(Pass::NeedsFacts);

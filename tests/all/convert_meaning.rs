@@ -898,6 +898,38 @@ fn encodings_that_hold_ascii_are_spliced_byte_for_byte() {
     assert!(document::convert_bytes(b"<svg>\xe9</svg>", &Options::default()).is_err());
 }
 
+/// As `iconv -t utf-8` leaves a file, which changes no declaration.
+#[test]
+fn a_declaration_that_does_not_fit_is_named() {
+    let said = |bytes: &[u8]| {
+        let refused = document::convert_bytes(bytes, &Options::default());
+        refused.unwrap_err().to_string()
+    };
+    let declares = |encoding: &str| {
+        format!(
+            "<?xml version='1.0' encoding='{encoding}'?><svg><title>é</title><circle r='5'/></svg>"
+        )
+    };
+    for encoding in ["UTF-16", "Shift_JIS"] {
+        let why = said(declares(encoding).as_bytes());
+        assert!(
+            why.starts_with(&format!("1:31: the encoding is {encoding}")),
+            "{why}"
+        );
+        assert!(
+            why.ends_with("have its declaration say encoding=\"UTF-8\""),
+            "{why}"
+        );
+    }
+    let why = said(format!("\u{feff}{}", declares("iso-8859-1")).as_bytes());
+    assert_eq!(
+        why,
+        "1:31: not well-formed XML: the byte order mark says UTF-8, and the declaration iso-8859-1: correct it"
+    );
+    let text = declares("UTF-8");
+    assert!(document::convert_bytes(text.as_bytes(), &Options::default()).is_ok());
+}
+
 // ---- Android
 
 fn drawable(inner: &str) -> String {

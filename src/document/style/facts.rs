@@ -13,7 +13,6 @@ use super::rules::Subject;
 use super::script;
 use crate::document::doubt::Trust;
 use crate::document::reason::Reason;
-use crate::document::xml::attributes::Attribute;
 use crate::document::xml::doctype::{Doctype, Resolved};
 use crate::document::xml::encoding::Source;
 use crate::document::xml::fault::Result;
@@ -52,16 +51,12 @@ pub(in crate::document) struct Facts {
 }
 
 /// Whether an element or one of its attributes may change what holds for other elements.
-pub(in crate::document) fn is_sign(
-    element: &Element<'_>,
-    attributes: &[Attribute<'_>],
-    doctype: &Doctype,
-) -> bool {
+pub(in crate::document) fn is_sign(element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
     const NAMES: [&str; 6] = ["style", "animate", "set", "animateColor", "mpath", "link"];
     element.android.is_some() && Kind::named(element.local).is_none()
         || NAMES.contains(&element.local) && element.namespace != Namespace::Other
-        || attributes.iter().any(motion::moves_along)
-        || script::may_run(element, attributes, doctype)
+        || scanner.attributes.iter().any(motion::moves_along)
+        || script::may_run(element, scanner)
 }
 
 /// A style sheet whose text is being collected: what stands in the element itself, and not in elements within it.
@@ -137,7 +132,7 @@ impl Facts {
 
     /// Notes what an element says; whether its text is a style sheet.
     fn element(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
-        if script::may_run(element, &scanner.attributes, &scanner.doctype) {
+        if script::may_run(element, scanner) {
             self.set_everywhere(Reason::Script);
         }
         self.motion.element(scanner);

@@ -4,14 +4,12 @@ use crate::document::xml::attributes::Attribute;
 use crate::document::xml::doctype::Doctype;
 use crate::document::xml::namespace::Namespace;
 use crate::document::xml::node::Element;
+use crate::document::xml::scan::Scanner;
 use crate::document::xml::value;
 
 /// Whether an element or one of its attributes may.
-pub(super) fn may_run(
-    element: &Element<'_>,
-    attributes: &[Attribute<'_>],
-    doctype: &Doctype,
-) -> bool {
+pub(super) fn may_run(element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
+    let attributes = &scanner.attributes;
     let itself = match element.local {
         "script" | "handler" => true,
         // A page in the page, whose scripts reach the one around it.
@@ -23,7 +21,7 @@ pub(super) fn may_run(
     itself && element.namespace != Namespace::Other
         || attributes
             .iter()
-            .any(|attribute| is_handler(attribute) || has_script_url(attribute, doctype))
+            .any(|attribute| is_handler(attribute) || has_script_url(attribute, &scanner.doctype))
 }
 
 /// Event attributes in a namespace (`a:onclick`) are none.

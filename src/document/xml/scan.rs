@@ -194,10 +194,7 @@ impl<'a> Scanner<'a> {
                     return Err(Fault::new(at, "`&` without a `;`"));
                 };
                 if !self.doctype.declares(name) {
-                    return Err(Fault::new(
-                        at,
-                        format!("the reference `&{name};` is not declared"),
-                    ));
+                    return Err(Fault::new(at, undeclared(name)));
                 }
                 at += 1;
             }
@@ -297,10 +294,7 @@ impl<'a> Scanner<'a> {
         }
         self.at = start + 1 + name.len() + 1;
         match self.doctype.resolve(name) {
-            Resolved::Malformed => Err(Fault::new(
-                start,
-                format!("the reference `&{name};` is not declared"),
-            )),
+            Resolved::Malformed => Err(Fault::new(start, undeclared(name))),
             _ if self.open.is_empty() => Err(Fault::new(start, "text outside the root element")),
             resolved => Ok(Node::Reference(resolved)),
         }
@@ -383,4 +377,14 @@ impl<'a> Scanner<'a> {
         }
         Ok(Node::Done)
     }
+}
+
+/// Why a reference is refused.
+fn undeclared(name: &str) -> String {
+    let why = if name.starts_with('#') {
+        "is no character that XML allows"
+    } else {
+        "is not declared"
+    };
+    format!("the reference `&{name};` {why}")
 }
