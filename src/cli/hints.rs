@@ -48,11 +48,14 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
     }
 }
 
+/// The methods that serve no other number of segments.
+const QUARTERS_ONLY: [&str; 2] = ["lancaster-drawellipse", "minimax-ellipse-free"];
+
 /// What is told where something is missing: an example, mostly.
 fn of_missing(words: &[String], command: &str) -> Option<String> {
     let hint = match command {
-        _ if has(words, "--adaptive") && words.iter().any(|word| word.contains("lancaster-")) => {
-            "Lancaster's numbers are for equal segments, which are not --adaptive; -m minimax -n 5 --adaptive"
+        _ if has(words, "--adaptive") && QUARTERS_ONLY.iter().any(|id| has(words, id)) => {
+            "this method serves quarters only: leave --adaptive out, or take -m minimax -n 5 --adaptive"
         }
         _ if has(words, "--adaptive") => "it goes with a number of segments: -n 5 --adaptive",
         _ if has(words, "--quantity") => {

@@ -47,8 +47,7 @@ fn column_after(text: &str, segments: usize) -> usize {
     const LONGEST: usize = 500;
     let is_whole = |before: &str| {
         let mut read = PathParser::from(before);
-        read.by_ref().filter(Result::is_ok).count() == segments
-            && PathParser::from(before).all(|segment| segment.is_ok())
+        read.try_fold(0, |count, segment| segment.ok().map(|_| count + 1)) == Some(segments)
     };
     let ends = text.char_indices().map(|(end, _)| end);
     let ends = ends.chain([text.len()]).take(LONGEST);

@@ -20,7 +20,7 @@ const LONGEST_SIDE: f64 = 32_767.0;
 /// The most segments in a picture.
 const MOST_SEGMENTS: usize = 100_000;
 /// The most segments times the pixels that their stroke is wide: each row of pixels meets every segment within half of that.
-const MOST_STROKED: f64 = 4e6;
+const MOST_STROKED: f64 = 1e7;
 /// tiny-skia flattens a long curve so coarsely that it strays by a quarter of a pixel; it gets pieces about this many pixels long.
 const PIECE: f64 = 16.0;
 /// Strokes narrower than this many pixels are left to tiny-skia's hairlines, which do not break up; its hairlines up to a whole

@@ -254,7 +254,7 @@ const MISTAKES: [(&str, &str); 160] = [
     ),
     (
         "ellipse 5 3 --adaptive -m lancaster-drawellipse",
-        "Lancaster's numbers are for equal segments",
+        "this method serves quarters only",
     ),
     ("man foo", "'curveto circle --help' shows its page"),
     ("man -o x", "'curveto circle --help' shows its page"),
