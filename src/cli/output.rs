@@ -112,7 +112,7 @@ impl Target {
 }
 
 /// Where a path leads by its links, also where nothing is there yet.
-pub(crate) fn followed(path: &Path) -> PathBuf {
+fn followed(path: &Path) -> PathBuf {
     let mut path = path.to_owned();
     // As many as Linux follows.
     for _ in 0..40 {
@@ -124,9 +124,15 @@ pub(crate) fn followed(path: &Path) -> PathBuf {
         };
         path = folder_of(&path).join(target);
     }
+    path
+}
+
+/// The same by one name for one place, however it is spelled.
+pub(crate) fn place_of(path: &Path) -> PathBuf {
+    let path = followed(path);
     let folder = folder_of(&path);
     match path.file_name() {
-        Some(name) if folder != path => followed(folder).join(name),
+        Some(name) if folder != path && !path.exists() => place_of(folder).join(name),
         _ => path,
     }
 }

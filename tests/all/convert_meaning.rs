@@ -396,6 +396,22 @@ fn the_last_word_on_markers_counts() {
             &["marker-mid"],
         );
     }
+    for off in [
+        r#"style="marker:none;all:inherit""#,
+        r#"marker-mid="none" style="ALL:inherit""#,
+        r#"class="a" marker-mid="none""#,
+    ] {
+        let plain = r#"<path d="M0 0A80 80 0 1 1 80 80"/>"#;
+        let inner = format!(r#"<g marker-mid="url(#m)"><g {off}>{plain}</g></g>"#);
+        is_left(
+            &format!("<style>.a{{all:inherit}}</style>{MARKER}{inner}"),
+            &["marker-mid"],
+        );
+    }
+    is_left(
+        r#"<circle style="all:initial" r="5"/>"#,
+        &["style-geometry"],
+    );
     is_replaced(r#"<path marker-mid="" d="M0 0A80 80 0 1 1 80 80"/>"#, 1);
     let path = r#"<path marker="url(#m)" d="M0 0A80 80 0 1 1 80 80"/>"#;
     is_left(&format!("{MARKER}{path}"), &["marker-mid"]);
@@ -749,6 +765,10 @@ fn what_is_trusted_does_not_hold_back() {
         (
             "motion-path",
             r#"<style>.c{\6f ffset-path:u\72l('#\70')}</style><circle id="p" r="5"/>"#,
+        ),
+        (
+            "motion-path",
+            r##"<mpath href="#q"><animate attributeName="href" values="#q;#p"/></mpath><circle id="p" r="5"/>"##,
         ),
         (
             "motion-path",

@@ -9,7 +9,7 @@ use walkdir::{DirEntry, WalkDir};
 
 use crate::cli::args::{DestinationArgs, TalkArgs};
 use crate::cli::failure::Failure;
-use crate::cli::output::{folder_of, followed};
+use crate::cli::output::{folder_of, place_of};
 
 /// What is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -284,7 +284,7 @@ fn refuse_inputs_as_results(jobs: &[Job]) -> Result<(), Failure> {
     let inputs: HashMap<_, _> = inputs.collect();
     for job in jobs {
         if let Destination::OutDir(path) = &job.destination
-            && let Some(input) = inputs.get(&followed(path))
+            && let Some(input) = inputs.get(&place_of(path))
         {
             return Err(Failure::request_with_hint(
                 format!(
@@ -302,7 +302,7 @@ fn refuse_inputs_as_results(jobs: &[Job]) -> Result<(), Failure> {
 /// Whether two inputs are one file.
 fn is_same(one: &Input, other: &Input) -> bool {
     match (one, other) {
-        (Input::File(one), Input::File(other)) => followed(one) == followed(other),
+        (Input::File(one), Input::File(other)) => place_of(one) == place_of(other),
         _ => one == other,
     }
 }
@@ -316,7 +316,7 @@ fn without_clashes(jobs: Vec<Job>) -> Result<Vec<Job>, Failure> {
         let place = match &job.destination {
             // A link below the folder of results may lead two of them to one file, and one file by two names is one file.
             Destination::OutDir(path) | Destination::File(path) | Destination::InPlace(path) => {
-                followed(path)
+                place_of(path)
             }
             Destination::Stdout | Destination::Nowhere => {
                 kept.push(job);

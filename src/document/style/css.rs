@@ -209,7 +209,7 @@ fn declaration(input: &mut Parser<'_>, effect: &mut Effect) {
     let property = Properties::named(&name);
     let value = Value::read(input);
     effect.reads = effect.reads.with(value.reads);
-    if property.markers().any && value.is_none() && value.bang != Bang::Alone {
+    if property.are_markers() && value.is_none() && value.bang != Bang::Alone {
         effect.no_marker |= name.eq_ignore_ascii_case("marker");
     } else {
         effect.sets = effect.sets.with(property);

@@ -173,7 +173,7 @@ impl Facts {
 
     fn animation(&mut self, name: &str, target: Option<Target>, scanner: &Scanner<'_>) {
         let effect = animation::effect(name, scanner);
-        self.motion.animated(name);
+        self.motion.animated(name, scanner);
         self.changed.classes |= name == "class";
         self.changed.links |= name.ends_with("href");
         self.changed.markers |= effect.sets.markers().any;

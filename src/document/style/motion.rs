@@ -10,19 +10,26 @@ use crate::document::xml::scan::Scanner;
 use crate::document::xml::value;
 
 /// What the properties by which CSS moves an element along a path have in their names: `offset-path`, `offset`, old `motion-path`.
-const PROPERTIES: [&[u8]; 2] = [b"offset", b"motion"];
+const PROPERTIES: [&str; 2] = ["offset", "motion"];
 
-fn moves(name: &str) -> bool {
+/// Whether a text speaks of one of them.
+fn moves(text: &str) -> bool {
     PROPERTIES.iter().any(|property| {
-        let mut words = name.as_bytes().windows(property.len());
-        words.any(|word| word.eq_ignore_ascii_case(property))
+        let mut words = text.as_bytes().windows(property.len());
+        words.any(|word| word.eq_ignore_ascii_case(property.as_bytes()))
     })
+}
+
+/// Whether an attribute is one of them.
+fn is_motion(attribute: &Attribute<'_>) -> bool {
+    let name = attribute.name;
+    PROPERTIES.iter().any(|property| name.starts_with(property))
 }
 
 /// Whether an attribute may move its element along a path.
 pub(super) fn moves_along(attribute: &Attribute<'_>) -> bool {
     let may = |text: &str| attribute.has_references || text.contains('\\') || moves(text);
-    moves(attribute.name) || attribute.name == "style" && may(attribute.value)
+    is_motion(attribute) || attribute.name == "style" && may(attribute.value)
 }
 
 /// The paths of a document along which something may move.
@@ -30,6 +37,8 @@ pub(super) fn moves_along(attribute: &Attribute<'_>) -> bool {
 pub(super) struct Motion {
     /// Those of `<mpath>`.
     followed: HashSet<String>,
+    /// Those to which an animation leads a link, which may be that of an `<mpath>`.
+    relinked: HashSet<String>,
     /// Those to which styles link, whichever of the links it is that moves something.
     linked: HashSet<String>,
     /// Whether some style moves something.
@@ -41,7 +50,9 @@ pub(super) struct Motion {
 impl Motion {
     /// Whether something may move along the element of this id.
     pub(super) fn follows(&self, id: &str) -> bool {
-        self.followed.contains(id) || self.moves && (self.is_unknown || self.linked.contains(id))
+        self.followed.contains(id)
+            || !self.followed.is_empty() && self.relinked.contains(id)
+            || self.moves && (self.is_unknown || self.linked.contains(id))
     }
 
     /// Takes up the element of an `<mpath>`.
@@ -52,10 +63,10 @@ impl Motion {
     /// Takes up the styles of an element and of what animates them.
     pub(super) fn element(&mut self, scanner: &Scanner<'_>) {
         for attribute in &scanner.attributes {
-            self.moves |= moves(attribute.name);
+            self.moves |= is_motion(attribute);
             if attribute.name == "style"
                 || animation::VALUES.contains(&attribute.name)
-                || moves(attribute.name)
+                || is_motion(attribute)
             {
                 if let Some(text) = value::text(attribute.value, &scanner.doctype) {
                     self.style(&text, scanner);
@@ -73,9 +84,18 @@ impl Motion {
         }
     }
 
-    /// Takes up the name of an animated property.
-    pub(super) fn animated(&mut self, name: &str) {
+    /// Takes up the animation of an attribute or a property.
+    pub(super) fn animated(&mut self, name: &str, scanner: &Scanner<'_>) {
         self.moves |= moves(name);
+        if name.ends_with("href") {
+            let values = animation::VALUES
+                .iter()
+                .filter_map(|name| scanner.attribute(name));
+            for value in values {
+                let ids = value.split(';').filter_map(|link| scanner.id_of(link));
+                self.relinked.extend(ids);
+            }
+        }
     }
 
     fn tokens(&mut self, input: &mut Parser<'_>, scanner: &Scanner<'_>) {

@@ -48,13 +48,13 @@ pub(in crate::document) fn markers(
     markers
 }
 
-/// Whether a style attribute may say `marker`: most do not, and need not be read.
+/// Whether a style attribute may say `marker` or `all`: most do not, and need not be read.
 fn may_say_marker(style: &str) -> bool {
-    style.contains(['\\', '&'])
-        || style
-            .as_bytes()
-            .windows(6)
-            .any(|word| word.eq_ignore_ascii_case(b"marker"))
+    let says = |name: &[u8]| {
+        let mut words = style.as_bytes().windows(name.len());
+        words.any(|word| word.eq_ignore_ascii_case(name))
+    };
+    style.contains(['\\', '&']) || says(b"marker") || says(b"all")
 }
 
 /// What its style attribute does, and what the values of other attributes read.
