@@ -10,15 +10,17 @@ use kurbo::{Line, PathSeg, Point, Rect};
 use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
 use crate::curve::{Curve, largest_move};
-use crate::error::Result;
-use crate::joints::{Cut, Tolerance};
+use crate::error::{Error, Result};
+use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
 use crate::measure::radial;
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Outline, Shape};
 pub use closeness::{Closeness, Nearness};
-use quadratics::{count_of_quadratics, distance_from, distance_of_quadratics, quadratics};
+use quadratics::{
+    check_count, count_of_quadratics, distance_from, distance_of_quadratics, quadratics,
+};
 
 /// A chain of steps, each of which starts where the one before it ends.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -196,13 +198,7 @@ pub fn draw(
 ) -> Result<PathDrawing> {
     let sketches: Vec<Vec<Option<Sketch>>> = contours
         .iter()
-        .map(|contour| {
-            contour
-                .steps
-                .iter()
-                .map(|step| arc(step, options))
-                .collect()
-        })
+        .map(|contour| sketches(contour, target, options))
         .collect::<Result<_>>()?;
     let precision = options.precision.unwrap_or_else(|| {
         let arcs = sketches.iter().flatten().flatten();
@@ -237,6 +233,40 @@ pub fn draw(
         return finish(Precision::Full);
     }
     Ok(drawing)
+}
+
+/// The sketches of a contour's arcs; refuses it where it would become more segments than a curve may have.
+fn sketches(
+    contour: &Contour,
+    target: Target,
+    options: &approximate::Options,
+) -> Result<Vec<Option<Sketch>>> {
+    if target == Target::Quadratics {
+        let given = contour.steps.iter().filter_map(|step| match step {
+            Step::Given(segment) => Some(options.transform * *segment),
+            Step::Arc(_) => None,
+        });
+        let cubics = given.filter_map(|segment| match segment {
+            PathSeg::Cubic(cubic) => Some(cubic),
+            _ => None,
+        });
+        check_count(&cubics.collect::<Vec<_>>(), &options.cut)?;
+    }
+    let mut count = 0;
+    let sketched = contour.steps.iter().map(|step| {
+        let sketch = arc(step, options)?;
+        count += sketch
+            .as_ref()
+            .map_or(1, |sketch| sketch.curve.segments.len());
+        if sketch.is_some() && count > MOST_SEGMENTS {
+            return Err(Error::Count {
+                count,
+                most: MOST_SEGMENTS,
+            });
+        }
+        Ok(sketch)
+    });
+    sketched.collect()
 }
 
 fn arc(step: &Step, options: &approximate::Options) -> Result<Option<Sketch>> {

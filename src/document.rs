@@ -7,6 +7,7 @@ mod collapse;
 mod curve_text;
 mod doubt;
 mod element;
+mod failure;
 mod grammar;
 mod length;
 mod memo;
@@ -33,13 +34,13 @@ mod xml;
 use std::borrow::Cow;
 
 use serde::Serialize;
-use thiserror::Error;
 
 use crate::error::positive;
 use crate::joints::{Cut, Tolerance};
 use crate::method::{Ends, Rule, Span};
 
 pub use doubt::{Doubt, Trust};
+pub use failure::Error;
 pub use note::Note;
 pub use paths::{SvgPath, has_transforms_elsewhere, has_uses, svg_paths, svg_shapes};
 pub use reason::Reason;
@@ -49,7 +50,6 @@ use rewrite::{Done, Pass};
 use style::facts::Facts;
 use xml::encoding::Source;
 use xml::fault::{Fault, FaultKind};
-use xml::place::Places;
 
 /// The kinds of elements to replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -222,47 +222,11 @@ pub struct Converted<'a> {
     pub strayed: f64,
 }
 
-/// Why a document cannot be converted.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum Error {
-    /// The document is not well-formed XML.
-    #[error("{line}:{column}: not well-formed XML: {why}")]
-    Malformed {
-        /// The line, from 1.
-        line: usize,
-        /// The column in characters, from 1.
-        column: usize,
-        /// What is wrong.
-        why: String,
-    },
-    /// The document declares or uses an encoding other than UTF-8.
-    #[error(
-        "{line}:{column}: the encoding is {encoding}, which is not read: convert the file to UTF-8 first"
-    )]
-    Encoding {
-        /// The line, from 1.
-        line: usize,
-        /// The column in characters, from 1.
-        column: usize,
-        /// The encoding as declared or found.
-        encoding: String,
-    },
-}
+/// That of UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-impl Error {
-    fn new(source: &str, fault: Fault) -> Self {
-        let (line, column) = Places::new(source).locate(fault.at);
-        match fault.kind {
-            FaultKind::Malformed(why) => Self::Malformed { line, column, why },
-            FaultKind::Encoding(encoding) => Self::Encoding {
-                line,
-                column,
-                encoding,
-            },
-        }
-    }
-}
+/// The most bytes of a result.
+const MOST_BYTES: usize = 1 << 30;
 
 /// A converted file.
 #[derive(Debug, Clone, PartialEq)]
@@ -283,7 +247,7 @@ pub struct ConvertedFile<'a> {
 ///
 /// # Errors
 ///
-/// A document that is not well-formed XML, or that declares an encoding other than UTF-8.
+/// A document that is not well-formed XML, that declares an encoding other than UTF-8, or that would become larger than a gibibyte.
 pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Error> {
     let done = pass(text.into(), options)?;
     Ok(Converted {
@@ -303,6 +267,16 @@ pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Er
 pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<ConvertedFile<'a>, Error> {
     let outcome = decode(bytes).and_then(|text| pass(text.into(), options));
     let (new, done) = match outcome {
+        Err(Error::Encoding {
+            line,
+            column,
+            encoding,
+        }) if bytes.starts_with(BYTE_ORDER_MARK) => {
+            let why = format!(
+                "the byte order mark says UTF-8, and the declaration {encoding}: correct it"
+            );
+            return Err(Error::Malformed { line, column, why });
+        }
         Err(Error::Encoding { encoding, .. }) if xml::encoding::keeps_ascii(&encoding) => {
             let text = xml::encoding::widen(bytes);
             let source = Source {
@@ -330,8 +304,11 @@ pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<Converted
 /// The new text, if anything was replaced, with what was and what was not.
 fn pass(source: Source<'_>, options: &Options) -> Result<Done, Error> {
     let pass = scratch::with_scratch(options, |scratch| {
-        match rewrite::run(source, options, None, scratch)? {
-            Pass::NeedsFacts => rewrite::run(source, options, Some(&Facts::read(source)?), scratch),
+        match rewrite::run(source, options, None, scratch, MOST_BYTES)? {
+            Pass::NeedsFacts => {
+                let facts = Facts::read(source)?;
+                rewrite::run(source, options, Some(&facts), scratch, MOST_BYTES)
+            }
             done @ Pass::Done(..) => Ok(done),
         }
     });

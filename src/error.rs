@@ -12,7 +12,7 @@ pub(crate) mod json;
 
 use thiserror::Error;
 
-use plain::plain;
+use plain::{plain, short};
 
 pub use picture::PictureError;
 pub use remedy::Remedy;
@@ -44,7 +44,7 @@ pub enum Error {
         value: f64,
     },
     /// The coordinates leave the range in which `f64` geometry stays finite.
-    #[error("the {what} {value:e} is too large: coordinates must stay below 1e150")]
+    #[error("the {what} {:e} is too large: coordinates must stay below 1e150", short(*value))]
     TooLarge {
         /// The name of the number.
         what: &'static str,

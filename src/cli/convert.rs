@@ -15,7 +15,7 @@ use std::time::SystemTime;
 use anyhow::Context;
 use curveto::document::{self, Counts, Note, Options};
 use flate2::Compression;
-use flate2::read::MultiGzDecoder;
+use flate2::bufread::GzDecoder;
 use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -130,7 +130,7 @@ struct Done {
 fn process(job: &Job, options: &Options) -> Result<Done, Trouble> {
     let seen = job.input.stamp();
     let raw = read(&job.input)?;
-    let compressed = raw.starts_with(&[0x1f, 0x8b]);
+    let compressed = raw.starts_with(&GZIP);
     let bytes = if compressed {
         inflate(&raw)?
     } else {
@@ -139,7 +139,12 @@ fn process(job: &Job, options: &Options) -> Result<Done, Trouble> {
     let plain = if compressed { &bytes } else { &raw };
     let converted = document::convert_bytes(plain, options).map_err(|error| {
         let is_path_data = matches!(plain.trim_ascii_start(), [b'M' | b'm', ..]);
-        let hint = is_path_data.then_some("path data alone goes through 'curveto path'");
+        let hint = match error {
+            document::Error::TooLarge { .. } => {
+                Some("fewer segments (-n) or a larger tolerance (-t) take less")
+            }
+            _ => is_path_data.then_some("path data alone goes through 'curveto path'"),
+        };
         Trouble::Document(error, hint)
     })?;
     let changed = converted.replaced.total() > 0;
@@ -277,8 +282,21 @@ impl Interrupt {
     }
 }
 
-fn inflate(bytes: &[u8]) -> Result<Vec<u8>, Trouble> {
-    Ok(input::bytes(MultiGzDecoder::new(bytes), "it")?)
+/// What gzip files begin with.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
+
+fn inflate(mut packed: &[u8]) -> Result<Vec<u8>, Trouble> {
+    let mut bytes = Vec::new();
+    // Zeros after the last member fill up a block, as on a tape.
+    while packed.iter().any(|byte| *byte != 0) {
+        if !packed.starts_with(&GZIP) {
+            return Err(
+                anyhow::anyhow!("cannot read it: other bytes follow the packed ones").into(),
+            );
+        }
+        input::more_bytes(&mut bytes, GzDecoder::new(&mut packed), "it")?;
+    }
+    Ok(bytes)
 }
 
 fn deflate(bytes: &[u8]) -> Result<Vec<u8>, Trouble> {

@@ -65,6 +65,11 @@ pub(super) fn draw(
         _ => None,
     };
     write_drawn(&drawing, format, &manner, output)?;
+    if matches!(drawing.shape, Shape::Empty) {
+        output
+            .talk
+            .note("the arc has no length, so that nothing is drawn");
+    }
     Ok(ExitCode::SUCCESS)
 }
 

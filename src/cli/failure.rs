@@ -41,6 +41,14 @@ impl Failure {
         }
     }
 
+    /// A wrong request with this hint in place of its own.
+    pub(crate) fn with_hint(self, hint: &str) -> Self {
+        match self {
+            Self::Request { message, .. } => Self::request_with_hint(message, hint),
+            other => other,
+        }
+    }
+
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Request { .. } => ExitCode::from(2),

@@ -31,6 +31,15 @@ pub(crate) fn choose<F: FileFormat + Default>(
     named: Option<F>,
     output: Option<&Path>,
 ) -> Result<F, Failure> {
+    choose_but("", named, output)
+}
+
+/// The same for a command that cannot make the format of this name.
+pub(crate) fn choose_but<F: FileFormat + Default>(
+    left_out: &str,
+    named: Option<F>,
+    output: Option<&Path>,
+) -> Result<F, Failure> {
     match (named, output.and_then(extension)) {
         (Some(format), _) => Ok(format),
         (None, None) => Ok(F::default()),
@@ -39,7 +48,7 @@ pub(crate) fn choose<F: FileFormat + Default>(
                 format!("no format of this command has the extension .{extension}"),
                 format!(
                     "its formats are {}; -f names one, whatever the file is called",
-                    list::<F>()
+                    list_but::<F>(left_out)
                 ),
             )
         }),
@@ -74,9 +83,14 @@ fn by_extension<F: FileFormat>(extension: &str) -> Option<F> {
 
 /// All of them in a sentence.
 pub(crate) fn list<F: FileFormat>() -> String {
+    list_but::<F>("")
+}
+
+fn list_but<F: FileFormat>(left_out: &str) -> String {
     let names: Vec<String> = F::value_variants()
         .iter()
         .filter_map(|format| Some(format.to_possible_value()?.get_name().to_owned()))
+        .filter(|name| name != left_out)
         .collect();
     in_a_sentence(&names, "and")
 }

@@ -2,12 +2,13 @@
 
 mod foreign;
 
+use clap::CommandFactory as _;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use curveto::path::shortened;
 use foreign::{COMMANDS, FLAGS};
 
-use super::args::hint_of_number;
+use super::args::{Cli, hint_of_number};
 
 /// What would help, where there is something to say. `words` are those of the command line, the program left out.
 pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
@@ -47,9 +48,15 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
     }
 }
 
+/// The methods that serve no other number of segments.
+const QUARTERS_ONLY: [&str; 2] = ["lancaster-drawellipse", "minimax-ellipse-free"];
+
 /// What is told where something is missing: an example, mostly.
 fn of_missing(words: &[String], command: &str) -> Option<String> {
     let hint = match command {
+        _ if has(words, "--adaptive") && QUARTERS_ONLY.iter().any(|id| has(words, id)) => {
+            "this method serves quarters only: leave --adaptive out, or take -m minimax -n 5 --adaptive"
+        }
         _ if has(words, "--adaptive") => "it goes with a number of segments: -n 5 --adaptive",
         _ if has(words, "--quantity") => {
             "it says what a plot shows: --plot error.svg --quantity error"
@@ -93,8 +100,11 @@ fn of_argument(argument: &str, command: &str) -> Option<String> {
         return Some((*hint).to_owned());
     }
     if command == "man" || command == "help" {
+        let is_command = Cli::command().find_subcommand(argument).is_some();
+        let one = if is_command { argument } else { "circle" };
         return Some(format!(
-            "'curveto {argument} --help' shows that page; 'curveto man --out-dir DIR' writes all"
+            "'curveto {one} --help' shows {} page; 'curveto man --out-dir DIR' writes all",
+            if is_command { "that" } else { "its" }
         ));
     }
     let is_number = argument.parse::<f64>().is_ok();
@@ -137,6 +147,7 @@ fn of_value(value: &str, argument: &str) -> Option<String> {
         return Some("--ends cyclic closes it".to_owned());
     }
     if argument.starts_with("--size") {
+        let value = value.trim_end_matches(['x', 'X', '×']);
         let side = value.trim_end_matches(char::is_alphabetic);
         let both = side
             .parse::<f64>()

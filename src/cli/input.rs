@@ -26,6 +26,20 @@ pub(crate) fn text(file: &Path) -> Result<(String, String), Failure> {
     Ok((read(input, &name)?, name))
 }
 
+/// What messages call path data on the command line.
+const THE_PATH: &str = "the path";
+
+/// An error in an input that messages call so: those of a file or of standard input say which.
+pub(crate) fn named(name: &str, error: curveto::Error) -> Failure {
+    match error.into() {
+        Failure::Request { message, hint } if name != THE_PATH => Failure::Request {
+            message: format!("{name}: {message}"),
+            hint,
+        },
+        failure => failure,
+    }
+}
+
 /// Path data: what stands in `words` itself where that begins with a moveto, else in the file of that name or on standard input.
 pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
     let trimmed = words.trim_start();
@@ -35,7 +49,7 @@ pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
             && !Path::new(words).is_file()
     });
     if is_data || trimmed.is_empty() {
-        return Ok((words.to_owned(), "the path".to_owned()));
+        return Ok((words.to_owned(), THE_PATH.to_owned()));
     }
     if words != "-" && !Path::new(words).exists() {
         return Err(Failure::request_with_hint(
@@ -73,21 +87,32 @@ pub(crate) fn coefficients(words: &str) -> Result<String, Failure> {
 ///
 /// Where it cannot be read, or is larger than 256 MiB.
 pub(crate) fn bytes(input: impl Read, name: &str) -> anyhow::Result<Vec<u8>> {
-    bytes_up_to(MOST_BYTES, input, name)
+    let mut bytes = Vec::new();
+    more_bytes(&mut bytes, input, name)?;
+    Ok(bytes)
 }
 
-fn bytes_up_to(most: u64, input: impl Read, name: &str) -> anyhow::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
+/// Appends all bytes of an input.
+///
+/// # Errors
+///
+/// Where it cannot be read, or all is larger than 256 MiB.
+pub(crate) fn more_bytes(bytes: &mut Vec<u8>, input: impl Read, name: &str) -> anyhow::Result<()> {
+    bytes_up_to(MOST_BYTES, bytes, input, name)
+}
+
+fn bytes_up_to(most: u64, bytes: &mut Vec<u8>, input: impl Read, name: &str) -> anyhow::Result<()> {
+    let room = (most + 1).saturating_sub(bytes.len() as u64);
     input
-        .take(most + 1)
-        .read_to_end(&mut bytes)
+        .take(room)
+        .read_to_end(bytes)
         .with_context(|| format!("cannot read {name}"))?;
     anyhow::ensure!(
         bytes.len() as u64 <= most,
         "{name} is larger than {} MiB",
         most >> 20
     );
-    Ok(bytes)
+    Ok(())
 }
 
 fn read(input: impl Read, name: &str) -> Result<String, Failure> {
@@ -108,7 +133,14 @@ mod tests {
 
     #[test]
     fn an_input_is_read_to_its_last_byte_or_refused() {
-        let read = |size: usize| bytes_up_to(1 << 20, &vec![7; size][..], "it");
+        let read = |size: usize| {
+            // In two pieces.
+            let (mut bytes, all) = (Vec::new(), vec![7; size]);
+            let (first, second) = all.split_at(size / 2);
+            bytes_up_to(1 << 20, &mut bytes, first, "it")?;
+            bytes_up_to(1 << 20, &mut bytes, second, "it")?;
+            anyhow::Ok(bytes)
+        };
         for size in [0, 1, (1 << 20) - 1, 1 << 20] {
             assert_eq!(read(size).unwrap(), vec![7; size]);
         }

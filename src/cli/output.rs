@@ -122,9 +122,29 @@ fn followed(path: &Path) -> PathBuf {
         let Ok(target) = fs::read_link(&path) else {
             break;
         };
-        path = path.parent().unwrap_or(Path::new("")).join(target);
+        path = folder_of(&path).join(target);
     }
     path
+}
+
+/// The same by one name for one place, however it is spelled.
+pub(crate) fn place_of(path: &Path) -> PathBuf {
+    let path = followed(path);
+    let folder = folder_of(&path);
+    match path.file_name() {
+        Some(name) if folder != path && !path.exists() => place_of(folder).join(name),
+        _ => path,
+    }
+}
+
+/// The folder in which a file lies.
+pub(crate) fn folder_of(path: &Path) -> &Path {
+    let folder = path.parent().unwrap_or(path);
+    if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    }
 }
 
 /// Whether a path names standard output, which is written through and never replaced, whatever it leads to.
@@ -192,10 +212,7 @@ fn beside(
     path: &Path,
     existing: Option<&fs::Metadata>,
 ) -> io::Result<tempfile::NamedTempFile<File>> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let folder = folder_of(path);
     let mode = existing.map(fs::Metadata::permissions);
     // Opened and written here and not by tempfile, whose errors name a file that nobody knows.
     let file = tempfile::Builder::new()

@@ -13,16 +13,16 @@ use super::failure::Failure;
 use super::output::write_drawn;
 use super::{Outcome, input};
 
-/// The contours of path data; says what reads other files.
-fn read(data: &str) -> Result<Vec<Contour>, Failure> {
+/// The contours of path data that messages call `name`; says what reads other files.
+fn read((data, name): &(String, String)) -> Result<Vec<Contour>, Failure> {
     let hint = match data.trim_start().chars().next() {
         Some('<') => {
             "an SVG file goes through 'curveto convert'; 'curveto measure --file' measures its paths"
         }
         Some('%') => "'curveto diff' reads PostScript drawings",
-        _ => return Ok(contours(data)?),
+        _ => return contours(data).map_err(|error| input::named(name, error)),
     };
-    contours(data).map_err(|error| Failure::request_with_hint(error.to_string(), hint))
+    contours(data).map_err(|error| input::named(name, error).with_hint(hint))
 }
 
 pub(super) fn run(args: &PathArgs) -> Outcome {
@@ -36,7 +36,9 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
     let elliptic = args.elliptic()?;
     let contours = match &args.power {
         Some(words) => contours_of_power(&input::coefficients(words)?)?,
-        None => read(&input::path_data(args.source.as_deref().unwrap_or_default())?.0)?,
+        None => read(&input::path_data(
+            args.source.as_deref().unwrap_or_default(),
+        )?)?,
     };
     let (precision, transform) = (args.output.rounding(format), args.output.transform());
     let mut drawing = match args.kind() {

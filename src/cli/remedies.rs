@@ -78,9 +78,9 @@ fn advice(remedy: &Remedy) -> String {
         Remedy::Segments(counts, methods) => {
             let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
             format!(
-                "take -n {} for a full turn, or -m {}, which serve every angle",
-                one_of(&counts),
-                one_of(methods)
+                "take -m {}, which serve every angle, or for a full turn -n {}",
+                one_of(methods),
+                one_of(&counts)
             )
         }
         Remedy::EveryEllipse(method) => format!("take -m {method}, which serves every ellipse"),
@@ -103,6 +103,12 @@ fn advice(remedy: &Remedy) -> String {
         Remedy::LargerToleranceOrOrder(method) => format!(
             "take a larger tolerance, or -m {method}, whose error falls with the sixth power of the angle"
         ),
+        Remedy::Scale(factor) => {
+            format!(
+                "--transform 'scale({})' makes it small enough",
+                text(*factor)
+            )
+        }
         _ => plain_advice(remedy).to_owned(),
     }
 }
@@ -139,7 +145,6 @@ const fn plain_advice(remedy: &Remedy) -> &'static str {
         Remedy::Arcs => {
             "draw a circle or an arc of one, or make arcs of a path by --to arcs; -f dxf takes every curve"
         }
-        Remedy::Scale => "--transform 'scale(0.01)' makes it smaller",
         _ => "another method or another number of segments may serve",
     }
 }

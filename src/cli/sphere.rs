@@ -11,7 +11,7 @@ use super::args::SphereArgs;
 use super::output::write_drawn;
 
 pub(super) fn run(args: &SphereArgs) -> Outcome {
-    let format = args.output.format()?;
+    let format = args.output.format_but_gcode()?;
     let [longitude, latitude] = args.view;
     let view = View {
         longitude,

@@ -16,7 +16,7 @@ use super::output::write_drawn;
 use super::{Outcome, remedies};
 
 pub(super) fn run(args: &SplineArgs) -> Outcome {
-    let format = args.output.format()?;
+    let format = args.output.format_but_gcode()?;
     let options = args.options()?;
     let source = Source::of(&args.source);
     let Points { points, lines } = source.read()?;

@@ -5,15 +5,66 @@ use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, QuadBez, Rect};
 use crate::approximate::ROUNDING_SHARE;
 use crate::error::{Error, Result, positive};
 use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
+use crate::number::rounded_up;
 
 /// How many quadratics a cubic becomes: the fewest of equal parameter length that stay, with the tenth that rounding may add,
 /// within the tolerance, or within a thousandth of the larger side of its control points' box.
 pub(super) fn count_of_quadratics(cubic: &CubicBez, cut: &Cut) -> Result<usize> {
-    let tolerance = match *cut {
+    count_within(cubic, tolerance(cubic, cut)?)
+}
+
+fn tolerance(cubic: &CubicBez, cut: &Cut) -> Result<f64> {
+    Ok(match *cut {
         Cut::Tolerance(Tolerance::Absolute(distance)) => positive("tolerance", distance)?,
         Cut::Tolerance(Tolerance::Relative(share)) => share * size(cubic) / 2.0,
         _ => size(cubic) / 1000.0,
+    })
+}
+
+/// Refuses cubics of one subpath that become more quadratics together than a curve may have, with a tolerance by which they do not.
+pub(super) fn check_count(cubics: &[CubicBez], cut: &Cut) -> Result<()> {
+    let (mut total, mut finest) = (0_usize, f64::INFINITY);
+    for cubic in cubics {
+        let tolerance = tolerance(cubic, cut)?;
+        finest = finest.min(tolerance);
+        total = total.saturating_add(count_within(cubic, tolerance).unwrap_or(usize::MAX));
+    }
+    if total <= MOST_SEGMENTS {
+        return Ok(());
+    }
+    Err(Error::TooManySegments {
+        tolerance: finest,
+        most: MOST_SEGMENTS,
+        enough: enough(cubics, finest),
+    })
+}
+
+/// A tolerance of one digit by which all become few enough; infinite where each of them is too many already.
+fn enough(cubics: &[CubicBez], beyond: f64) -> f64 {
+    let serves = |tolerance: f64| {
+        let counts = cubics.iter().map(|cubic| count_within(cubic, tolerance));
+        let total = counts.fold(0_usize, |sum, count| {
+            sum.saturating_add(count.unwrap_or(usize::MAX))
+        });
+        total <= MOST_SEGMENTS
     };
+    let farthest = cubics.iter().map(|cubic| distance_of_quadratics(cubic, 1));
+    let (mut low, mut high) = (beyond, 2.0 * farthest.fold(beyond, f64::max));
+    if !serves(high) {
+        return f64::INFINITY;
+    }
+    while high > 1.1 * low {
+        let middle = (low * high).sqrt();
+        if serves(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    rounded_up(high, 1)
+}
+
+fn count_within(cubic: &CubicBez, tolerance: f64) -> Result<usize> {
     let whole = (1.0 + ROUNDING_SHARE) * distance_of_quadratics(cubic, 1);
     if whole == 0.0 {
         return Ok(1);
@@ -91,4 +142,39 @@ pub(super) fn distance_of_quadratics(cubic: &CubicBez, count: usize) -> f64 {
     let third = (p3 - 3.0 * p2 + 3.0 * p1 - p0).length();
     let count = count as f64;
     3.0_f64.sqrt() / 36.0 * third / (count * count * count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tolerance_that_is_named_serves() {
+        let cubics: Vec<CubicBez> = (0..2000)
+            .map(|i| {
+                let size = 1.0 + f64::from(i % 17);
+                CubicBez::new((0.0, 0.0), (size, 3.0 * size), (-size, 7.0), (9.0, size))
+            })
+            .collect();
+        let absolute = |tolerance| Cut::Tolerance(Tolerance::Absolute(tolerance));
+        for cut in [
+            absolute(1e-9),
+            absolute(1e-12),
+            Cut::Tolerance(Tolerance::Relative(1e-10)),
+        ] {
+            let Err(Error::TooManySegments { enough, .. }) = check_count(&cubics, &cut) else {
+                panic!("{cut:?} is not refused");
+            };
+            assert_eq!(check_count(&cubics, &absolute(enough)), Ok(()), "{cut:?}");
+            assert!(check_count(&cubics, &absolute(0.4 * enough)).is_err());
+        }
+        // One quadratic each is too many already.
+        let many =
+            vec![CubicBez::new((0.0, 0.0), (1.0, 2.0), (3.0, 5.0), (4.0, 0.0)); MOST_SEGMENTS + 1];
+        let refused = check_count(&many, &absolute(1.0));
+        assert!(matches!(
+            refused,
+            Err(Error::TooManySegments { enough, .. }) if enough.is_infinite()
+        ));
+    }
 }

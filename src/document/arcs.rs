@@ -4,6 +4,8 @@
 //! would reflect; a repetition without a letter must not change its command; numbers are rounded on a grid that begins at
 //! the arc's own start, so nothing accumulates; the end point keeps the text that the file gave it.
 
+mod sink;
+
 use core::ops::Range;
 
 use kurbo::{Point, Vec2};
@@ -18,6 +20,7 @@ use crate::Angle;
 use crate::number::decimal::{After, Decimal, Form};
 use crate::path::PathText;
 use crate::shape::endpoint::SvgArc;
+pub(super) use sink::Sink;
 
 /// What a path may not lose, and how it is drawn.
 #[derive(Debug, Clone, Copy)]
@@ -36,14 +39,6 @@ pub(super) struct Outcome {
     pub(super) smooth: usize,
     /// The largest peak error of their curves, where it is measured.
     pub(super) strayed: f64,
-}
-
-/// Receives the edits, in order, and the notes with their place in the data.
-pub(super) trait Sink {
-    /// The bytes of `range` become what the caller appends to the text that this gives.
-    fn edit(&mut self, range: Range<usize>) -> &mut Vec<u8>;
-    /// The arc at `at` is left.
-    fn note(&mut self, at: usize, reason: Reason);
 }
 
 /// Rewrites the arcs of the path data in `text[span]`, after which the text ends or goes on with a quote.
@@ -79,7 +74,9 @@ pub(super) fn rewrite(
     while let Some((segment, known)) = writer.next(&mut segments) {
         writer.segment(&segment, known, &segments);
         // After the last arc nothing changes but the command that follows it.
-        if segment.start > last && segment.kind() != b'a' && writer.end.letter == segment.letter {
+        if segment.start > last && segment.kind() != b'a' && writer.end.letter == segment.letter
+            || writer.sink.is_full()
+        {
             break;
         }
     }

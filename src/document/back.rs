@@ -37,7 +37,7 @@ impl<'r, 'a> Candidate<'r, 'a> {
         })
     }
 
-    /// Why it stays a path, as far as it says itself. `lower` is the text of the document in small letters.
+    /// Why it stays a path, as far as it says itself. `lower` is the text of the document as [`super::xml::value::words`].
     pub(super) fn stays(&self, lower: &str) -> Option<Reason> {
         let has = |name: &str| {
             self.attributes

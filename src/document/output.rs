@@ -53,6 +53,10 @@ impl arcs::Sink for Sink<'_, '_> {
         self.output.splice.edit(range)
     }
 
+    fn is_full(&self) -> bool {
+        self.output.splice.is_full()
+    }
+
     fn note(&mut self, at: usize, reason: Reason) {
         let place = self.place(at);
         self.output.note(self.element, place, reason);

@@ -16,7 +16,7 @@ use super::style::property::{Kind, Markers};
 use super::tag;
 use super::xml::attributes::Attribute;
 use super::xml::encoding::Source;
-use super::xml::fault::Result;
+use super::xml::fault::{Fault, Result};
 use super::xml::namespace::Namespace;
 use super::xml::node::{Element, Node};
 use super::xml::place::Places;
@@ -62,26 +62,28 @@ struct Rewriter<'a, 'f> {
     key: Vec<u8>,
     /// How far new arcs and shapes lie from what was there at most.
     strayed: f64,
-    /// The text in small letters, once it was asked for.
+    /// The text as [`value::words`], once it was asked for.
     lower: Option<String>,
 }
 
-/// Rewrites a document.
+/// Rewrites a document, whose new text may have so many bytes.
 pub(super) fn run(
     source: Source<'_>,
     options: &Options,
     facts: Option<&Facts>,
     scratch: &mut Scratch,
+    most: usize,
 ) -> Result<Pass> {
     let mut scanner = Scanner::new(source)?;
+    let output = Output {
+        splice: Splice::new(source.text, most),
+        places: Places::new(source.text),
+        notes: Vec::new(),
+    };
     let mut rewriter = Rewriter {
         options,
         facts,
-        output: Output {
-            splice: Splice::new(source.text),
-            places: Places::new(source.text),
-            notes: Vec::new(),
-        },
+        output,
         counts: Counts::default(),
         scratch,
         key: Vec::new(),
@@ -92,17 +94,18 @@ pub(super) fn run(
     loop {
         match scanner.next()? {
             Node::Start(element) => {
-                if facts.is_none() && facts::is_sign(&element, &scanner.attributes) {
+                if facts.is_none() && facts::is_sign(&element, &scanner) {
                     return Ok(Pass::NeedsFacts);
                 }
-                let inherited = open
-                    .last()
-                    .map_or_else(Markers::default, |open| open.markers);
+                let inherited = open.last().map(|open| open.markers).unwrap_or_default();
                 let markers = rewriter.markers(inherited, &element, &scanner);
                 if facts.is_none() && markers.any && facts::is_use(&element) {
                     return Ok(Pass::NeedsFacts);
                 }
                 let renamed = rewriter.element(&element, &scanner, markers);
+                if rewriter.output.splice.is_full() {
+                    return Err(Fault::too_large(element.start));
+                }
                 if !element.empty {
                     open.push(Open { renamed, markers });
                 }
@@ -203,7 +206,7 @@ impl<'a> Rewriter<'a, '_> {
         let source = scanner.source;
         let lower = self
             .lower
-            .get_or_insert_with(|| source.to_ascii_lowercase());
+            .get_or_insert_with(|| value::words(source, &scanner.doctype));
         let stays = path.stays(lower);
         let marked = markers.any && Reason::Marker.counts(self.options.trust);
         let reason = self
@@ -370,3 +373,6 @@ impl<'a> Rewriter<'a, '_> {
         self.strayed = self.strayed.max(outcome.strayed);
     }
 }
+
+#[cfg(test)]
+mod tests;

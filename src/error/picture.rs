@@ -49,6 +49,14 @@ pub enum PictureError {
         /// The largest number that is served.
         most: usize,
     },
+    /// A stroke too wide for so many segments.
+    #[error(
+        "a picture in pixels takes no stroke of so many pixels with {count} segments: fewer segments or a thinner stroke do, and svg, eps and pdf take any"
+    )]
+    StrokeTooWide {
+        /// How many segments there are.
+        count: usize,
+    },
     /// More pixels than are painted.
     #[error(
         "a picture of {width}x{height} pixels is too large: the most is 100 million pixels, such as 10000x10000, and {longest} on a side"

@@ -8,3 +8,8 @@ pub(super) fn plain(value: f64) -> String {
         format!("{value:e}")
     }
 }
+
+/// A number without the last digits, in which what a computation leaves would show.
+pub(super) fn short(value: f64) -> f64 {
+    format!("{value:.12e}").parse().unwrap_or(value)
+}

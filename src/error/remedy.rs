@@ -47,6 +47,6 @@ pub enum Remedy {
     FormatsOfArcs,
     /// A shape of lines and circular arcs, or a format of curves.
     Arcs,
-    /// A smaller drawing.
-    Scale,
+    /// A drawing that is smaller by this factor.
+    Scale(f64),
 }

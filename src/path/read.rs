@@ -18,8 +18,8 @@ use crate::shape::endpoint::SvgArc;
 pub fn contours(data: &str) -> Result<Vec<Contour>> {
     let mut pen = Pen::default();
     for segment in PathParser::from(data) {
-        let segment =
-            segment.map_err(|error| syntax(data, refusal(&error, "a command or a number")))?;
+        let segment = segment
+            .map_err(|error| syntax(data, refusal(&error, data, "a command or a number")))?;
         pen.take(segment)?;
     }
     pen.end();

@@ -17,7 +17,11 @@ pub fn transform(text: &str) -> Result<Affine> {
     let mut map = Affine::IDENTITY;
     for token in TransformListParser::from(text) {
         let token = token.map_err(|error| {
-            let why = refusal(&error, "a function such as rotate(30) or translate(5,0)");
+            let why = refusal(
+                &error,
+                text,
+                "a function such as rotate(30) or translate(5,0)",
+            );
             Error::Text(TextError::Transform(why))
         })?;
         map *= one(token);

@@ -17,24 +17,42 @@ use crate::numeric::double::Double;
 /// [`Error::Syntax`] with the column where it does not parse, and where it is not one moveto and one arc.
 pub fn parse_svg_arc(text: &str) -> Result<SvgArc> {
     const MOVETO: &str = "a moveto 'M x y'";
-    let wrong = |why: &str| unexpected(text, 1, why.to_owned());
+    let wrong =
+        |before: usize, why: &str| unexpected(text, column_after(text, before), why.to_owned());
     let mut segments = PathParser::from(text);
     let mut next = |expected: &str| {
         let segment = segments.next().transpose();
         segment.map_err(|error| misread(text, &error, expected))
     };
     let Some(PathSegment::MoveTo { x, y, .. }) = next(MOVETO)? else {
-        return Err(wrong(&format!("expected {MOVETO}")));
+        return Err(wrong(0, &format!("expected {MOVETO}")));
     };
     let arc = next("an arc 'A rx ry rotation large sweep x y'")?
         .and_then(|segment| SvgArc::of_segment(Point::new(x, y), segment))
         .ok_or_else(|| {
-            wrong("expected one arc 'A rx ry rotation large sweep x y' after the moveto")
+            wrong(
+                1,
+                "expected one arc 'A rx ry rotation large sweep x y' after the moveto",
+            )
         })?;
     match next("the end")? {
         None => Ok(arc),
-        Some(_) => Err(wrong("expected one arc and nothing after it")),
+        Some(_) => Err(wrong(2, "expected one arc and nothing after it")),
     }
+}
+
+/// The column where the segment after so many begins.
+fn column_after(text: &str, segments: usize) -> usize {
+    /// Two segments take less.
+    const LONGEST: usize = 500;
+    let is_whole = |before: &str| {
+        let mut read = PathParser::from(before);
+        read.try_fold(0, |count, segment| segment.ok().map(|_| count + 1)) == Some(segments)
+    };
+    let ends = text.char_indices().map(|(end, _)| end);
+    let ends = ends.chain([text.len()]).take(LONGEST);
+    let whole = ends.filter(|end| is_whole(&text[..*end])).last();
+    whole.map_or(1, |end| text[..end].chars().count() + 1)
 }
 
 /// An error of the reader of path data, where something else was `expected`.

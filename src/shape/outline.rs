@@ -132,11 +132,11 @@ impl Truth {
         }
         let center = Point::new(e, f);
         if (a == d && b == -c) || (a == -d && b == c) {
-            let radius = positive("scale of the transform", libm::hypot(a, b))?;
+            let radius = positive("transformed radius", libm::hypot(a, b))?;
             return Ok(Self::circle(center, radius));
         }
         let radii = kurbo::Ellipse::from_affine(placement).radii();
-        let larger = positive("scale of the transform", radii.x.max(radii.y))?;
+        let larger = positive("transformed radius", radii.x.max(radii.y))?;
         // By the area, because the singular values' own formula cancels for flat ellipses.
         let smaller = placement.determinant().abs() / larger;
         if smaller <= f64::EPSILON * larger {

@@ -19,6 +19,8 @@ const MOST_PIXELS: f64 = 1e8;
 const LONGEST_SIDE: f64 = 32_767.0;
 /// The most segments in a picture.
 const MOST_SEGMENTS: usize = 100_000;
+/// The most segments times the pixels that their stroke is wide: each row of pixels meets every segment within half of that.
+const MOST_STROKED: f64 = 1e7;
 /// tiny-skia flattens a long curve so coarsely that it strays by a quarter of a pixel; it gets pieces about this many pixels long.
 const PIECE: f64 = 16.0;
 /// Strokes narrower than this many pixels are left to tiny-skia's hairlines, which do not break up; its hairlines up to a whole
@@ -35,13 +37,13 @@ const MOST_PIECES: f64 = 64.0;
 pub fn encode(scene: &Scene) -> Result<Vec<u8>> {
     let canvas = scene.canvas();
     let [width, height] = pixels(scene)?;
-    check_segments(scene)?;
+    let scale = (f64::from(width) / canvas.width()).min(f64::from(height) / canvas.height());
+    check_segments(scene, scale, f64::from(width.max(height)))?;
     let mut pixmap =
         Pixmap::new(width, height).ok_or_else(|| too_large(width.into(), height.into()))?;
     if let Some(color) = scene.background.unwrap_or(Paint::WHITE).visible() {
         pixmap.fill(skia_color(color));
     }
-    let scale = (f64::from(width) / canvas.width()).min(f64::from(height) / canvas.height());
     let to_pixels = Affine::translate((f64::from(width) / 2.0, f64::from(height) / 2.0))
         * Affine::scale(scale)
         * Affine::translate(-canvas.center().to_vec2());
@@ -87,24 +89,37 @@ fn too_large(width: f64, height: f64) -> Error {
     })
 }
 
-/// Refuses what would take minutes.
-fn check_segments(scene: &Scene) -> Result<()> {
-    let marks = scene.groups.iter().flat_map(|group| &group.marks);
-    let counts = marks.map(|mark| match mark {
-        Mark::Curve(curve) => curve.segments.len(),
-        Mark::Path(curves) => curves.iter().map(|curve| curve.segments.len()).sum(),
-        Mark::Arcs(courses) => courses.iter().map(|course| course.steps.len()).sum(),
-        _ => 0,
-    });
-    let segments: usize = counts.sum();
-    if segments > MOST_SEGMENTS {
-        let (count, most) = (segments, MOST_SEGMENTS);
+/// Refuses what would take minutes in a picture whose larger side is `side` pixels, `scale` of them to a unit.
+fn check_segments(scene: &Scene, scale: f64, side: f64) -> Result<()> {
+    let (mut count, mut stroked) = (0, 0.0);
+    for group in &scene.groups {
+        let segments: usize = group.marks.iter().map(segments).sum();
+        let stroke = group.pen.visible_stroke();
+        let pixels = stroke.map_or(0.0, |(_, width)| (width * scale).clamp(1.0, side));
+        count += segments;
+        stroked += segments as f64 * pixels;
+    }
+    if count > MOST_SEGMENTS {
+        let most = MOST_SEGMENTS;
         return Err(Error::Picture(PictureError::TooManySegments {
             count,
             most,
         }));
     }
+    if stroked > MOST_STROKED {
+        return Err(Error::Picture(PictureError::StrokeTooWide { count }));
+    }
     Ok(())
+}
+
+/// How many segments a mark has that can have many.
+fn segments(mark: &Mark) -> usize {
+    match mark {
+        Mark::Curve(curve) => curve.segments.len(),
+        Mark::Path(curves) => curves.iter().map(|curve| curve.segments.len()).sum(),
+        Mark::Arcs(courses) => courses.iter().map(|course| course.steps.len()).sum(),
+        _ => 0,
+    }
 }
 
 /// `None` where there are no segments, or some too far away for single precision.

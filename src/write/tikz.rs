@@ -21,25 +21,35 @@ const ON_A_LINE: usize = 4;
 /// Where a coordinate is larger than TeX takes.
 pub fn commands<'a>(curves: impl IntoIterator<Item = &'a Curve>, dashed: bool) -> Result<String> {
     let draw = if dashed { "\\draw[dashed]" } else { "\\draw" };
+    let curves: Vec<&Curve> = curves.into_iter().collect();
+    check_size(&curves)?;
     let mut out = String::new();
     for curve in curves {
-        push_curve(&mut out, draw, curve)?;
+        push_curve(&mut out, draw, curve);
     }
     Ok(out)
 }
 
-fn push_curve(out: &mut String, draw: &str, curve: &Curve) -> Result<()> {
-    let Some(start) = curve.start() else {
+/// Refuses numbers that TeX does not take, with a factor that makes them small enough, those of the other half of a sphere too.
+fn check_size(curves: &[&Curve]) -> Result<()> {
+    let points = curves.iter().flat_map(|curve| &curve.segments);
+    let numbers = points.flat_map(control_points).flat_map(|p| [p.x, p.y]);
+    let far = numbers.fold(0.0_f64, |far, x| if x.abs() > far.abs() { x } else { far });
+    if far.abs() <= LARGEST {
         return Ok(());
-    };
-    let points = curve.segments.iter().flat_map(control_points);
-    if let Some(far) = points.flat_map(|p| [p.x, p.y]).find(|x| x.abs() > LARGEST) {
-        return Err(Error::Format {
-            format: "tikz",
-            why: format!("TeX takes no number beyond {LARGEST}, and there is {far:e}"),
-            remedy: Remedy::Scale,
-        });
     }
+    let exponent = libm::log10(LARGEST / 2.0 / far.abs()).floor();
+    Err(Error::Format {
+        format: "tikz",
+        why: format!("TeX takes no number beyond {LARGEST}, and there is {far:e}"),
+        remedy: Remedy::Scale(format!("1e{exponent}").parse().unwrap_or(1.0)),
+    })
+}
+
+fn push_curve(out: &mut String, draw: &str, curve: &Curve) {
+    let Some(start) = curve.start() else {
+        return;
+    };
     // Writing to a string cannot fail.
     let _ = write!(out, "{draw} {}", pair(start));
     for (i, segment) in curve.segments.iter().enumerate() {
@@ -58,7 +68,6 @@ fn push_curve(out: &mut String, draw: &str, curve: &Curve) -> Result<()> {
         };
     }
     out.push_str(if curve.closed { " -- cycle;\n" } else { ";\n" });
-    Ok(())
 }
 
 fn pair(p: Point) -> String {

@@ -117,7 +117,7 @@ fn the_rules_of_svg_for_arcs_out_of_range() {
         printed(&["arc", "--svg", "M0 0A0 5 0 0 1 10 5"]),
         "M0 0L10 5\n"
     );
-    assert_eq!(printed(&["arc", "--svg", "M3 4A5 5 0 0 1 3 4"]), "\n");
+    assert_eq!(printed(&["arc", "--svg", "M3 4A5 5 0 0 1 3 4", "-q"]), "\n");
     assert_eq!(
         printed(&["arc", "--svg", "M0 0A-5 5 0 0 1 5 5"]),
         printed(&["arc", "--svg", "M0 0A5-5 0 0 1 5 5"])
@@ -227,7 +227,10 @@ fn impossible_requests_say_why_and_what_would_do() {
         ),
         (&["arc", "5", "--sweep", "400"], "360"),
         (&["arc", "5"], "--end or --sweep"),
-        (&["circle", "5", "--transform", "scale(0)"], "scale"),
+        (
+            &["circle", "5", "--transform", "scale(0)"],
+            "transformed radius",
+        ),
         (&["circle", "5", "--transform", "scale(1 0)"], "flattens"),
         (&["circle", "5", "--transform", "turn(5)"], "transform"),
         (&["circle", "5", "-p", "0", "-t", "0.01"], "rounding"),
@@ -249,14 +252,51 @@ fn an_svg_arc_that_does_not_parse_is_told_with_its_column() {
         ("M10 80a25,25-30 0", 18),
         ("hello", 1),
         ("", 1),
-        ("M0 0L5 5", 1),
-        ("M0 0A1 1 0 0 1 5 5 Z", 1),
+        ("M0 0L5 5", 5),
+        ("M0 0 5 5", 6),
+        ("L5 5", 1),
+        ("M0 0A1 1 0 0 1 5 5 Z", 20),
+        ("M0 0A1 1 0 0 1 5 5A1 1 0 0 1 9 9", 19),
+        ("M0 0A1 1 0 0 1 5 5 1 1 0 0 1 9 9", 20),
     ] {
         let message = refused(&["arc", "--svg", text]);
         assert!(
             message.contains(&format!("at column {column}\n")),
             "{text}: {message}"
         );
+    }
+}
+
+#[test]
+fn an_error_in_a_file_of_path_data_is_told_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.path");
+    fs::write(&file, "M0 0\nL5 X\n").unwrap();
+    let name = file.to_str().unwrap();
+    for words in [&["path", name][..], &["measure", "--path", name]] {
+        let message = refused(words);
+        assert!(
+            message.starts_with(&format!(
+                "error: {name}: cannot read the path data 'M0 0 L5 X'"
+            )) && message.contains("is expected in line 2 at character 4"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn an_arc_of_no_length_is_noted() {
+    for (arguments, is_noted) in [
+        (&["arc", "5", "--start", "0", "--end", "0"][..], true),
+        (&["arc", "--svg", "M1 1A5 5 0 0 1 1 1"], true),
+        (&["arc", "5", "--start", "0", "--end", "0", "-q"], false),
+        (&["arc", "5", "--start", "0", "--end", "1"], false),
+    ] {
+        let output = run(arguments);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{said}");
+        let noted = said == "note: the arc has no length, so that nothing is drawn\n";
+        assert!(noted == is_noted && (noted || said.is_empty()), "{said}");
     }
 }
 

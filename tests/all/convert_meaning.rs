@@ -28,6 +28,15 @@ fn is_left_whole(text: &str, codes: &[&str]) {
     assert_eq!(out.text, text);
 }
 
+/// Holds that the bytes of a file stay as they are, with these notes.
+fn bytes_are_left(bytes: &[u8], codes: &[&str]) {
+    let shown = bytes.escape_ascii();
+    let out = document::convert_bytes(bytes, &Options::default()).unwrap();
+    let found: Vec<&str> = out.notes.iter().map(|note| note.reason.code()).collect();
+    assert_eq!(found, codes, "{shown}");
+    assert_eq!(&*out.bytes, bytes, "{shown}");
+}
+
 /// Holds that so many elements or arcs are replaced, without a note.
 fn is_replaced(inner: &str, count: usize) {
     let text = svg(inner);
@@ -55,6 +64,45 @@ fn comments_do_not_begin_in_strings_and_urls() {
     );
     is_replaced(
         r#"<style>.a{font-family:"}circle{"} /* circle { r: 1 } */</style><circle r="40"/>"#,
+        1,
+    );
+}
+
+/// Comments stand between any two tokens.
+#[test]
+fn comments_do_not_part_a_selector() {
+    for (sheet, code) in [
+        ("./**/a{r:40px}", "style-geometry"),
+        (".a/**/{r:40px}", "style-geometry"),
+        ("g>:/**/first-of-type{fill:red}", "style-selector"),
+        (":/**/is(circle){fill:red}", "style-selector"),
+    ] {
+        let circle = r#"<circle class="a" r="20"/>"#;
+        is_left(&format!("<style>{sheet}</style><g>{circle}</g>"), &[code]);
+    }
+    is_replaced(
+        r#"<style>./**/b{r:40px} .b /**/{r:1px}</style><circle class="a" r="20"/>"#,
+        1,
+    );
+}
+
+/// Browsers read what stands in the element itself.
+#[test]
+fn text_of_elements_in_a_style_is_not_its_own() {
+    for inner in [
+        "<desc>/*</desc>.a{r:40px}",
+        "<g>\"</g>.a{r:40px}",
+        "<desc>&#34;</desc>.a{r:40px}",
+        "<style>b{fill:red}</style>.a{r:40px}",
+        "<style>.a{r:40px}</style>",
+    ] {
+        is_left(
+            &format!(r#"<style>{inner}</style><circle class="a" r="20"/>"#),
+            &["style-geometry"],
+        );
+    }
+    is_replaced(
+        r#"<style><desc>.a{r:40px}</desc></style><circle class="a" r="20"/>"#,
         1,
     );
 }
@@ -95,6 +143,33 @@ fn values_that_read_an_attribute_keep_it() {
     is_left(
         r#"<path style="--d:attr(d)" d="M0 0a1 1 0 0 1 1 1"/>"#,
         &["style-geometry"],
+    );
+    for attribute in [
+        r#"stroke-width="attr(r px)""#,
+        r#"clip-path="ATTR(r type(*))""#,
+        r#"fill-opacity="calc(attr(r type(&lt;number>))/100)""#,
+        r#"transform="scale(&#97;ttr(r))""#,
+        r#"filter="\61ttr(r)""#,
+    ] {
+        is_left(
+            &format!(r#"<circle {attribute} r="40"/>"#),
+            &["style-geometry"],
+        );
+    }
+    for values in [
+        r#"to="attr(r px)""#,
+        r#"from="0" by="&#97;ttr(r px)""#,
+        r#"values="1;attr(r px)""#,
+    ] {
+        let set = format!(r#"<set attributeName="stroke-width" {values}/>"#);
+        is_left(
+            &format!(r#"<circle r="40">{set}</circle>"#),
+            &["style-geometry"],
+        );
+    }
+    is_replaced(
+        r#"<circle stroke-width="attr(rx px)" transform="scale(2)" clip-path="url(#a)" r="40"/>"#,
+        1,
     );
     is_replaced(
         r#"<style>.a{stroke-width:attr(data-w px)} .b{--w:attr(r)}</style><circle class="a" r="40"/>"#,
@@ -182,6 +257,17 @@ fn animations_find_their_target_by_the_rules_of_links() {
         r#"href="icon.svg""#,
     ] {
         is_replaced(&animate(links), 1);
+    }
+    // Browsers differ about an empty link.
+    for links in [
+        r#"href="""#,
+        r#"xlink:href="""#,
+        r##"href=" " xlink:href="#x""##,
+    ] {
+        is_left(
+            &format!(r#"<circle r="20"><set {links} attributeName="r" to="90"/></circle>"#),
+            &["animation"],
+        );
     }
     is_left(
         r##"<circle r="20"><animate x:href="#none" xmlns:x="urn:other" attributeName="r" to="90"/></circle>"##,
@@ -279,6 +365,17 @@ fn the_last_word_on_markers_counts() {
         "marker:none none",
         "marker:none;marker:url(#n)",
         "fill:none",
+        // Nor are these.
+        "marker:",
+        "marker:none!;",
+        "marker:none !x",
+        "marker:none !important x",
+        "marker:none !important !important",
+        "@media all{marker:none}",
+        "}marker:none",
+        "marker:none}",
+        "fill:red}marker:none",
+        "g{}marker:none",
     ] {
         is_left(&with(style), &["marker-mid"]);
     }
@@ -286,10 +383,36 @@ fn the_last_word_on_markers_counts() {
         "marker:none",
         "MARKER : NONE !important",
         "marker:initial",
+        "marker:none!/**/IMPORTANT;;",
+        "@media all{fill:red};marker:none",
         "m\\61rker:none",
     ] {
         is_replaced(&with(style), 1);
     }
+    for value in ["none !important", "none none", "none;", ""] {
+        let inner = format!(r#"<path marker-mid="{value}" d="M0 0A80 80 0 1 1 80 80"/>"#);
+        is_left(
+            &format!(r#"{MARKER}<g marker-mid="url(#m)">{inner}</g>"#),
+            &["marker-mid"],
+        );
+    }
+    for off in [
+        r#"style="marker:none;all:inherit""#,
+        r#"marker-mid="none" style="ALL:inherit""#,
+        r#"class="a" marker-mid="none""#,
+    ] {
+        let plain = r#"<path d="M0 0A80 80 0 1 1 80 80"/>"#;
+        let inner = format!(r#"<g marker-mid="url(#m)"><g {off}>{plain}</g></g>"#);
+        is_left(
+            &format!("<style>.a{{all:inherit}}</style>{MARKER}{inner}"),
+            &["marker-mid"],
+        );
+    }
+    is_left(
+        r#"<circle style="all:initial" r="5"/>"#,
+        &["style-geometry"],
+    );
+    is_replaced(r#"<path marker-mid="" d="M0 0A80 80 0 1 1 80 80"/>"#, 1);
     let path = r#"<path marker="url(#m)" d="M0 0A80 80 0 1 1 80 80"/>"#;
     is_left(&format!("{MARKER}{path}"), &["marker-mid"]);
     let plain = r#"<path d="M0 0A80 80 0 1 1 80 80"/>"#;
@@ -371,6 +494,38 @@ fn selectors_by_type_hold_back_what_they_count() {
             ),
             &["style-selector"],
         );
+    }
+}
+
+#[test]
+fn whatever_runs_a_script_holds_back() {
+    let xhtml = r#"xmlns="http://www.w3.org/1999/xhtml""#;
+    for before in [
+        r#"<iframe XHTML src="javascript:f()"/>"#,
+        r#"<iframe XHTML srcdoc="a"/>"#,
+        r#"<iframe XHTML src="inner.html"/>"#,
+        r#"<object XHTML data="inner.html"/>"#,
+        r#"<embed XHTML src="inner.svg"/>"#,
+        r#"<form XHTML action="javascript:f()"/>"#,
+        r#"<a href=" &#9;java&#10;script:f()"/>"#,
+        r#"<a href="&#106;avascript:f()"/>"#,
+        r#"<a><set attributeName="href" to="JavaScript:f()"/></a>"#,
+        r#"<a><animate attributeName="href" values="a;javascript:f()"/></a>"#,
+    ] {
+        let before = before.replace("XHTML", xhtml);
+        is_left(
+            &format!(r#"<foreignObject>{before}</foreignObject><circle r="5"/>"#),
+            &["script"],
+        );
+    }
+    for before in [
+        "<iframe XHTML/>",
+        r#"<img XHTML src="a.png"/>"#,
+        r#"<x:iframe xmlns:x="urn:x" src="a"/>"#,
+        r#"<a href="java.svg"/>"#,
+    ] {
+        let before = before.replace("XHTML", xhtml);
+        is_replaced(&format!(r#"{before}<circle r="5"/>"#), 1);
     }
 }
 
@@ -599,6 +754,26 @@ fn what_is_trusted_does_not_hold_back() {
             "motion-path",
             r#"<style>.c{offset-path:url(#p)}</style><circle id="p" r="5"/>"#,
         ),
+        (
+            "motion-path",
+            r#"<g style="OFFSET:URL(icon.svg#p) 10%"/><circle id="p" r="5"/>"#,
+        ),
+        (
+            "motion-path",
+            r#"<g style="--p:url(#p);offset-p&#97;th:var(--p)"/><circle id="p" r="5"/>"#,
+        ),
+        (
+            "motion-path",
+            r#"<style>.c{\6f ffset-path:u\72l('#\70')}</style><circle id="p" r="5"/>"#,
+        ),
+        (
+            "motion-path",
+            r##"<mpath href="#q"><animate attributeName="href" values="#q;#p"/></mpath><circle id="p" r="5"/>"##,
+        ),
+        (
+            "motion-path",
+            r#"<g><set attributeName="offset-path" to="url(#p)"/></g><circle id="p" r="5"/>"#,
+        ),
         ("empty-arc", r#"<path d="M5 5a5 5 0 1 1 0 0"/>"#),
         (
             "nearly-whole",
@@ -674,12 +849,105 @@ fn encodings_that_hold_ascii_are_spliced_byte_for_byte() {
         let again = document::convert_bytes(&out.bytes, &Options::default()).unwrap();
         assert_eq!(again.bytes, out.bytes);
     }
-    let rule = b"<?xml version='1.0' encoding='latin1'?><svg><style>.\xe9{r:1px}</style><circle class='\xe9' r='5'/><circle class='\xe8' r='5'/></svg>";
+    let rule = b"<?xml version='1.0' encoding='latin1'?><svg><style>.\xe9{r:1px}</style><circle class='\xe9' r='5'/><circle class='a\xe8' r='5'/></svg>";
     let out = document::convert_bytes(rule, &Options::default()).unwrap();
     assert_eq!((out.replaced.circle, out.notes.len()), (1, 1));
+    // References, escapes and links give characters where the text has bytes.
+    for (encoding, inner, code) in [
+        (
+            "iso-8859-1",
+            "<style>.\\e9{r:4px}</style><circle class='\u{e9}' r='5'/>",
+            "style-geometry",
+        ),
+        (
+            "iso-8859-1",
+            "<style>.\u{e9}{r:4px}</style><circle class='a &#233;' r='5'/>",
+            "style-geometry",
+        ),
+        (
+            "windows-1251",
+            "<style>.\u{e6}{r:4px}</style><circle class='&#1078;' r='5'/>",
+            "style-geometry",
+        ),
+        (
+            "koi8-r",
+            "<style>#\\436 {r:4px}</style><circle id='\u{d6}' r='5'/>",
+            "style-geometry",
+        ),
+        (
+            "euc-jp",
+            "<style>#\\3042 {r:4px}</style><circle id='\u{a4}\u{a2}' r='5'/>",
+            "style-geometry",
+        ),
+        (
+            "iso-8859-1",
+            "<circle id='\u{e9}' r='5'/><set href='#&#233;' attributeName='r' to='9'/>",
+            "animation",
+        ),
+        (
+            "iso-8859-1",
+            "<circle id='\u{e9}' r='5'/><set href='#%C3%A9' attributeName='r' to='9'/>",
+            "animation",
+        ),
+        (
+            "windows-1251",
+            "<circle id='\u{e6}' r='5'/><set href='#&#1078;' attributeName='r' to='9'/>",
+            "animation",
+        ),
+        (
+            "iso-8859-1",
+            "<use href='#&#233;' marker-end='url(#m)'/><circle id='\u{e9}' r='5'/>",
+            "marker",
+        ),
+        (
+            "iso-8859-1",
+            "<g style='offset-path:url(#\\e9)'/><circle id='\u{e9}' r='5'/>",
+            "motion-path",
+        ),
+    ] {
+        let text = format!("<?xml version='1.0' encoding='{encoding}'?><svg>{inner}</svg>");
+        // Each character is one byte.
+        let bytes: Vec<u8> = text
+            .chars()
+            .map(|c| u8::try_from(u32::from(c)).unwrap())
+            .collect();
+        bytes_are_left(&bytes, &[code]);
+    }
     let sjis = b"<?xml version='1.0' encoding='Shift_JIS'?><svg>\x83\x5c</svg>";
     assert!(document::convert_bytes(sjis, &Options::default()).is_err());
     assert!(document::convert_bytes(b"<svg>\xe9</svg>", &Options::default()).is_err());
+}
+
+/// As `iconv -t utf-8` leaves a file, which changes no declaration.
+#[test]
+fn a_declaration_that_does_not_fit_is_named() {
+    let said = |bytes: &[u8]| {
+        let refused = document::convert_bytes(bytes, &Options::default());
+        refused.unwrap_err().to_string()
+    };
+    let declares = |encoding: &str| {
+        format!(
+            "<?xml version='1.0' encoding='{encoding}'?><svg><title>é</title><circle r='5'/></svg>"
+        )
+    };
+    for encoding in ["UTF-16", "Shift_JIS"] {
+        let why = said(declares(encoding).as_bytes());
+        assert!(
+            why.starts_with(&format!("1:31: the encoding is {encoding}")),
+            "{why}"
+        );
+        assert!(
+            why.ends_with("have its declaration say encoding=\"UTF-8\""),
+            "{why}"
+        );
+    }
+    let why = said(format!("\u{feff}{}", declares("iso-8859-1")).as_bytes());
+    assert_eq!(
+        why,
+        "1:31: not well-formed XML: the byte order mark says UTF-8, and the declaration iso-8859-1: correct it"
+    );
+    let text = declares("UTF-8");
+    assert!(document::convert_bytes(text.as_bytes(), &Options::default()).is_ok());
 }
 
 // ---- Android

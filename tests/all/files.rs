@@ -258,6 +258,125 @@ fn two_files_that_lead_to_one_are_refused_and_one_file_by_two_names_is_converted
 }
 
 #[test]
+fn no_result_takes_the_place_of_an_input_or_of_another_result() {
+    // What stands below the folder of results, and what is said.
+    let rows: [(&[(&str, &str)], &str); 6] = [
+        (
+            &[("../in/a.svg", "a.svg")],
+            "would be written over in/a.svg",
+        ),
+        (
+            &[("../in/sub", "sub")],
+            "would be written over in/sub/b.svg",
+        ),
+        (
+            &[("../in/b.svg", "a.svg")],
+            "would be written over in/b.svg",
+        ),
+        (
+            &[("real", "a.svg"), ("real", "b.svg")],
+            "would both be written",
+        ),
+        (&[("b.svg", "a.svg")], "would both be written"),
+        (&[("sub/b.svg", "a.svg")], "would both be written"),
+    ];
+    for (links, why) in rows {
+        let folder = folder();
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir_all(at("in/sub")).unwrap();
+        fs::create_dir_all(at("out")).unwrap();
+        for name in ["in/a.svg", "in/b.svg", "in/sub/b.svg"] {
+            fs::write(at(name), SVG).unwrap();
+        }
+        for (target, name) in links {
+            symlink(target, at("out").join(name)).unwrap();
+        }
+        let output = run_in(folder.path(), &["convert", "in", "--out-dir", "out"]);
+        assert_eq!(
+            output.status.code(),
+            Some(2),
+            "{links:?}: {}",
+            said(&output)
+        );
+        assert!(said(&output).contains(why), "{links:?}: {}", said(&output));
+        for name in ["in/a.svg", "in/b.svg", "in/sub/b.svg"] {
+            assert_eq!(fs::read_to_string(at(name)).unwrap(), SVG);
+        }
+    }
+    // A folder of results in which the input lies.
+    let folder = folder();
+    fs::create_dir_all(folder.path().join("in/in")).unwrap();
+    fs::write(folder.path().join("in/a.svg"), SVG).unwrap();
+    fs::write(folder.path().join("in/in/a.svg"), SVG).unwrap();
+    let output = run_in(folder.path(), &["convert", "in", "--out-dir", "."]);
+    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+}
+
+#[test]
+fn one_file_by_two_names_is_written_once() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("in")).unwrap();
+    fs::write(folder.path().join("in/b.svg"), SVG).unwrap();
+    let words = [
+        "convert",
+        "in/b.svg",
+        "./in//b.svg",
+        "in/../in/b.svg",
+        "--out-dir",
+        "out",
+        "-v",
+    ];
+    let output = run_in(folder.path(), &words);
+    assert!(output.status.success(), "{}", said(&output));
+    assert!(said(&output).contains("1 circle"), "{}", said(&output));
+}
+
+#[test]
+fn a_link_that_leads_nowhere_is_left_with_a_note() {
+    let folder = folder();
+    symlink("nothing", folder.path().join("b.svg")).unwrap();
+    symlink("c.svg", folder.path().join("c.svg")).unwrap();
+    let output = run_in(folder.path(), &["convert", ".", "--in-place"]);
+    assert!(output.status.success(), "{}", said(&output));
+    for name in ["b", "c"] {
+        let left = format!("note: ./{name}.svg: is left: the link leads nowhere");
+        assert!(said(&output).contains(&left), "{}", said(&output));
+    }
+    // One that is named is what was asked for.
+    let output = run_in(folder.path(), &["convert", "b.svg", "--in-place"]);
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+}
+
+#[test]
+fn zeros_after_a_packed_file_fill_it_up() {
+    use std::io::Write;
+    let folder = folder();
+    let mut packed = Vec::new();
+    for part in SVG.as_bytes().chunks(20) {
+        let mut member = flate2::write::GzEncoder::new(packed, flate2::Compression::best());
+        member.write_all(part).unwrap();
+        packed = member.finish().unwrap();
+    }
+    let convert = |more: &[u8]| {
+        fs::write(folder.path().join("b.svgz"), [&packed, more].concat()).unwrap();
+        run_in(folder.path(), &["convert", "b.svgz", "-o", "b.svg"])
+    };
+    for zeros in [0, 4, 511] {
+        fs::write(folder.path().join("b.svg"), "old").unwrap();
+        let output = convert(&vec![0; zeros]);
+        assert!(output.status.success(), "{zeros}: {}", said(&output));
+        let text = fs::read_to_string(folder.path().join("b.svg")).unwrap();
+        assert!(text.contains("<path") && text.ends_with("</svg>"), "{text}");
+    }
+    for more in [&b"more"[..], &[0, 0, 7], &[0x1f]] {
+        let output = convert(more);
+        assert_eq!(output.status.code(), Some(1));
+        let why = "cannot read it: other bytes follow the packed ones";
+        assert!(said(&output).contains(why), "{}", said(&output));
+    }
+}
+
+#[test]
 fn links_to_folders_are_not_walked() {
     // What follows the links stays below the folder all the same.
     let outer = folder();

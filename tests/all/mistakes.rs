@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 145] = [
+const MISTAKES: [(&str, &str); 160] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -108,7 +108,7 @@ const MISTAKES: [(&str, &str); 145] = [
     ),
     (
         "circle 10 -m lancaster-best --joints 0,90,200",
-        "take -n 2, 3, 4, 5, 6 or 8 for a full turn, or -m midpoint or minimax",
+        "take -m midpoint or minimax, which serve every angle, or for a full turn -n 2, 3, 4, 5, 6 or 8",
     ),
     (
         "circle 10 --handle 0.55 -t 1e-6",
@@ -239,6 +239,36 @@ const MISTAKES: [(&str, &str); 145] = [
         "arc --from 0,0 --to 10,0 --center 5,1 --large",
         "cannot be used with '--large'",
     ),
+    ("circle 50 --size 300x", "hint: --size 300x300\n"),
+    ("circle 50 --size 300mm", "hint: --size 300x300mm\n"),
+    ("batch -o y.foo", "canvas, glif and dxf;"),
+    ("sphere 5 -o y.foo", "and dxf; -f names"),
+    ("spline --points 0,0,1,1 -o y.foo", "and dxf; -f names"),
+    (
+        "circle 1e9 -f tikz",
+        "--transform 'scale(0.000001)' makes it small enough",
+    ),
+    (
+        "arc 5 --sweep 70 -m lancaster-drawellipse",
+        "hint: take -m midpoint or minimax, which serve every angle, or for a full turn -n 4\n",
+    ),
+    (
+        "ellipse 5 3 --adaptive -m lancaster-drawellipse",
+        "this method serves quarters only",
+    ),
+    ("man foo", "'curveto circle --help' shows its page"),
+    ("man -o x", "'curveto circle --help' shows its page"),
+    (
+        "circle 5 --transform scale(1e200)",
+        "the transformed radius 5e200 is too large",
+    ),
+    ("path M0,0H1e400", "the number is too large at character 6"),
+    ("path M0,0H-", "a command or a number is expected"),
+    (
+        "convert --stdout a.svg",
+        "goes to standard output by itself",
+    ),
+    ("convert -c a.svg", "goes to standard output by itself"),
 ];
 
 /// The words of the languages below, which tell a user nothing.

@@ -462,6 +462,22 @@ fn a_path_stays_one_where_a_shape_would_be_drawn_otherwise() {
             format!("<style>.a{{content:'\\\\41';stroke-dasharray:1}}</style>{plain}"),
             "stays-path",
         ),
+        (
+            format!("<path style=\"stroke-d&#97;sharray:30 20\" d=\"{start}\"/>"),
+            "stays-path",
+        ),
+        (
+            format!("<set attributeName=\"stroke-&#x44;asharray\" to=\"3\"/>{plain}"),
+            "stays-path",
+        ),
+        (
+            format!("<rect style=\"OFFSET:url(#c) 10%\"/><path id=\"c\" d=\"{start}\"/>"),
+            "motion-path",
+        ),
+        (
+            format!("<path stroke-width=\"attr(r px, 3px)\" d=\"{start}\"/>"),
+            "style-geometry",
+        ),
         (format!("<script/>{plain}"), "script"),
     ] {
         let text = svg(&other);

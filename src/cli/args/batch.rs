@@ -95,7 +95,8 @@ impl BatchArgs {
             || std::thread::available_parallelism().map_or(1, usize::from),
             |jobs| jobs.get().min(256),
         );
-        let format = formats::choose(self.format, self.output.as_deref())?;
+        let format =
+            formats::choose_but(Format::Gcode.name(), self.format, self.output.as_deref())?;
         if format == Format::Gcode {
             return Err(Failure::request_with_hint(
                 "a batch has no G-code",

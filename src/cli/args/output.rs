@@ -54,6 +54,11 @@ impl OutputArgs {
         formats::choose(self.format, self.output.as_deref())
     }
 
+    /// The same for a command that makes no G-code.
+    pub(crate) fn format_but_gcode(&self) -> Result<Format, Failure> {
+        formats::choose_but(Format::Gcode.name(), self.format, self.output.as_deref())
+    }
+
     /// How it is to be written, where the format can do what was asked for.
     pub(crate) fn options(&self, format: Format) -> Result<write::Options, Failure> {
         let idle = |option: &str, why: &str, remedy: String| {

@@ -2,12 +2,14 @@
 
 use std::collections::HashMap;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use walkdir::{DirEntry, WalkDir};
 
 use crate::cli::args::{DestinationArgs, TalkArgs};
 use crate::cli::failure::Failure;
+use crate::cli::output::{folder_of, place_of};
 
 /// What is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -156,10 +158,7 @@ fn refuse_own_folder(inputs: &[PathBuf], dir: &Path) -> Result<(), Failure> {
         let folder = if input.is_dir() {
             input.as_path()
         } else {
-            input
-                .parent()
-                .filter(|p| !p.as_os_str().is_empty())
-                .unwrap_or(Path::new("."))
+            folder_of(input)
         };
         fs::canonicalize(folder).is_ok_and(|folder| folder == dir)
     };
@@ -227,20 +226,22 @@ impl Walk {
         (self.hidden || !is_hidden) && !is_left_out
     }
 
-    /// Whether a name leads to a plain file of the folder. A link that leads nowhere is kept, to be reported as what cannot be read.
+    /// Whether a name leads to a plain file of the folder; what cannot be looked at does, so that it is reported.
     fn is_ours(&self, path: &Path, root: &Path) -> bool {
-        let Ok(data) = fs::metadata(path) else {
-            return true;
-        };
         let left = |why: &str| {
             self.talk
                 .note(&format!("{}: is left: {why}", path.display()));
             false
         };
-        if !data.is_file() {
-            return left("it is no plain file");
-        }
         let is_link = fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
+        match fs::metadata(path) {
+            Ok(data) if data.is_file() => {}
+            Ok(_) => return left("it is no plain file"),
+            Err(error) if is_link && error.kind() != io::ErrorKind::PermissionDenied => {
+                return left("the link leads nowhere");
+            }
+            Err(_) => return true,
+        }
         if is_link && !fs::canonicalize(path).is_ok_and(|target| target.starts_with(root)) {
             return left("the link leads out of the folder; name the file itself to convert it");
         }
@@ -270,29 +271,60 @@ fn is_svg(path: &Path) -> bool {
     path.extension().is_some_and(named) && !path.is_dir()
 }
 
+/// Refuses a folder of results below which a link leads to a file of the run.
+fn refuse_inputs_as_results(jobs: &[Job]) -> Result<(), Failure> {
+    let inputs = jobs
+        .iter()
+        .filter_map(|job| match (&job.input, &job.destination) {
+            (Input::File(path), Destination::OutDir(_)) => {
+                Some((fs::canonicalize(path).ok()?, path))
+            }
+            _ => None,
+        });
+    let inputs: HashMap<_, _> = inputs.collect();
+    for job in jobs {
+        if let Destination::OutDir(path) = &job.destination
+            && let Some(input) = inputs.get(&place_of(path))
+        {
+            return Err(Failure::request_with_hint(
+                format!(
+                    "the result of {} would be written over {}",
+                    job.name(),
+                    input.display()
+                ),
+                format!("{} leads there", path.display()),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Whether two inputs are one file.
+fn is_same(one: &Input, other: &Input) -> bool {
+    match (one, other) {
+        (Input::File(one), Input::File(other)) => place_of(one) == place_of(other),
+        _ => one == other,
+    }
+}
+
 /// Drops a file that was named twice; refuses two files that would be written to one place.
 fn without_clashes(jobs: Vec<Job>) -> Result<Vec<Job>, Failure> {
+    refuse_inputs_as_results(&jobs)?;
     let mut taken: HashMap<PathBuf, Input> = HashMap::new();
     let mut kept = Vec::with_capacity(jobs.len());
     for job in jobs {
         let place = match &job.destination {
-            Destination::OutDir(path) | Destination::File(path) => {
-                // A link below the folder of results may lead two of them to one file.
-                fs::canonicalize(path).unwrap_or_else(|_| path.clone())
+            // A link below the folder of results may lead two of them to one file, and one file by two names is one file.
+            Destination::OutDir(path) | Destination::File(path) | Destination::InPlace(path) => {
+                place_of(path)
             }
-            // One file by two names is one file.
-            Destination::InPlace(path) => fs::canonicalize(path).unwrap_or_else(|_| path.clone()),
             Destination::Stdout | Destination::Nowhere => {
                 kept.push(job);
                 continue;
             }
         };
         match taken.get(&place) {
-            Some(other)
-                if *other == job.input || matches!(job.destination, Destination::InPlace(_)) =>
-            {
-                continue;
-            }
+            Some(other) if is_same(other, &job.input) => continue,
             Some(Input::File(other)) if !matches!(job.input, Input::Unreadable(..)) => {
                 return Err(Failure::request_with_hint(
                     format!(

@@ -1,7 +1,7 @@
 //! Words that people bring from other tools, and what serves instead.
 
 /// Flags that people try, the commands that they try them on (all where there is none), and what serves instead.
-pub(super) const FLAGS: [(&[&str], &[&str], &str); 32] = [
+pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
     (
         &[
             "--clockwise",
@@ -39,6 +39,11 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 32] = [
         &["--dry-run", "-d", "--dryrun"],
         &["convert"],
         "--check writes nothing and lists the files with something to do",
+    ),
+    (
+        &["--stdout", "-c"],
+        &["convert"],
+        "the result of one file goes to standard output by itself; --in-place and --out-dir DIR take several",
     ),
     (
         &["-f", "--format"],

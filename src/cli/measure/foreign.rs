@@ -87,7 +87,10 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Sourc
         let (data, name) = input::path_data(data)?;
         let source = Source {
             name: "path".to_owned(),
-            contours: Ok((path::contours(&data)?, Affine::IDENTITY)),
+            contours: Ok((
+                path::contours(&data).map_err(|error| input::named(&name, error))?,
+                Affine::IDENTITY,
+            )),
         };
         return Ok((name, vec![source]));
     }

@@ -81,6 +81,8 @@ pub(in crate::document) fn declarations(text: &str) -> Effect {
 /// Reads the rules and the declarations of a block; `effect` is that of the declarations that stand in it.
 fn items(input: &mut Parser<'_>, block: Block, effect: &mut Effect, sheet: &mut Sheet) {
     let mut start = input.position();
+    // What stood before the item: a bracket may make it none.
+    let mut before = Some(';');
     loop {
         let stop = match input.next_including_whitespace_and_comments() {
             Ok(Token::CurlyBracketBlock) => Some('{'),
@@ -94,14 +96,17 @@ fn items(input: &mut Parser<'_>, block: Block, effect: &mut Effect, sheet: &mut 
         let item = stop
             .and_then(|stop| item.strip_suffix(stop))
             .unwrap_or(item);
-        match stop {
-            Some('{') => open(item, block, input, effect, sheet),
-            _ => statement(item, block, effect, sheet),
+        if stop == Some('{') {
+            open(item, block, input, effect, sheet);
+        } else {
+            let was_off = effect.no_marker;
+            statement(item, block, effect, sheet);
+            effect.no_marker &= was_off || before == Some(';') && stop != Some('}');
         }
         if stop.is_none() {
             return;
         }
-        start = input.position();
+        (start, before) = (input.position(), stop);
     }
 }
 
@@ -117,7 +122,12 @@ fn open(
         match AtRule::named(&name) {
             AtRule::Ignored => {}
             AtRule::Frames => nested(input, Block::Frames, effect, sheet),
-            AtRule::Same => nested(input, outer, effect, sheet),
+            AtRule::Same => {
+                // It may not hold, and not at all in a style attribute.
+                let was_off = effect.no_marker;
+                nested(input, outer, effect, sheet);
+                effect.no_marker &= was_off;
+            }
             AtRule::Unknown => {
                 sheet.rules.select(Compound::unknown());
                 nested(input, outer, effect, sheet);
@@ -199,7 +209,7 @@ fn declaration(input: &mut Parser<'_>, effect: &mut Effect) {
     let property = Properties::named(&name);
     let value = Value::read(input);
     effect.reads = effect.reads.with(value.reads);
-    if property.markers().any && value.is_none() {
+    if property.are_markers() && value.is_none() && value.bang != Bang::Alone {
         effect.no_marker |= name.eq_ignore_ascii_case("marker");
     } else {
         effect.sets = effect.sets.with(property);
@@ -207,35 +217,47 @@ fn declaration(input: &mut Parser<'_>, effect: &mut Effect) {
     }
 }
 
-/// Whether the value of a marker property leaves it off.
+/// Whether the value of a marker attribute leaves it off.
 pub(in crate::document) fn is_none(text: &str) -> bool {
-    Value::read(&mut Parser::new(text)).is_none()
+    let value = Value::read(&mut Parser::new(text));
+    value.is_none() && value.bang == Bang::Missing
+}
+
+/// The attributes that a value reads.
+pub(in crate::document) fn reads(text: &str) -> Properties {
+    Value::read(&mut Parser::new(text)).reads
+}
+
+/// How much of `!important` was read.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+enum Bang {
+    #[default]
+    Missing,
+    Alone,
+    Whole,
 }
 
 /// What matters of a value.
 #[derive(Debug, Clone, Copy, Default)]
 struct Value {
     reads: Properties,
-    /// Words that leave a marker off, and other tokens before a `!`.
+    /// Words that leave a marker off, and tokens that belong neither to them nor to one `!important` after them.
     none_words: usize,
     others: usize,
+    bang: Bang,
 }
 
 impl Value {
     fn read(input: &mut Parser<'_>) -> Self {
-        let (mut value, mut is_over) = (Self::default(), false);
+        let mut value = Self::default();
         loop {
             let function = match input.next() {
                 Ok(Token::Ident(word)) => {
-                    let is_none = ["none", "initial"]
-                        .iter()
-                        .any(|none| none.eq_ignore_ascii_case(word));
-                    value.none_words += usize::from(is_none && !is_over);
-                    value.others += usize::from(!is_none && !is_over);
+                    value.word(word);
                     continue;
                 }
-                Ok(Token::Delim('!')) => {
-                    is_over = true;
+                Ok(Token::Delim('!')) if value.bang == Bang::Missing => {
+                    value.bang = Bang::Alone;
                     continue;
                 }
                 Ok(Token::Function(name)) => name.eq_ignore_ascii_case("attr"),
@@ -243,7 +265,7 @@ impl Value {
                     Token::ParenthesisBlock | Token::SquareBracketBlock | Token::CurlyBracketBlock,
                 ) => false,
                 Ok(_) => {
-                    value.others += usize::from(!is_over);
+                    value.others += 1;
                     continue;
                 }
                 Err(_) => return value,
@@ -253,8 +275,17 @@ impl Value {
         }
     }
 
+    fn word(&mut self, word: &str) {
+        let is = |known: &&str| known.eq_ignore_ascii_case(word);
+        match self.bang {
+            Bang::Missing if ["none", "initial"].iter().any(is) => self.none_words += 1,
+            Bang::Alone if is(&"important") => self.bang = Bang::Whole,
+            _ => self.others += 1,
+        }
+    }
+
     const fn is_none(self) -> bool {
-        self.others == 0 && self.none_words <= 1
+        self.others == 0 && self.none_words == 1
     }
 }
 
@@ -285,113 +316,4 @@ fn read_by(input: &mut Parser<'_>, is_attr: bool) -> Properties {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::property::Kind;
-    use super::super::rules::Subject;
-    use super::*;
-
-    fn sheet(text: &str) -> Sheet {
-        let mut sheet = Sheet::default();
-        read(text, &mut sheet);
-        sheet
-    }
-
-    /// What the sheet does to a circle of that class.
-    fn effect(sheet: &Sheet, class: &str) -> Properties {
-        let subject = Subject {
-            name: "circle",
-            class: Some(class),
-            id: None,
-        };
-        sheet.rules.effect(subject).sets
-    }
-
-    #[test]
-    fn declarations_are_found_in_nested_blocks() {
-        let s = sheet(
-            "/* r:1 */ @media print { .a, .b { r: 5px; fill: red } } @font-face { r: 1 } .c { fill: url(a;r:1) }",
-        );
-        assert_eq!(effect(&s, "a"), Properties::named("r"));
-        assert_eq!(effect(&s, "x b"), Properties::named("r"));
-        assert!(effect(&s, "c").is_empty() && s.keyframes.is_empty());
-    }
-
-    #[test]
-    fn comments_do_not_begin_in_strings_and_urls() {
-        for text in [
-            r#".a{font-family:"/*"} .b{r:5px}"#,
-            ".a{cursor:url(img/*.cur),auto} .b{r:5px}",
-            "<!-- .a{fill:red} --> .b{/* ; */r/**/:5px}",
-            r".a{content:'\'}/*'} .b{r:5px}",
-        ] {
-            assert_eq!(effect(&sheet(text), "b"), Properties::named("r"), "{text}");
-        }
-        let style = declarations("font-family:'/*';r:80px");
-        assert_eq!(style.sets, Properties::named("r"));
-    }
-
-    #[test]
-    fn keyframes_and_imports_are_seen() {
-        let s = sheet(
-            "@import url(x.css); @-webkit-keyframes a { from { r: 1 } 50% { fill: red } } g { & path { d: none } }",
-        );
-        assert!(s.imports);
-        assert_eq!(s.keyframes.sets, Properties::named("r"));
-        assert!(effect(&s, "a").meets(Properties::D));
-        assert!(sheet(r"@\69mport 'a.css';").imports);
-    }
-
-    #[test]
-    fn style_attributes_are_lists_of_declarations() {
-        assert!(declarations("fill:red;/*r:1*/stroke:url(#a)").is_empty());
-        assert_eq!(
-            declarations("fill:red; R : 5px").sets,
-            Properties::named("r")
-        );
-        assert!(declarations("--r: 5; marker: none").no_marker);
-        assert!(!declarations("marker: none; marker: url(#a)").no_marker);
-        assert!(declarations("--r: 5; marker-end: NONE !important").is_empty());
-        assert!(declarations("\\72: 5").sets.meets(Properties::named("r")));
-    }
-
-    #[test]
-    fn attributes_that_values_read_are_found() {
-        let read = |text: &str| declarations(text).reads;
-        assert_eq!(read("stroke-width:attr(r px)"), Properties::named("r"));
-        assert_eq!(
-            read("--w: calc(2 * ATTR(cx type(<length>), 1px))"),
-            Properties::named("cx")
-        );
-        assert!(read("content:'attr(r)';fill:url(attr(r))").is_empty());
-        assert!(read("width:attr(data-r px)").is_empty());
-        assert_eq!(
-            read(&format!("a:{}", "f(".repeat(500))),
-            Properties::ANY,
-            "what is nested too deeply may read anything"
-        );
-    }
-
-    #[test]
-    fn sizes_along_the_text_are_width_and_height() {
-        for name in ["inline-size", "block-size", "-webkit-logical-width"] {
-            let set = declarations(&format!("{name}: 5px")).sets;
-            assert!(set.meets(Kind::Rect.sensitive()), "{name}");
-        }
-    }
-
-    #[test]
-    fn broken_sheets_end() {
-        for text in [
-            "}}}", "a{", "{", "a{b:c", "'", "@", "a{{{{", "/*", "(;{};", "\\", "a:", "a{b:",
-        ] {
-            sheet(text);
-            declarations(text);
-        }
-        let deep = sheet(&"a{".repeat(5000));
-        assert!(
-            deep.rules
-                .selected_by_name(Kind::Rect, None, None)
-                .is_some()
-        );
-    }
-}
+mod tests;

@@ -2,35 +2,26 @@
 //!
 //! Most files have none of it. The rewriting pass starts without facts and asks for them at the first sign.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
+use super::animation::{self, Target, target};
 use super::css::{self, Sheet};
-use super::motion;
+use super::motion::{self, Motion};
 use super::own;
 use super::property::{Effect, Kind, Markers, Properties};
 use super::rules::Subject;
+use super::script;
 use crate::document::doubt::Trust;
 use crate::document::reason::Reason;
-use crate::document::xml::attributes::Attribute;
 use crate::document::xml::doctype::{Doctype, Resolved};
 use crate::document::xml::encoding::Source;
 use crate::document::xml::fault::Result;
 use crate::document::xml::namespace::Namespace;
 use crate::document::xml::node::{Element, Node};
 use crate::document::xml::scan::Scanner;
-use crate::document::xml::value;
 
 /// So often a `<use>` within what another one refers to is followed; what goes on counts as drawn with markers.
 const MOST_ROUNDS: usize = 8;
-
-/// Which element an animation changes.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-enum Target {
-    /// The element whose tag begins at this byte.
-    Parent(usize),
-    /// The elements with this id.
-    Id(String),
-}
 
 /// What animations set somewhere.
 #[derive(Debug, Default)]
@@ -49,9 +40,9 @@ pub(in crate::document) struct Facts {
     sheet: Sheet,
     /// What holds for the whole document.
     everywhere: Vec<Reason>,
-    animated: HashMap<Target, Properties>,
+    animated: HashMap<Target, Effect>,
     changed: Changed,
-    motion_paths: HashSet<String>,
+    motion: Motion,
     /// Whether the path data of an Android drawable are animated.
     android_morphs: bool,
     has_uses: bool,
@@ -60,55 +51,41 @@ pub(in crate::document) struct Facts {
 }
 
 /// Whether an element or one of its attributes may change what holds for other elements.
-pub(in crate::document) fn is_sign(element: &Element<'_>, attributes: &[Attribute<'_>]) -> bool {
-    const NAMES: [&str; 8] = [
-        "style",
-        "script",
-        "animate",
-        "set",
-        "animateColor",
-        "mpath",
-        "link",
-        "handler",
-    ];
+pub(in crate::document) fn is_sign(element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
+    const NAMES: [&str; 6] = ["style", "animate", "set", "animateColor", "mpath", "link"];
     element.android.is_some() && Kind::named(element.local).is_none()
         || NAMES.contains(&element.local) && element.namespace != Namespace::Other
-        || attributes
-            .iter()
-            .any(|attribute| is_handler(attribute) || motion::moves_along(attribute))
+        || scanner.attributes.iter().any(motion::moves_along)
+        || script::may_run(element, scanner)
 }
 
-/// Whether an attribute holds a script. Event attributes in a namespace (`a:onclick`) do not.
-fn is_handler(attribute: &Attribute<'_>) -> bool {
-    let scheme = "javascript:";
-    attribute.name.len() > 2
-        && attribute.name.starts_with("on")
-        && !attribute.value.trim().is_empty()
-        || attribute.name.ends_with("href")
-            && attribute
-                .value
-                .trim_start()
-                .get(..scheme.len())
-                .is_some_and(|start| start.eq_ignore_ascii_case(scheme))
-}
-
-/// The element whose text is being collected.
+/// A style sheet whose text is being collected: what stands in the element itself, and not in elements within it.
 struct Collecting {
     depth: usize,
     css: String,
+}
+
+/// The sheet in whose element the scanner stands.
+fn within<'c>(
+    collecting: &'c mut [Collecting],
+    scanner: &Scanner<'_>,
+) -> Option<&'c mut Collecting> {
+    let last = collecting.last_mut();
+    last.filter(|collecting| collecting.depth == scanner.depth())
 }
 
 impl Facts {
     /// Reads a whole document.
     pub(in crate::document) fn read(source: Source<'_>) -> Result<Self> {
         let mut facts = Self::default();
+        facts.sheet.rules.folds = source.is_widened;
         let mut scanner = Scanner::new(source)?;
-        let mut collecting: Option<Collecting> = None;
+        let mut collecting: Vec<Collecting> = Vec::new();
         loop {
             match scanner.next()? {
                 Node::Start(element) => {
                     if facts.element(&element, &scanner) {
-                        collecting = Some(Collecting {
+                        collecting.push(Collecting {
                             depth: scanner.depth(),
                             css: String::new(),
                         });
@@ -116,18 +93,20 @@ impl Facts {
                 }
                 Node::End { .. } => {
                     if let Some(done) =
-                        collecting.take_if(|collecting| scanner.depth() < collecting.depth)
+                        collecting.pop_if(|collecting| scanner.depth() < collecting.depth)
                     {
                         css::read(&done.css, &mut facts.sheet);
+                        facts.motion.style(&done.css, &scanner);
                     }
                 }
                 Node::Text(text) => {
-                    if let Some(collecting) = &mut collecting {
+                    if let Some(collecting) = within(&mut collecting, &scanner) {
                         collecting.css.push_str(text);
                     }
                 }
                 Node::Reference(resolved) => {
-                    facts.reference(resolved, collecting.as_mut(), &scanner.doctype);
+                    let collecting = within(&mut collecting, &scanner);
+                    facts.reference(resolved, collecting, &scanner.doctype);
                 }
                 Node::Instruction(text) => {
                     if text.starts_with("xml-stylesheet") {
@@ -138,7 +117,6 @@ impl Facts {
                 Node::Done => break,
             }
         }
-        facts.motion_paths.extend(motion::followed(source.text));
         facts.finish();
         if facts.has_uses {
             facts.follow_uses(source)?;
@@ -154,23 +132,17 @@ impl Facts {
 
     /// Notes what an element says; whether its text is a style sheet.
     fn element(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
-        if scanner.attributes.iter().any(is_handler) {
+        if script::may_run(element, scanner) {
             self.set_everywhere(Reason::Script);
         }
-        let attribute = |name: &str| {
-            let found = scanner
-                .attributes
-                .iter()
-                .find(|attribute| attribute.name == name)?;
-            Some(value::text(found.value, &scanner.doctype).unwrap_or_else(|| found.value.into()))
-        };
+        self.motion.element(scanner);
+        let attribute = |name: &str| scanner.attribute(name);
         let property = element.android.and_then(|i| scanner.attributes.get(i));
         self.android_morphs |= property.is_some_and(|property| {
             property.name.ends_with("Name") && property.value == "pathData"
         });
         match element.local {
             _ if element.namespace == Namespace::Other => {}
-            "script" | "handler" => self.set_everywhere(Reason::Script),
             "link"
                 if attribute("rel")
                     .is_none_or(|rel| rel.to_ascii_lowercase().contains("stylesheet")) =>
@@ -185,13 +157,13 @@ impl Facts {
             }
             "animate" | "set" | "animateColor" => {
                 if let Some(name) = attribute("attributeName") {
-                    self.animation(name.trim(), target(element, scanner));
+                    self.animation(name.trim(), target(element, scanner), scanner);
                 }
             }
             "use" => self.has_uses = true,
             "mpath" => {
                 if let Some(Target::Id(id)) = target(element, scanner) {
-                    self.motion_paths.insert(id);
+                    self.motion.follow(id);
                 }
             }
             _ => {}
@@ -199,16 +171,17 @@ impl Facts {
         false
     }
 
-    fn animation(&mut self, name: &str, target: Option<Target>) {
-        let property = Properties::named(name);
+    fn animation(&mut self, name: &str, target: Option<Target>, scanner: &Scanner<'_>) {
+        let effect = animation::effect(name, scanner);
+        self.motion.animated(name, scanner);
         self.changed.classes |= name == "class";
         self.changed.links |= name.ends_with("href");
-        self.changed.markers |= property.markers().any;
+        self.changed.markers |= effect.sets.markers().any;
         if let Some(target) = target
-            && !property.is_empty()
+            && !effect.is_empty()
         {
             let entry = self.animated.entry(target).or_default();
-            *entry = entry.with(property);
+            *entry = entry.with(effect);
         }
     }
 
@@ -254,11 +227,14 @@ impl Facts {
             class,
             id,
         };
-        let moves_along = id.is_some_and(|id| self.motion_paths.contains(id));
+        let moves_along = id.is_some_and(|id| self.motion.follows(id));
+        let animated = self.animated(start, id);
+        let changed = animated.sets.and(kind.sensitive());
         [
             selector.map(|selector| Reason::SelectedByName(selector.to_owned())),
             style_reason(kind, self.sheet.rules.effect(subject)),
-            self.animated(kind, start, id),
+            reads_reason(kind, animated),
+            (!changed.is_empty()).then(|| Reason::Animated(changed.first_name())),
             moves_along.then_some(Reason::MotionPath),
         ]
         .into_iter()
@@ -272,20 +248,12 @@ impl Facts {
         animated.filter(|reason| reason.counts(trust))
     }
 
-    /// What animations and keyframes do to the geometry of an element.
-    fn animated(&self, kind: Kind, start: usize, id: Option<&str>) -> Option<Reason> {
-        let sensitive = kind.sensitive();
-        if self.sheet.keyframes.reads.meets(kind.attributes()) {
-            return style_reason(kind, self.sheet.keyframes);
-        }
+    /// What animations and keyframes do to an element.
+    fn animated(&self, start: usize, id: Option<&str>) -> Effect {
         let by_place = self.animated.get(&Target::Parent(start)).copied();
         let by_id = id.and_then(|id| self.animated.get(&Target::Id(id.to_owned())).copied());
-        [Some(self.sheet.keyframes.sets), by_place, by_id]
-            .into_iter()
-            .flatten()
-            .map(|set| set.and(sensitive))
-            .find(|set| !set.is_empty())
-            .map(|set| Reason::Animated(set.first_name()))
+        let found = by_place.into_iter().chain(by_id);
+        found.fold(self.sheet.keyframes, Effect::with)
     }
 
     /// Whether a style rule may round the corners of a rectangle.
@@ -371,23 +339,13 @@ pub(in crate::document) fn is_use(element: &Element<'_>) -> bool {
 
 /// Why what a style does to an element of this kind forbids a replacement, if it does.
 pub(in crate::document) fn style_reason(kind: Kind, effect: Effect) -> Option<Reason> {
-    let read = effect.reads.and(kind.attributes());
-    if !read.is_empty() {
-        return Some(Reason::StyleReads(read.first_name()));
-    }
     let set = effect.sets.and(kind.sensitive());
-    (!set.is_empty()).then(|| Reason::StyleGeometry(set.first_name()))
+    reads_reason(kind, effect)
+        .or_else(|| (!set.is_empty()).then(|| Reason::StyleGeometry(set.first_name())))
 }
 
-/// What an animation element changes: the element of its link, or else its parent.
-fn target(element: &Element<'_>, scanner: &Scanner<'_>) -> Option<Target> {
-    if element.link.is_some() {
-        return scanner.linked_id(element).map(Target::Id);
-    }
-    let parent = if element.empty {
-        scanner.parent()
-    } else {
-        scanner.grandparent()
-    };
-    parent.map(Target::Parent)
+/// The same of what values read with `attr()`.
+fn reads_reason(kind: Kind, effect: Effect) -> Option<Reason> {
+    let read = effect.reads.and(kind.attributes());
+    (!read.is_empty()).then(|| Reason::StyleReads(read.first_name()))
 }

@@ -14,7 +14,10 @@ pub(in crate::document) fn markers(
 ) -> Markers {
     let mut markers = inherited;
     for attribute in attributes {
-        if let "marker-start" | "marker-mid" | "marker-end" | "marker" = attribute.name {
+        // An empty value is none, and leaves what is inherited.
+        if let "marker-start" | "marker-mid" | "marker-end" | "marker" = attribute.name
+            && !attribute.value.trim().is_empty()
+        {
             let on =
                 value::text(attribute.value, doctype).is_none_or(|value| !css::is_none(&value));
             // A single `none` may leave other markers on, and `marker` as an attribute is not known everywhere.
@@ -45,17 +48,41 @@ pub(in crate::document) fn markers(
     markers
 }
 
-/// Whether a style attribute may say `marker`: most do not, and need not be read.
+/// Whether a style attribute may say `marker` or `all`: most do not, and need not be read.
 fn may_say_marker(style: &str) -> bool {
-    style.contains(['\\', '&'])
-        || style
-            .as_bytes()
-            .windows(6)
-            .any(|word| word.eq_ignore_ascii_case(b"marker"))
+    let says = |name: &[u8]| {
+        let mut words = style.as_bytes().windows(name.len());
+        words.any(|word| word.eq_ignore_ascii_case(name))
+    };
+    style.contains(['\\', '&']) || says(b"marker") || says(b"all")
+}
+
+/// What its style attribute does, and what the values of other attributes read.
+pub(in crate::document) fn style(attributes: &[Attribute<'_>], doctype: &Doctype) -> Effect {
+    let mut effect = declared(attributes, doctype);
+    for attribute in attributes {
+        if attribute.name != "style" && may_read(attribute) {
+            let text = value::text(attribute.value, doctype);
+            let reads = text.map_or(Properties::ANY, |text| css::reads(&text));
+            effect.reads = effect.reads.with(reads);
+        }
+    }
+    effect
+}
+
+/// Whether the value of an attribute may say `attr()`, as those of presentation attributes may.
+fn may_read(attribute: &Attribute<'_>) -> bool {
+    let bytes = attribute.value.as_bytes();
+    attribute.has_references
+        || memchr::memchr(b'(', bytes).is_some()
+            && (bytes.contains(&b'\\')
+                || bytes
+                    .windows(5)
+                    .any(|word| word.eq_ignore_ascii_case(b"attr(")))
 }
 
 /// What a style attribute does.
-pub(in crate::document) fn style(attributes: &[Attribute<'_>], doctype: &Doctype) -> Effect {
+fn declared(attributes: &[Attribute<'_>], doctype: &Doctype) -> Effect {
     let Some(style) = attributes
         .iter()
         .find(|attribute| attribute.name == "style")

@@ -103,11 +103,17 @@ impl Properties {
         Self(self.0 & other.0)
     }
 
-    /// The markers among the properties.
+    /// Whether they are markers by name.
+    pub(in crate::document) const fn are_markers(self) -> bool {
+        self.0 >> Self::MARKER != 0
+    }
+
+    /// The markers among the properties; `all` may be any, as `inherit`.
     pub(in crate::document) const fn markers(self) -> Markers {
+        let all = self.meets(Self::ALL);
         Markers {
-            any: self.0 >> Self::MARKER != 0,
-            middle: self.0 & (1 << Self::MARKER | 1 << Self::MARKER_MID) != 0,
+            any: all || self.are_markers(),
+            middle: all || self.0 & (1 << Self::MARKER | 1 << Self::MARKER_MID) != 0,
         }
     }
 
@@ -211,6 +217,8 @@ mod tests {
         assert!(!Properties::named("marker-end").markers().middle);
         assert!(Properties::named("MARKER").markers().middle);
         assert!(!Properties::named("height").markers().any);
+        let all = Properties::named("all");
+        assert!(all.markers().middle && !all.are_markers());
     }
 
     #[test]

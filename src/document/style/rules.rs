@@ -1,9 +1,11 @@
 //! The rules of a document's style sheets by the classes and ids that they ask for, so that an element meets few of them.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use super::property::{Effect, Kind};
 use super::selector::Compound;
+use crate::document::xml::encoding::folded;
 
 /// This many classes, ids or names are kept apart; what more rules ask for counts as met.
 const MOST_KEYS: usize = 1 << 16;
@@ -26,14 +28,14 @@ struct Said {
     /// What they do to elements of any name.
     to_any: Effect,
     /// What they do to elements of one name.
-    to_named: HashMap<Box<str>, Effect>,
+    to_named: HashMap<Rc<str>, Effect>,
 }
 
 /// A selector that asks for more than one class or id.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct Item {
-    classes: Vec<Box<str>>,
-    ids: Vec<Box<str>>,
+    classes: Vec<Rc<str>>,
+    ids: Vec<Rc<str>>,
     said: Said,
 }
 
@@ -41,8 +43,10 @@ struct Item {
 #[derive(Debug, Default)]
 pub(in crate::document) struct Rules {
     anywhere: Said,
-    by_class: HashMap<Box<str>, Vec<Item>>,
-    by_id: HashMap<Box<str>, Vec<Item>>,
+    by_class: HashMap<Rc<str>, Vec<Item>>,
+    by_id: HashMap<Rc<str>, Vec<Item>>,
+    /// Whether the document stands for bytes, so that names beyond ASCII are compared as [`folded`].
+    pub(in crate::document) folds: bool,
 }
 
 impl Said {
@@ -54,7 +58,7 @@ impl Said {
         }
     }
 
-    fn apply(&mut self, name: Option<Box<str>>, effect: Effect) {
+    fn apply(&mut self, name: Option<Rc<str>>, effect: Effect) {
         let old = match name {
             Some(name) if self.to_named.len() < MOST_KEYS || self.to_named.contains_key(&name) => {
                 self.to_named.entry(name).or_default()
@@ -117,7 +121,12 @@ impl Rules {
     fn add(&mut self, compound: Compound, said: Said) {
         // Counting by type looks at siblings, whatever their classes.
         let bound = !compound.unknown && !compound.of_type;
-        let (classes, ids) = (compound.classes, compound.ids);
+        let (mut classes, mut ids) = (compound.classes, compound.ids);
+        if self.folds {
+            for name in classes.iter_mut().chain(&mut ids) {
+                *name = folded(name).into();
+            }
+        }
         let (table, key) = match (ids.last(), classes.last()) {
             (Some(id), _) if bound => (&mut self.by_id, id.clone()),
             (None, Some(class)) if bound => (&mut self.by_class, class.clone()),

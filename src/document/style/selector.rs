@@ -1,21 +1,26 @@
 //! Selectors, taken apart as far as the change of a tag may matter to them.
 
+use std::rc::Rc;
+
 use cssparser::{ParseError, Parser, Token};
 
 use super::property::{Kind, Properties};
 
 /// The most characters of a selector that a note quotes.
 const MOST_QUOTED: usize = 60;
+/// This many classes and this many ids of a compound selector are asked for, so that a long one does not make each of those in its
+/// `:is()` long; who asks for fewer matches more.
+const MOST_ASKED: usize = 8;
 
 /// One compound selector: simple selectors without a combinator between them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(in crate::document) struct Compound {
     /// The type selector without its prefix; `None` for `*` or none.
-    pub(in crate::document) name: Option<Box<str>>,
+    pub(in crate::document) name: Option<Rc<str>>,
     /// The type selector of the compound in whose `:is()` or `:not()` this one stands.
-    outer_name: Option<Box<str>>,
-    pub(in crate::document) classes: Vec<Box<str>>,
-    pub(in crate::document) ids: Vec<Box<str>>,
+    outer_name: Option<Rc<str>>,
+    pub(in crate::document) classes: Vec<Rc<str>>,
+    pub(in crate::document) ids: Vec<Rc<str>>,
     /// The attributes among those that a replacement changes of which it speaks.
     attributes: Properties,
     /// Whether it counts siblings by type.
@@ -43,7 +48,7 @@ impl Compound {
 
     /// Whether it may single out elements of this kind by what a replacement changes.
     pub(in crate::document) fn is_sensitive(&self, kind: Kind) -> bool {
-        let names = |name: &Option<Box<str>>| {
+        let names = |name: &Option<Rc<str>>| {
             name.as_deref()
                 .is_none_or(|name| name == kind.name() || name == "path")
         };
@@ -128,7 +133,7 @@ struct Draft {
 /// Reads one compound selector and what follows it; those in the arguments of its functions go to `others`.
 fn compound(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> (Draft, End) {
     let start = input.position();
-    let mut draft = Draft::default();
+    let (mut draft, mut is_empty) = (Draft::default(), true);
     let end = loop {
         match input.next_including_whitespace_and_comments() {
             Err(_) => break End::Input,
@@ -136,23 +141,35 @@ fn compound(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> (Draft, End) 
             Ok(Token::WhiteSpace(_) | Token::CDO | Token::CDC | Token::Delim('>' | '+' | '~')) => {
                 break End::Combinator;
             }
+            Ok(Token::Comment(_)) => {}
             Ok(token) => {
                 let token = token.clone();
                 draft.take(&token, input, others);
+                is_empty = false;
             }
         }
     };
-    let text = input.slice_from(start);
+    let text = if is_empty {
+        ""
+    } else {
+        input.slice_from(start)
+    };
     let text = text.trim_matches(|c: char| c.is_ascii_whitespace() || ",>+~".contains(c));
     let Draft { compound, same, .. } = &mut draft;
     compound.text = text.chars().take(MOST_QUOTED).collect();
     // They matter only to the elements that may be of this compound.
     for inner in same {
         inner.outer_name = inner.outer_name.take().or_else(|| compound.name.clone());
-        inner.classes.extend(compound.classes.iter().cloned());
-        inner.ids.extend(compound.ids.iter().cloned());
+        ask(&mut inner.classes, &compound.classes);
+        ask(&mut inner.ids, &compound.ids);
     }
     (draft, end)
+}
+
+/// Asks for more classes or ids.
+fn ask(asked: &mut Vec<Rc<str>>, more: &[Rc<str>]) {
+    let room = MOST_ASKED.saturating_sub(asked.len());
+    asked.extend(more.iter().take(room).cloned());
 }
 
 impl Draft {
@@ -173,11 +190,13 @@ impl Draft {
         match token {
             Token::Colon => self.pseudo = true,
             Token::Delim('.') => self.class = true,
-            Token::Ident(name) if class => compound.classes.push(name.as_ref().into()),
+            Token::Ident(name) if class => ask(&mut compound.classes, &[name.as_ref().into()]),
             Token::Ident(name) if pseudo => compound.of_type |= is_of_type(name),
             // `svg|circle`: the last name is the element's.
             Token::Ident(name) => compound.name = Some(name.as_ref().into()),
-            Token::IDHash(name) | Token::Hash(name) => compound.ids.push(name.as_ref().into()),
+            Token::IDHash(name) | Token::Hash(name) => {
+                ask(&mut compound.ids, &[name.as_ref().into()]);
+            }
             Token::Function(name) => {
                 compound.of_type |= is_of_type(name);
                 let subjects = arguments(input, others).into_iter();
@@ -265,6 +284,9 @@ mod tests {
             "a/**/circle, circle/* x */",
             "circle>text",
             "[*|r]",
+            ":/**/first-of-type",
+            ":/**/not(path)",
+            "circle/**/:/**/hover",
         ] {
             assert!(sensitive(text, Kind::Circle), "{text}");
         }
@@ -304,6 +326,39 @@ mod tests {
             has.iter()
                 .any(|c| c.is_sensitive(Kind::Circle) && c.classes.is_empty())
         );
+    }
+
+    /// Else the square of 3,000 names would be kept.
+    #[test]
+    fn what_stands_in_a_long_selector_is_not_long() {
+        let inner: Vec<String> = (0..3000).map(|i| format!("a.b{i},")).collect();
+        let inner = inner.concat();
+        for outer in [".x".repeat(3000), "#x".repeat(3000), "x".repeat(3000)] {
+            let all = all(&format!("{outer}:is({inner}c)"));
+            assert_eq!(all.len(), 3002);
+            let most = |names: fn(&Compound) -> usize| all.iter().map(names).max();
+            assert!(most(|c| c.classes.len()) <= Some(MOST_ASKED));
+            assert!(most(|c| c.ids.len()) <= Some(MOST_ASKED));
+        }
+    }
+
+    #[test]
+    fn comments_do_not_part_a_selector() {
+        let classes = |text: &str| {
+            let subjects = read(text).subjects;
+            assert_eq!(subjects.len(), 1, "{text}");
+            subjects[0].classes.clone()
+        };
+        for text in [
+            "./**/a",
+            ".a/**/",
+            "/* */.a",
+            "/* */ .a /* */",
+            "b >/**/./* */a",
+        ] {
+            assert_eq!(classes(text), ["a".into()], "{text}");
+        }
+        assert_eq!(classes(".a/**/./**/b"), ["a".into(), "b".into()]);
     }
 
     #[test]

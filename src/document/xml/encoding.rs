@@ -67,6 +67,21 @@ pub(in crate::document) fn widen(bytes: &[u8]) -> String {
         .collect()
 }
 
+/// What can be compared of a name in a widened text. References, escapes of CSS and `%E9` give characters where the text has bytes,
+/// and how many bytes a character has is not known: whatever stands beyond ASCII counts as the same. Names that are equal stay so.
+pub(in crate::document) fn folded(name: &str) -> String {
+    let (mut out, mut is_beyond) = (String::with_capacity(name.len()), false);
+    for character in name.chars() {
+        if character.is_ascii() {
+            out.push(character);
+        } else if !is_beyond {
+            out.push(char::REPLACEMENT_CHARACTER);
+        }
+        is_beyond = !character.is_ascii();
+    }
+    out
+}
+
 /// The bytes for which a widened text stands.
 pub(in crate::document) fn narrow(text: &str) -> Cow<'static, [u8]> {
     // Without BASE, which is the ninth bit.
@@ -85,6 +100,14 @@ mod tests {
         assert_eq!(text.chars().count(), 256);
         assert_eq!(narrow(&text), bytes);
         assert!(text.chars().skip(128).all(char::is_alphabetic));
+    }
+
+    #[test]
+    fn names_beyond_ascii_are_one() {
+        assert_eq!(folded("a-\u{1e9}b"), folded("a-éb"));
+        assert_eq!(folded("\u{1c3}\u{1a9}"), folded("é"));
+        assert_ne!(folded("éa"), folded("éb"));
+        assert_eq!(folded("a b"), "a b");
     }
 
     #[test]

@@ -17,6 +17,8 @@ pub(in crate::document) enum FaultKind {
     Malformed(String),
     /// An encoding other than UTF-8.
     Encoding(String),
+    /// The new text became too large.
+    TooLarge,
 }
 
 impl Fault {
@@ -24,6 +26,13 @@ impl Fault {
         Self {
             at,
             kind: FaultKind::Malformed(why.into()),
+        }
+    }
+
+    pub(in crate::document) const fn too_large(at: usize) -> Self {
+        Self {
+            at,
+            kind: FaultKind::TooLarge,
         }
     }
 

@@ -11,7 +11,7 @@ use quick_xml::events::Event;
 use super::attributes::{self, Attribute, after_space};
 use super::characters::{self, BYTE_ORDER_MARK, first_forbidden};
 use super::doctype::{Doctype, Resolved};
-use super::encoding::Source;
+use super::encoding::{Source, folded};
 use super::fault::{Fault, Result};
 use super::namespace::Namespaces;
 use super::node::{Element, Node};
@@ -83,22 +83,37 @@ impl<'a> Scanner<'a> {
         self.open.iter().rev().nth(1).map(|open| open.start)
     }
 
-    /// The resolved value of an attribute of the last start tag; a value with an unknown entity reads as the entity.
+    /// The resolved value of an attribute of the last start tag, as names are compared; a value with an unknown entity reads as the
+    /// entity.
     pub(in crate::document) fn attribute(&self, name: &str) -> Option<Cow<'a, str>> {
         let found = self
             .attributes
             .iter()
             .find(|attribute| attribute.name == name)?;
-        Some(value::text(found.value, &self.doctype).unwrap_or(Cow::Borrowed(found.value)))
+        let text = value::text(found.value, &self.doctype).unwrap_or(Cow::Borrowed(found.value));
+        Some(self.comparable(text))
     }
 
-    /// The id to which the link of the last start tag refers; `None` where it has no link, or one without a fragment. Which
-    /// document a URL means is not known here, so that each may mean this one.
+    /// A name as names are compared in this document.
+    pub(in crate::document) fn comparable<'t>(&self, name: Cow<'t, str>) -> Cow<'t, str> {
+        if self.is_widened && !name.is_ascii() {
+            return folded(&name).into();
+        }
+        name
+    }
+
+    /// The id to which the link of the last start tag refers; `None` where it has no link, or one without a fragment.
     pub(in crate::document) fn linked_id(&self, element: &Element<'_>) -> Option<String> {
         let attribute = self.attributes.get(element.link?)?;
         let text = value::text(attribute.value, &self.doctype)?;
-        let (_, fragment) = text.trim().split_once('#')?;
-        Some(characters::percent_decoded(fragment))
+        self.id_of(&text)
+    }
+
+    /// The id in the fragment of a URL. Which document it means is not known here, so that each may mean this one.
+    pub(in crate::document) fn id_of(&self, url: &str) -> Option<String> {
+        let (_, fragment) = url.trim().split_once('#')?;
+        let id = characters::percent_decoded(fragment);
+        Some(self.comparable(id.into()).into_owned())
     }
 
     /// The next node.
@@ -179,10 +194,7 @@ impl<'a> Scanner<'a> {
                     return Err(Fault::new(at, "`&` without a `;`"));
                 };
                 if !self.doctype.declares(name) {
-                    return Err(Fault::new(
-                        at,
-                        format!("the reference `&{name};` is not declared"),
-                    ));
+                    return Err(Fault::new(at, undeclared(name)));
                 }
                 at += 1;
             }
@@ -282,10 +294,7 @@ impl<'a> Scanner<'a> {
         }
         self.at = start + 1 + name.len() + 1;
         match self.doctype.resolve(name) {
-            Resolved::Malformed => Err(Fault::new(
-                start,
-                format!("the reference `&{name};` is not declared"),
-            )),
+            Resolved::Malformed => Err(Fault::new(start, undeclared(name))),
             _ if self.open.is_empty() => Err(Fault::new(start, "text outside the root element")),
             resolved => Ok(Node::Reference(resolved)),
         }
@@ -368,4 +377,14 @@ impl<'a> Scanner<'a> {
         }
         Ok(Node::Done)
     }
+}
+
+/// Why a reference is refused.
+fn undeclared(name: &str) -> String {
+    let why = if name.starts_with('#') {
+        "is no character that XML allows"
+    } else {
+        "is not declared"
+    };
+    format!("the reference `&{name};` {why}")
 }

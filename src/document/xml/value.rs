@@ -51,9 +51,39 @@ pub(in crate::document) fn traced(raw: &str, doctype: &Doctype) -> Option<Traced
     Some(traced)
 }
 
+/// A whole document in small letters with its references resolved, to look for words in; what cannot be known reads as a backslash.
+pub(in crate::document) fn words(source: &str, doctype: &Doctype) -> String {
+    let (mut out, mut rest) = (String::with_capacity(source.len()), source);
+    while let Some((before, after)) = rest.split_once('&') {
+        out.push_str(before);
+        let is_name = |c: char| c.is_alphanumeric() || "#:-_.".contains(c);
+        let end = after.find(|c| !is_name(c)).unwrap_or(after.len());
+        let (name, behind) = after.split_at(end);
+        rest = behind;
+        match doctype.resolve(name) {
+            Resolved::Text(text, _) => out.push_str(&text),
+            Resolved::Unknown => out.push('\\'),
+            // Within a comment or CDATA.
+            Resolved::Malformed => out.extend(["&", name]),
+        }
+        rest = rest.strip_prefix(';').unwrap_or(rest);
+    }
+    out.push_str(rest);
+    out.make_ascii_lowercase();
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_are_found_through_references() {
+        let doctype = Doctype::read(" svg [<!ENTITY d 'da'><!ENTITY e SYSTEM 'x'>]", 9);
+        let words = |text: &str| words(text, &doctype);
+        assert_eq!(words("STROKE-D&#97;&#x53;h &d;sh"), "stroke-dash dash");
+        assert_eq!(words("a&e;b <!-- & &x; -->"), "a\\b <!-- & &x -->");
+    }
 
     #[test]
     fn each_byte_knows_its_origin() {
