@@ -280,8 +280,8 @@ impl Balance {
         most: f64,
     ) -> Option<Vec<f64>> {
         let marched = self.narrowed(whole, pieces, equal, most);
-        // Of more than three, and by roughly known errors, the marched ones are about as near.
-        let is_odd = pieces == 3 && self.errors.is_quick() && self.is_sharp() && self.mirrors();
+        // Of more than three the marched ones are about as near.
+        let is_odd = pieces == 3 && self.is_sharp() && self.mirrors();
         let even = is_odd
             .then(|| self.mirrored(whole, pieces, equal.min(most)))
             .flatten();
