@@ -35,6 +35,9 @@ const ROUNDING_PART: f64 = 0.02;
 /// The part that rounding may use where it decides how many chords there are.
 const FINER_PART: f64 = 1e-6;
 
+/// By how much the tolerance that is named is larger than that which seems enough.
+const SURER: f64 = 1.1;
+
 /// The tolerance where none is asked for, as a part of half the larger side of the subpath's box: of the radius, on a circle.
 const DEFAULT_PART: f64 = 1e-3;
 
@@ -80,11 +83,8 @@ pub struct Options {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
-    let subpaths = contours
-        .iter()
-        .map(|contour| advised(lines::subpath, 2, contour, options));
     Ok(PathDrawing {
-        subpaths: subpaths.collect::<Result<_>>()?,
+        subpaths: subpaths(lines::subpath, 2, contours, options)?,
         maker: Maker::Lines,
     })
 }
@@ -109,25 +109,59 @@ pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
-    let subpaths = contours
-        .iter()
-        .map(|contour| advised(bows::subpath, 3, contour, options));
     Ok(PathDrawing {
-        subpaths: subpaths.collect::<Result<_>>()?,
+        subpaths: subpaths(bows::subpath, 3, contours, options)?,
         maker: Maker::Arcs,
     })
+}
+
+/// The subpaths of all contours, which have no more segments together than one may have.
+fn subpaths(
+    draw: impl Fn(&Contour, &Options) -> Result<Subpath>,
+    root: i32,
+    contours: &[Contour],
+    options: &Options,
+) -> Result<Vec<Subpath>> {
+    let (mut subpaths, mut count) = (Vec::with_capacity(contours.len()), 0);
+    let mut given = 0;
+    for contour in contours {
+        let subpath = advised(&draw, root, contour, options)?;
+        count += match &subpath.course {
+            Some(course) => course.steps.len(),
+            None => subpath.curve.segments.len(),
+        };
+        given += contour.steps.len();
+        if count > MOST_SEGMENTS.max(given) {
+            let part = subpaths.len() + 1;
+            let all = count as f64 * (contours.len() as f64 / part as f64);
+            let lines = subpath.closeness.map(|closeness| closeness.lines);
+            let tolerance = lines.map_or(0.0, |near| near.error + near.room);
+            let enough = match options.tolerance {
+                Some(Tolerance::Absolute(tolerance)) => {
+                    let times = power(all / MOST_SEGMENTS as f64, root);
+                    rounded_up(SURER * times * tolerance, 1)
+                }
+                _ => f64::INFINITY,
+            };
+            return Err(Error::TooManySegments {
+                tolerance,
+                most: MOST_SEGMENTS,
+                enough,
+            });
+        }
+        subpaths.push(subpath);
+    }
+    Ok(subpaths)
 }
 
 /// What is drawn, or why not, with a tolerance that serves: the number of segments falls by this root of it, and at a ten thousandth of
 /// their number or so they are soon counted.
 fn advised(
-    draw: impl Fn(&Contour, &Options) -> Result<Subpath>,
+    draw: &impl Fn(&Contour, &Options) -> Result<Subpath>,
     root: i32,
     contour: &Contour,
     options: &Options,
 ) -> Result<Subpath> {
-    /// By how much the tolerance that is named is larger than that which seems enough.
-    const MARGIN: f64 = 1.1;
     /// How many times the finest tolerance leaves a turn of a circle some 300,000 chords.
     const COARSER: f64 = 400.0;
     let drawn = draw(contour, options);
@@ -164,7 +198,7 @@ fn advised(
     }
     let enough = found.map_or(f64::INFINITY, |(wide, count)| {
         let part = count as f64 / most as f64;
-        rounded_up(MARGIN * wide * power(part, root), 1).max(tolerance)
+        rounded_up(SURER * wide * power(part, root), 1).max(tolerance)
     });
     Err(Error::TooManySegments {
         tolerance,

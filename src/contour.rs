@@ -181,7 +181,7 @@ impl Subpath {
 ///
 /// # Errors
 ///
-/// As [`approximate`](crate::approximate()), and where a cubic would take more quadratics than a curve may have segments.
+/// As [`approximate`](crate::approximate()), and where arcs, or cubics as quadratics, would take more segments in all than a curve may have.
 ///
 /// ```
 /// use curveto::contour::{Target, draw};
@@ -196,9 +196,13 @@ pub fn draw(
     target: Target,
     options: &approximate::Options,
 ) -> Result<PathDrawing> {
+    if target == Target::Quadratics {
+        check_quadratics(contours, options)?;
+    }
+    let mut count = 0;
     let sketches: Vec<Vec<Option<Sketch>>> = contours
         .iter()
-        .map(|contour| sketches(contour, target, options))
+        .map(|contour| sketches(contour, options, &mut count))
         .collect::<Result<_>>()?;
     let precision = options.precision.unwrap_or_else(|| {
         let arcs = sketches.iter().flatten().flatten();
@@ -235,32 +239,30 @@ pub fn draw(
     Ok(drawing)
 }
 
-/// The sketches of a contour's arcs; refuses it where it would become more segments than a curve may have.
+/// Refuses what would become more segments than memory should hold.
+fn check_quadratics(contours: &[Contour], options: &approximate::Options) -> Result<()> {
+    let steps = contours.iter().flat_map(|contour| &contour.steps);
+    let cubics = steps.filter_map(|step| match step {
+        Step::Given(PathSeg::Cubic(cubic)) => Some(options.transform * *cubic),
+        _ => None,
+    });
+    check_count(&cubics.collect::<Vec<_>>(), &options.cut)
+}
+
+/// The sketches of a contour's arcs; `count` is how many segments those before it have, and refused where all have more than a curve may.
 fn sketches(
     contour: &Contour,
-    target: Target,
     options: &approximate::Options,
+    count: &mut usize,
 ) -> Result<Vec<Option<Sketch>>> {
-    if target == Target::Quadratics {
-        let given = contour.steps.iter().filter_map(|step| match step {
-            Step::Given(segment) => Some(options.transform * *segment),
-            Step::Arc(_) => None,
-        });
-        let cubics = given.filter_map(|segment| match segment {
-            PathSeg::Cubic(cubic) => Some(cubic),
-            _ => None,
-        });
-        check_count(&cubics.collect::<Vec<_>>(), &options.cut)?;
-    }
-    let mut count = 0;
     let sketched = contour.steps.iter().map(|step| {
         let sketch = arc(step, options)?;
-        count += sketch
+        *count += sketch
             .as_ref()
-            .map_or(1, |sketch| sketch.curve.segments.len());
-        if sketch.is_some() && count > MOST_SEGMENTS {
+            .map_or(0, |sketch| sketch.curve.segments.len());
+        if *count > MOST_SEGMENTS {
             return Err(Error::Count {
-                count,
+                count: *count,
                 most: MOST_SEGMENTS,
             });
         }

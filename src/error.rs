@@ -127,7 +127,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// A path that becomes more lines or arcs than are served.
-    #[error("within {} a subpath becomes more than {most} segments", plain(*tolerance))]
+    #[error("within {} the path becomes more than {most} segments", plain(*tolerance))]
     TooManySegments {
         /// The tolerance in user units.
         tolerance: f64,

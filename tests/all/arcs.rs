@@ -296,7 +296,7 @@ fn more_than_a_million_segments_are_refused_with_a_tolerance_that_serves() {
     // With the tolerance of the hint there are 887,112.
     assert_eq!(
         String::from_utf8(refused.stderr).unwrap(),
-        "error: within 1e-7 a subpath becomes more than 1000000 segments\nhint: take a larger tolerance, as -t 0.0000006\n"
+        "error: within 1e-7 the path becomes more than 1000000 segments\nhint: take a larger tolerance, as -t 0.0000006\n"
     );
 }
 
