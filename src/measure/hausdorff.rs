@@ -7,6 +7,8 @@
 //! part's length. Parts that stay below the largest distance found are done; the others are halved.
 
 mod along;
+#[cfg(test)]
+mod exact;
 
 use core::cmp::Ordering;
 use std::collections::{BinaryHeap, HashSet};

@@ -72,3 +72,71 @@ fn product<const N: usize>(a: &[f64], b: &[f64]) -> [f64; N] {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kurbo::Affine;
+
+    const CURVE: CubicBez = CubicBez {
+        p0: Point::new(0.0, 0.0),
+        p1: Point::new(0.25, 0.5),
+        p2: Point::new(0.75, 0.5),
+        p3: Point::new(1.0, 0.25),
+    };
+
+    /// The curve's normal, and the point that lies so far along it.
+    fn beside(u: f64, distance: f64) -> (Vec2, Point) {
+        let normal = CURVE.deriv().eval(u).to_vec2().turn_90().normalize();
+        (normal, CURVE.eval(u) + distance * normal)
+    }
+
+    /// A part of the curve's parallel, by a cubic with its ends and its tangents, and how far that is bounded.
+    fn parallel(distance: f64, [u0, u1]: [f64; 2], scale: f64) -> f64 {
+        let ((n0, p0), (n1, p3)) = (beside(u0, distance), beside(u1, distance));
+        let handle = p0.distance(p3) / (3.0 * (0.5 * n0.cross(n1).asin()).cos());
+        let a = CubicBez::new(
+            p0,
+            p0 - handle * n0.turn_90(),
+            p3 + handle * n1.turn_90(),
+            p3,
+        );
+        let map = Affine::scale(scale);
+        along(&(map * a), &(map * CURVE), [u0, u1])
+    }
+
+    #[test]
+    fn the_bound_nears_the_distance_as_the_fourth_power_of_the_length() {
+        for distance in [-0.25, -0.1, 0.1, 0.25] {
+            for h in [0.2, 0.1, 0.05, 0.025] {
+                let over = parallel(distance, [0.0, h], 1.0) - f64::abs(distance);
+                assert!(over <= 0.1 * h.powi(4) + 1e-15, "{distance} {h}: {over}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_bound_is_as_many_times_as_large_as_the_curves() {
+        for distance in [-0.25, -0.1, 0.1, 0.25] {
+            let bound = parallel(distance, [0.3, 0.4], 1.0);
+            for scale in [1.0 / 4096.0, 4096.0] {
+                assert_eq!(parallel(distance, [0.3, 0.4], scale), scale * bound);
+            }
+        }
+    }
+
+    #[test]
+    fn beyond_the_centre_of_curvature_the_parameters_run_evenly() {
+        let moved = Affine::translate((0.0, -100.0));
+        for (u0, u1) in [(0.25, 0.75), (0.125, 0.5)] {
+            let part = moved * CURVE.subsegment(u0..u1);
+            let back = CubicBez::new(part.p3, part.p2, part.p1, part.p0);
+            for found in [
+                along(&part, &CURVE, [u0, u1]),
+                along(&back, &CURVE, [u1, u0]),
+            ] {
+                assert!((found - 100.0).abs() < 1e-12, "{u0} {u1}: {found}");
+            }
+        }
+    }
+}
