@@ -24,7 +24,7 @@ use kurbo::{Affine, Point, Rect};
 
 use crate::contour::{Closeness, Contour, Maker, Nearness, PathDrawing, Step, Subpath};
 use crate::error::{Error, Result, positive};
-use crate::joints::{MOST_SEGMENTS, Tolerance};
+use crate::joints::{MOST_IN_ALL, MOST_SEGMENTS, Tolerance};
 use crate::number::{Precision, decimals_of, rounded_up};
 use crate::numeric::functions::power;
 use piece::Piece;
@@ -115,7 +115,7 @@ pub fn arcs(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
     })
 }
 
-/// The subpaths of all contours, which have no more segments together than one may have.
+/// The subpaths of all contours, which together have no more segments than memory should hold.
 fn subpaths(
     draw: impl Fn(&Contour, &Options) -> Result<Subpath>,
     root: i32,
@@ -131,21 +131,21 @@ fn subpaths(
             None => subpath.curve.segments.len(),
         };
         given += contour.steps.len();
-        if count > MOST_SEGMENTS.max(given) {
+        if count > MOST_IN_ALL.max(given) {
             let part = subpaths.len() + 1;
             let all = count as f64 * (contours.len() as f64 / part as f64);
             let lines = subpath.closeness.map(|closeness| closeness.lines);
             let tolerance = lines.map_or(0.0, |near| near.error + near.room);
             let enough = match options.tolerance {
                 Some(Tolerance::Absolute(tolerance)) => {
-                    let times = power(all / MOST_SEGMENTS as f64, root);
+                    let times = power(all / MOST_IN_ALL as f64, root);
                     rounded_up(SURER * times * tolerance, 1)
                 }
                 _ => f64::INFINITY,
             };
             return Err(Error::TooManySegments {
                 tolerance,
-                most: MOST_SEGMENTS,
+                most: MOST_IN_ALL,
                 enough,
             });
         }

@@ -11,7 +11,7 @@ use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
 use crate::curve::{Curve, largest_move};
 use crate::error::{Error, Result};
-use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
+use crate::joints::{Cut, MOST_IN_ALL, MOST_SEGMENTS, Tolerance};
 use crate::measure::radial;
 use crate::method::Rule;
 use crate::number::Precision;
@@ -181,7 +181,7 @@ impl Subpath {
 ///
 /// # Errors
 ///
-/// As [`approximate`](crate::approximate()), and where arcs, or cubics as quadratics, would take more segments in all than a curve may have.
+/// As [`approximate`](crate::approximate()), and where arcs, or cubics as quadratics, would take more segments than a curve may have, or five times as many in all.
 ///
 /// ```
 /// use curveto::contour::{Target, draw};
@@ -197,7 +197,9 @@ pub fn draw(
     options: &approximate::Options,
 ) -> Result<PathDrawing> {
     if target == Target::Quadratics {
-        check_quadratics(contours, options)?;
+        contours
+            .iter()
+            .try_for_each(|contour| check_quadratics(contour, options))?;
     }
     let mut count = 0;
     let sketches: Vec<Vec<Option<Sketch>>> = contours
@@ -239,32 +241,34 @@ pub fn draw(
     Ok(drawing)
 }
 
-/// Refuses what would become more segments than memory should hold.
-fn check_quadratics(contours: &[Contour], options: &approximate::Options) -> Result<()> {
-    let steps = contours.iter().flat_map(|contour| &contour.steps);
-    let cubics = steps.filter_map(|step| match step {
+/// Refuses a contour whose cubics would become more quadratics than a curve may have segments.
+fn check_quadratics(contour: &Contour, options: &approximate::Options) -> Result<()> {
+    let cubics = contour.steps.iter().filter_map(|step| match step {
         Step::Given(PathSeg::Cubic(cubic)) => Some(options.transform * *cubic),
         _ => None,
     });
     check_count(&cubics.collect::<Vec<_>>(), &options.cut)
 }
 
-/// The sketches of a contour's arcs; `count` is how many segments those before it have, and refused where all have more than a curve may.
+/// The sketches of a contour's arcs; `count` is how many segments those before it have; refused where it has more
+/// than a curve may, or all have more than memory should hold.
 fn sketches(
     contour: &Contour,
     options: &approximate::Options,
     count: &mut usize,
 ) -> Result<Vec<Option<Sketch>>> {
+    let mut here = 0;
     let sketched = contour.steps.iter().map(|step| {
         let sketch = arc(step, options)?;
-        *count += sketch
+        let own = sketch
             .as_ref()
             .map_or(0, |sketch| sketch.curve.segments.len());
-        if *count > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count: *count,
-                most: MOST_SEGMENTS,
-            });
+        here += own;
+        *count += own;
+        for (count, most) in [(here, MOST_SEGMENTS), (*count, MOST_IN_ALL)] {
+            if count > most {
+                return Err(Error::Count { count, most });
+            }
         }
         Ok(sketch)
     });

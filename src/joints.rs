@@ -17,6 +17,9 @@ use cutting::{Cutting, EqualPieces};
 /// The largest number of segments that anything is cut into.
 pub const MOST_SEGMENTS: usize = 1_000_000;
 
+/// The most segments that all subpaths of a path become.
+pub(crate) const MOST_IN_ALL: usize = 5 * MOST_SEGMENTS;
+
 /// How much of a quarter turn may exceed the quarters before it needs a segment of its own: float noise and the near-quarter
 /// arcs that drawing programs write do not add one.
 const QUARTER_SLACK: f64 = 0.05;
