@@ -11,7 +11,7 @@ use super::fit::Search;
 use super::form::Fit;
 use super::from_chord::from_chord;
 use super::piece::Piece;
-use super::recognize::{Found, Rules};
+use super::recognize::{Found, Rules, is_enlarged};
 use super::{Options, Plan};
 use crate::Angle;
 use crate::contour::Subpath;
@@ -36,9 +36,6 @@ const MOVED_AGAIN: f64 = 4.0;
 
 /// The part of the tolerance that is left to that.
 const AGAIN_PART: f64 = 0.25;
-
-/// What rounding may do to a distance, as a part of it.
-const NOISE: f64 = 1e-12;
 
 /// The parts of the tolerance within which shorter pieces are looked for.
 const FINER: [f64; 2] = [0.5, 0.2];
@@ -95,17 +92,15 @@ impl Builder<'_> {
             }
             Span::Found(cubics, found) => {
                 // Half a turn whose radius is too small for its ends is drawn with theirs, which has many digits.
-                let radii = found.arc.radii;
-                let (given, precisions) = if is_enlarged(&found.given, &found.arc) {
-                    (
-                        SvgArc {
-                            radii,
-                            ..found.given
-                        },
-                        self.precisions(),
-                    )
+                let is_enlarged = is_enlarged(&found.given, &found.arc);
+                let mut given = found.given;
+                if is_enlarged {
+                    given.radii = found.arc.radii;
+                }
+                let precisions = if is_enlarged || self.plan.rounds_given {
+                    self.precisions()
                 } else {
-                    (found.given, vec![self.given_precision()])
+                    vec![Precision::Full]
                 };
                 let to = self.plan.end(given.to);
                 if self.arc(cubics, &given, to, &precisions, strayed) {
@@ -159,15 +154,6 @@ impl Builder<'_> {
                 .chain([Precision::Full])
                 .collect(),
             precision => vec![precision],
-        }
-    }
-
-    /// To what a radius is rounded that was found.
-    const fn given_precision(&self) -> Precision {
-        if self.plan.rounds_given {
-            self.plan.precision
-        } else {
-            Precision::Full
         }
     }
 
@@ -304,11 +290,6 @@ impl Builder<'_> {
             circular(given, arc).map_or(0.0, |arc| arc.bent(&arc.rounded(precision), given.from));
         off + room <= tolerance && moves <= room
     }
-}
-
-/// Whether the ends of an arc of a circle are farther apart than its diameter, by more than rounding.
-fn is_enlarged(given: &SvgArc, arc: &Arc) -> bool {
-    arc.radii.x == arc.radii.y && arc.radii.x > given.radii.x * (1.0 + NOISE)
 }
 
 /// The arc as a step, where it is one of a circle.

@@ -48,17 +48,22 @@ pub(super) struct Cuts {
     pub(super) by_rounding: bool,
 }
 
+impl Cuts {
+    const fn certain(ends: Vec<f64>) -> Self {
+        Self {
+            ends,
+            by_rounding: false,
+        }
+    }
+}
+
 pub(super) fn cuts(piece: &Piece, room: Room) -> Cuts {
-    let certain = |ends| Cuts {
-        ends,
-        by_rounding: false,
-    };
     if piece.is_line() {
-        return certain(vec![1.0]);
+        return Cuts::certain(vec![1.0]);
     }
     let whole = piece.chord_distance(0.0, 1.0);
     let cuts = if whole <= room.exact.max(0.0) {
-        certain(vec![1.0])
+        Cuts::certain(vec![1.0])
     } else {
         fewest(piece, room)
     };
@@ -66,7 +71,7 @@ pub(super) fn cuts(piece: &Piece, room: Room) -> Cuts {
     let is_loop = whole > 0.0 && piece.start() == piece.end();
     let fits = |ends: &[f64]| piece.chord_distance(ends[0], ends[1]) <= room.exact;
     if is_loop && cuts.ends.len() < 3 && THIRDS.windows(2).all(fits) {
-        certain(THIRDS[1..].to_vec())
+        Cuts::certain(THIRDS[1..].to_vec())
     } else {
         cuts
     }
@@ -74,20 +79,16 @@ pub(super) fn cuts(piece: &Piece, room: Room) -> Cuts {
 
 /// The longest chords, or those by halving where they are fewer.
 fn fewest(piece: &Piece, room: Room) -> Cuts {
-    let certain = |ends| Cuts {
-        ends,
-        by_rounding: false,
-    };
     let ends = longest(piece, room.rounded);
     if ends.len() > MOST_SEGMENTS {
-        return certain(ends);
+        return Cuts::certain(ends);
     }
     // What does not fit exactly does not fit rounded.
     if halved(piece, room.exact, ends.len()).is_none() {
-        return certain(ends);
+        return Cuts::certain(ends);
     }
     match halved(piece, room.rounded, ends.len()) {
-        Some(ends) => certain(ends),
+        Some(ends) => Cuts::certain(ends),
         None => Cuts {
             ends,
             by_rounding: true,

@@ -278,8 +278,7 @@ impl<'a> Look<'a> {
         };
         let noise = NOISE * circle.radius;
         let size = self.size(circle.radius);
-        let meant = rules.of_what_is_meant();
-        let most = meant.room(size).min(explained.max(meant.part * size)) + noise;
+        let most = rules.room_of_what_is_meant(size, explained) + noise;
         let off = circle.off(self.on);
         if off > most {
             return false;
@@ -292,9 +291,9 @@ impl<'a> Look<'a> {
         let bulge = self.half / (circle.radius + depth);
         let length = 4.0 / 3.0 * bulge * circle.radius;
         let slack = if off <= explained.min(rules.room(size)) + noise {
-            rules.slack(size).max(rules.turned())
+            rules.slack(size).max(rules.moved_handle())
         } else {
-            rules.turned()
+            rules.moved_handle()
         } + noise;
         let is_unlike = |end: Point, control: Point| {
             let out = (end - circle.center) / circle.radius;

@@ -112,8 +112,14 @@ impl Rules {
         Precision::Fixed(self.decimals).farthest_moved()
     }
 
+    /// The room of cubics whose ends and directions say what was meant, where so much is explained by how they stray.
+    pub(super) fn room_of_what_is_meant(&self, size: f64, explained: f64) -> f64 {
+        let meant = self.of_what_is_meant();
+        meant.room(size).min(explained.max(meant.part * size))
+    }
+
     /// How far the rounding of the file moves a handle, whose both ends are rounded.
-    pub(crate) fn turned(&self) -> f64 {
+    pub(super) fn moved_handle(&self) -> f64 {
         2.0 * self.moved()
     }
 
@@ -202,12 +208,12 @@ pub(super) fn is_drawn_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bo
 
 /// Whether the ends of cubics lie on an arc and their handles along it, up to rounding: then it was meant, whatever constant they have.
 pub(super) fn leaves_its_ends_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bool {
-    unlike(cubics, arc, rules.turned()) <= 0.0
+    unlike(cubics, arc, rules.moved_handle()) <= 0.0
 }
 
 /// Whether cubics are drawn as a circle is of which their joints are known to lie on it.
 pub(super) fn handles_are_like(cubics: &[CubicBez], arc: &Arc, rules: &Rules) -> bool {
-    let slack = rules.turned() + HANDLE_PART * size(cubics, larger(arc));
+    let slack = rules.moved_handle() + HANDLE_PART * size(cubics, larger(arc));
     unlike(cubics, arc, slack) <= 0.0
 }
 

@@ -36,6 +36,9 @@ pub(super) const HALF_TURN: f64 = 180.0 + 1e-9;
 /// The part of the tolerance by which a radius is rounded that nobody meant.
 const NEAR_PART: f64 = 0.3;
 
+/// What rounding may do to a distance, as a part of it.
+const NOISE: f64 = 1e-12;
+
 /// A run of cubics that is one arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Found {
@@ -227,14 +230,10 @@ pub(super) fn near_enough(
     rules: &Rules,
     explained: Option<f64>,
 ) -> Option<Found> {
-    let meant = rules.of_what_is_meant();
-    // How far cubics may lie off whose ends and directions say what was meant.
-    let room_of_meant =
-        |size: f64, explained: f64| meant.room(size).min(explained.max(meant.part * size));
     if let [cubic] = cubics {
         let larger = given.radii.x.max(given.radii.y);
         let most = explained.map_or(rules.room(larger), |explained| {
-            room_of_meant(larger, explained)
+            rules.room_of_what_is_meant(larger, explained)
         });
         if strays_from(cubic, &given) > most {
             return None;
@@ -252,7 +251,7 @@ pub(super) fn near_enough(
             return None;
         }
         if !(off <= explained.min(room) && is_drawn_like(cubics, &arc, rules)) {
-            room = room_of_meant(size, explained);
+            room = rules.room_of_what_is_meant(size, explained);
             if !(off <= room && leaves_its_ends_like(cubics, &arc, rules)) {
                 return None;
             }
@@ -263,6 +262,11 @@ pub(super) fn near_enough(
     }
     let count = cubics.len();
     is_within(cubics, &arc, room).then_some(Found { count, given, arc })
+}
+
+/// Whether the ends of an arc of a circle are farther apart than its diameter, by more than rounding, so that it is drawn larger.
+pub(super) fn is_enlarged(given: &SvgArc, arc: &Arc) -> bool {
+    arc.radii.x == arc.radii.y && arc.radii.x > given.radii.x * (1.0 + NOISE)
 }
 
 /// The arc of a circle with the radius that the directions at its ends give: half the chord over the sine of half the turn.

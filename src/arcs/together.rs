@@ -7,12 +7,10 @@
 use kurbo::{CubicBez, ParamCurve as _, Point};
 
 use super::near::{MARGIN, MORE_DECIMALS, Rules, handles_are_like, joins_smoothly, size, strays};
-use super::recognize::{Found, HALF_TURN, is_of_an_arc, near_enough, run};
+use super::recognize::{Found, is_enlarged, is_of_an_arc, near_enough, run};
 use super::turn::Turn;
-use crate::Angle;
 use crate::measure::fit::nearest_circle;
 use crate::number::{decimals_of, round};
-use crate::shape::endpoint::SvgArc;
 
 /// The most arcs that are looked at together.
 const MOST_ARCS: usize = 16;
@@ -25,9 +23,6 @@ const MOST_OF_A_TURN: usize = 4;
 
 /// How many times as far as rounding moves a point the next cubic of a circle may lie from the circle of the first one.
 const SEEN: f64 = 4.0;
-
-/// What rounding may do to half a distance, as a part of it.
-const NOISE: f64 = 1e-12;
 
 /// The most joints between which arcs are sought.
 const MOST_JOINTS: usize = 24;
@@ -183,7 +178,7 @@ fn together(cubics: &[CubicBez], arcs: &[Found], rules: &Rules) -> Option<Vec<Fo
                 _ => arcs.len() - usize::from(is_known),
             };
             let split = turns(cubics, &turn, &wide)
-                .then(|| split(cubics, &turn, first.sweep, &wide, (arcs, few)))
+                .then(|| split(cubics, &turn, &wide, (arcs, few)))
                 .flatten();
             if split.is_some() || is_known {
                 return split;
@@ -195,7 +190,7 @@ fn together(cubics: &[CubicBez], arcs: &[Found], rules: &Rules) -> Option<Vec<Fo
 
 /// Whether the ends of an arc are no farther apart than its diameter, so that no renderer enlarges it.
 fn keeps_its_radius(found: &Found) -> bool {
-    found.arc.radii.x <= found.given.radii.x * (1.0 + NOISE)
+    !is_enlarged(&found.given, &found.arc)
 }
 
 /// Points of a run.
@@ -282,21 +277,12 @@ fn least(cubics: &[CubicBez]) -> usize {
 fn split(
     cubics: &[CubicBez],
     turn: &Turn,
-    sweep: bool,
     rules: &Rules,
     (known, few): (&[Found], usize),
 ) -> Option<Vec<Found>> {
     let arc = |from: usize, to: usize| {
         let cubics = &cubics[from..to];
-        let swept = turn.arc(cubics)?.sweep;
-        let given = SvgArc {
-            from: cubics.first()?.p0,
-            radii: turn.radii,
-            rotation: Angle::ZERO,
-            large_arc: swept.degrees().abs() > HALF_TURN,
-            sweep,
-            to: cubics.last()?.p3,
-        };
+        let (given, swept) = turn.between(cubics)?;
         if !is_of_an_arc(swept) {
             return None;
         }

@@ -38,6 +38,20 @@ impl Turn {
         arc.ends = arc.ends.map(|ends| ends.map(brought));
         Some(arc)
     }
+
+    /// The arc of its radii between the ends of cubics, and how far they turn.
+    pub(super) fn between(&self, cubics: &[CubicBez]) -> Option<(SvgArc, Angle)> {
+        let swept = self.arc(cubics)?.sweep;
+        let given = SvgArc {
+            from: cubics.first()?.p0,
+            radii: self.radii,
+            rotation: Angle::ZERO,
+            large_arc: swept.degrees().abs() > HALF_TURN,
+            sweep: swept.degrees() > 0.0,
+            to: cubics.last()?.p3,
+        };
+        Some((given, swept))
+    }
 }
 
 /// How far cubics turn about the centre of an ellipse, in degrees, and a bound, both ways, of their distance from what they turn
@@ -71,18 +85,7 @@ pub(super) fn whole(cubics: &[CubicBez], rules: &Rules) -> Option<[Found; 2]> {
         if (swept.abs() - 360.0).abs() > 1.0 {
             return None;
         }
-        let half = |cubics: &[CubicBez]| {
-            let sweep = turn.arc(cubics)?.sweep.degrees();
-            let given = SvgArc {
-                from: cubics.first()?.p0,
-                radii: turn.radii,
-                rotation: Angle::ZERO,
-                large_arc: sweep.abs() > HALF_TURN,
-                sweep: sweep > 0.0,
-                to: cubics.last()?.p3,
-            };
-            near_enough(cubics, given, rules, None)
-        };
+        let half = |cubics: &[CubicBez]| near_enough(cubics, turn.between(cubics)?.0, rules, None);
         let (first, second) = cubics.split_at(cubics.len() / 2);
         Some([half(first)?, half(second)?])
     })
