@@ -32,6 +32,11 @@ impl RadialError {
         self.outward.max(self.inward)
     }
 
+    /// The smaller of the two.
+    pub(crate) fn smaller(&self) -> f64 {
+        self.outward.min(self.inward)
+    }
+
     /// The same distance on both sides.
     #[must_use]
     pub(crate) const fn balanced(distance: f64) -> Self {

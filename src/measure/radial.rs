@@ -20,6 +20,7 @@ mod search;
 mod settle;
 mod slopes;
 mod tangents;
+mod twins;
 
 pub(crate) use known::Known;
 pub(crate) use search::visit_between;
@@ -29,6 +30,7 @@ use core::iter;
 use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 
 use self::framed::FramedPoints;
+use self::twins::Twins;
 use super::curvature;
 use crate::curve::{control_points, largest_coordinate};
 use crate::numeric::adaptive_integral;
@@ -59,16 +61,20 @@ pub(crate) fn error_within<'a>(
     limit: f64,
 ) -> RadialError {
     let mut range = RadialError::default();
-    let mut known = Known::default();
+    let (mut known, mut twins) = (Known::default(), Twins::default());
     let exact = truth.frame.exact(truth.radii);
     for segment in segments {
-        let profile = Profile::within(segment, truth, &exact);
+        let framed = FramedPoints::of_truth(segment, truth, &exact);
+        if !truth.is_circle() && twins.spare(&framed, &exact, range.smaller()) {
+            continue;
+        }
+        let profile = Profile::framed(segment, truth, &exact, framed);
         profile.visit_bounds(&mut known, |_, bounds| range.take_in_all(bounds));
         if range.peak() > limit {
             break;
         }
     }
-    range
+    range.with_more(twins.apart)
 }
 
 /// Whether they are within a limit: what is not beyond it needs no closer look.
@@ -143,15 +149,15 @@ impl Profile {
 
     /// The same where the frame of the true shape is at hand.
     fn within(segment: &PathSeg, truth: &Truth, exact: &Exact) -> Self {
-        let (framed, excess) = by_the_best(
+        let framed = FramedPoints::of_truth(segment, truth, exact);
+        Self::framed(segment, truth, exact, framed)
+    }
+
+    /// The same where the points are in that frame already.
+    fn framed(segment: &PathSeg, truth: &Truth, exact: &Exact, framed: FramedPoints) -> Self {
+        let excess = by_the_best(
             #[inline(always)]
-            || {
-                let mut framed = FramedPoints::new(segment, exact);
-                if !truth.is_circle() {
-                    framed = framed.raised(exact);
-                }
-                (framed, framed.excess().scaled(exact.unit))
-            },
+            || framed.excess().scaled(exact.unit),
         );
         let axis = if exact.is_mapped() {
             truth.axis

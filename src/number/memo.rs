@@ -2,13 +2,13 @@
 
 use super::push_shortest;
 
-/// How many texts are kept.
-const SLOTS: usize = 64;
+/// How many texts are kept: more than a line of an ellipse has.
+const SLOTS: usize = 256;
 
 /// The longest text that is kept.
 const LONGEST: usize = 24;
 
-/// A number by its bits, and its text.
+/// A number without its sign, by its bits, and its text.
 #[derive(Debug, Clone, Copy)]
 struct Slot {
     bits: u64,
@@ -40,16 +40,20 @@ impl Memo {
     /// Appends the text of [`push_shortest`].
     #[inline]
     pub(crate) fn push(&mut self, out: &mut Vec<u8>, x: f64) {
-        let bits = x.to_bits();
+        // What mirrors another number has its digits.
+        if x < 0.0 {
+            out.push(b'-');
+        }
+        let bits = x.abs().to_bits();
         // The upper bits of a product with the golden ratio (Knuth).
-        let hash = bits.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 58;
+        let hash = bits.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 56;
         let slot = &mut self.slots[hash as usize % SLOTS];
         if slot.bits == bits {
             let end = out.len() + slot.length;
             out.extend_from_slice(&slot.text);
             out.truncate(end);
         } else {
-            slot.fill(out, x);
+            slot.fill(out, x.abs());
         }
     }
 }

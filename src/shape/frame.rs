@@ -337,6 +337,11 @@ impl Exact {
         self.back.is_some()
     }
 
+    /// Whether the centre is the origin of the frame.
+    pub(crate) const fn is_about_center(&self) -> bool {
+        matches!(self.level, Level::Radius(_))
+    }
+
     /// A vector of the frame in the plane, along the axes that the shape has without a map.
     pub(crate) fn image(&self, q: Vec2) -> Vec2 {
         let v = self

@@ -4,7 +4,8 @@ use kurbo::{CubicBez, Line, PathSeg, QuadBez, Vec2};
 
 use crate::numeric::bernstein::Polynomial;
 use crate::numeric::double::{Double, Twice};
-use crate::shape::Exact;
+use crate::numeric::instructions::by_the_best;
+use crate::shape::{Exact, Truth};
 
 /// A segment's points in the frame of a true shape: about its centre, or about an end of its chord.
 #[derive(Debug, Clone, Copy)]
@@ -16,8 +17,23 @@ pub(super) struct FramedPoints {
 }
 
 impl FramedPoints {
+    /// A segment about a circle, or as a cubic about an ellipse.
+    pub(super) fn of_truth(segment: &PathSeg, truth: &Truth, exact: &Exact) -> Self {
+        by_the_best(
+            #[inline(always)]
+            || {
+                let framed = Self::new(segment, exact);
+                if truth.is_circle() {
+                    framed
+                } else {
+                    framed.raised(exact)
+                }
+            },
+        )
+    }
+
     #[inline(always)]
-    pub(super) fn new(segment: &PathSeg, exact: &Exact) -> Self {
+    fn new(segment: &PathSeg, exact: &Exact) -> Self {
         let (points, count) = match *segment {
             PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
             PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
@@ -35,7 +51,7 @@ impl FramedPoints {
 
     /// The same as a cubic.
     #[inline(always)]
-    pub(super) fn raised(self, exact: &Exact) -> Self {
+    fn raised(self, exact: &Exact) -> Self {
         let [a, b, c, _] = self.points;
         // (u + n v) / (n + 1)
         let between = |u: Twice, v: Twice, n: f64| {
