@@ -19,8 +19,13 @@ FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 help: ## List the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | sort | expand -t 18
 
+# A program that needs no shared library starts in two thirds of the time and runs on every Linux. It takes the C library as an
+# archive, which some systems have in a package of its own: without it, the program is linked as Cargo does by itself.
+ARCHIVE = $(filter /%,$(shell $(CC) -print-file-name=libc.a 2>/dev/null))
+STATIC = $(if $(ARCHIVE),-C target-feature=+crt-static)
+
 build: ## Build the optimised program, target/release/curveto
-	$(CARGO) build --release --locked
+	$(CARGO) rustc --release --locked --bin curveto -- $(STATIC)
 
 install: build ## Install the program, its man pages and its shell completions below $(DESTDIR)$(PREFIX)
 	install -d '$(BINDIR)' '$(MANDIR)' '$(BASHDIR)' '$(ZSHDIR)' '$(FISHDIR)'
@@ -186,11 +191,12 @@ gallery: build ## Draw the pictures of the documentation anew, and the page that
 bench: corpora ## Print one table: ours, kurbo, lyon_geom, usvg
 	$(CARGO) bench --locked --bench table
 
-bench-startup: build ## Compare the start of the program with that of an empty one
+bench-startup: build ## Compare the start of the program with that of an empty one, and of one without shared libraries
 	mkdir -p target/startup
 	printf 'fn main() {}\n' > target/startup/empty.rs
 	rustc -O -C panic=abort -o target/startup/empty target/startup/empty.rs
-	hyperfine --shell=none --warmup 50 --runs 1000 target/startup/empty 'target/release/curveto circle 50'
+	rustc -O -C panic=abort $(STATIC) -o target/startup/empty-static target/startup/empty.rs
+	hyperfine --shell=none --warmup 50 --runs 1000 target/startup/empty target/startup/empty-static 'target/release/curveto circle 50'
 
 bench-convert: corpora ## Measure convert beside usvg on the icon sets
 	$(CARGO) bench --locked --bench convert
