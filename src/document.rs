@@ -265,8 +265,28 @@ pub fn convert<'a>(text: &'a str, options: &Options) -> Result<Converted<'a>, Er
 ///
 /// Those of [`convert`] and [`decode`].
 pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<ConvertedFile<'a>, Error> {
-    let outcome = decode(bytes).and_then(|text| pass(text.into(), options));
-    let (new, done) = match outcome {
+    let (mut done, is_widened) = read_bytes(bytes, |source| pass(source, options))?;
+    let new = done.text.take().map(|text| {
+        if is_widened {
+            xml::encoding::narrow(&text)
+        } else {
+            text.into_bytes().into()
+        }
+    });
+    Ok(ConvertedFile {
+        bytes: new.unwrap_or(Cow::Borrowed(bytes)),
+        replaced: done.counts,
+        notes: done.notes,
+        strayed: done.strayed,
+    })
+}
+
+/// Reads the bytes of a file as UTF-8 or, byte for byte, in an encoding that holds ASCII as it is; and tells whether they stand so for theirs.
+fn read_bytes<T>(
+    bytes: &[u8],
+    mut read: impl FnMut(Source<'_>) -> Result<T, Error>,
+) -> Result<(T, bool), Error> {
+    match decode(bytes).and_then(|text| read(text.into())) {
         Err(Error::Encoding {
             line,
             column,
@@ -275,7 +295,7 @@ pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<Converted
             let why = format!(
                 "the byte order mark says UTF-8, and the declaration {encoding}: correct it"
             );
-            return Err(Error::Malformed { line, column, why });
+            Err(Error::Malformed { line, column, why })
         }
         Err(Error::Encoding { encoding, .. }) if xml::encoding::keeps_ascii(&encoding) => {
             let text = xml::encoding::widen(bytes);
@@ -283,22 +303,10 @@ pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<Converted
                 text: &text,
                 is_widened: true,
             };
-            let mut done = pass(source, options)?;
-            let new = done.text.take();
-            (new.map(|text| xml::encoding::narrow(&text)), done)
+            Ok((read(source)?, true))
         }
-        outcome => {
-            let mut done = outcome?;
-            let new = done.text.take();
-            (new.map(|text| text.into_bytes().into()), done)
-        }
-    };
-    Ok(ConvertedFile {
-        bytes: new.unwrap_or(Cow::Borrowed(bytes)),
-        replaced: done.counts,
-        notes: done.notes,
-        strayed: done.strayed,
-    })
+        outcome => Ok((outcome?, false)),
+    }
 }
 
 /// The new text, if anything was replaced, with what was and what was not.

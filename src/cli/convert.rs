@@ -15,7 +15,6 @@ use std::time::SystemTime;
 use anyhow::Context;
 use curveto::document::{self, Counts, Note, Options};
 use flate2::Compression;
-use flate2::bufread::GzDecoder;
 use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -130,9 +129,9 @@ struct Done {
 fn process(job: &Job, options: &Options) -> Result<Done, Trouble> {
     let seen = job.input.stamp();
     let raw = read(&job.input)?;
-    let compressed = raw.starts_with(&GZIP);
+    let compressed = input::is_packed(&raw);
     let bytes = if compressed {
-        inflate(&raw)?
+        input::unpacked(&raw, "it")?
     } else {
         Vec::new()
     };
@@ -280,23 +279,6 @@ impl Interrupt {
         let seen = self.0.load(Ordering::Relaxed);
         u8::try_from(seen).ok().filter(|&signal| signal > 0)
     }
-}
-
-/// What gzip files begin with.
-const GZIP: [u8; 2] = [0x1f, 0x8b];
-
-fn inflate(mut packed: &[u8]) -> Result<Vec<u8>, Trouble> {
-    let mut bytes = Vec::new();
-    // Zeros after the last member fill up a block, as on a tape.
-    while packed.iter().any(|byte| *byte != 0) {
-        if !packed.starts_with(&GZIP) {
-            return Err(
-                anyhow::anyhow!("cannot read it: other bytes follow the packed ones").into(),
-            );
-        }
-        input::more_bytes(&mut bytes, GzDecoder::new(&mut packed), "it")?;
-    }
-    Ok(bytes)
 }
 
 fn deflate(bytes: &[u8]) -> Result<Vec<u8>, Trouble> {

@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use anyhow::Context;
+use flate2::bufread::GzDecoder;
 
 use super::failure::Failure;
 
@@ -17,13 +18,59 @@ const MOST_BYTES: u64 = 1 << 28;
 ///
 /// Where it cannot be read, is no UTF-8, or is larger than 256 MiB.
 pub(crate) fn text(file: &Path) -> Result<(String, String), Failure> {
+    let (bytes, name) = all(file)?;
+    Ok((in_utf8(bytes, &name)?, name))
+}
+
+/// The bytes of a file that may be packed by gzip, or of standard input for `-`, and what messages call it.
+///
+/// # Errors
+///
+/// Where it cannot be read, or is larger than 256 MiB.
+pub(crate) fn document(file: &Path) -> Result<(Vec<u8>, String), Failure> {
+    let (bytes, name) = all(file)?;
+    let bytes = if is_packed(&bytes) {
+        unpacked(&bytes, &name)?
+    } else {
+        bytes
+    };
+    Ok((bytes, name))
+}
+
+fn all(file: &Path) -> Result<(Vec<u8>, String), Failure> {
     if file.as_os_str() == "-" {
         let name = "standard input".to_owned();
-        return Ok((read(io::stdin().lock(), &name)?, name));
+        return Ok((bytes(io::stdin().lock(), &name)?, name));
     }
     let name = file.display().to_string();
     let input = File::open(file).with_context(|| format!("cannot read {name}"))?;
-    Ok((read(input, &name)?, name))
+    Ok((bytes(input, &name)?, name))
+}
+
+/// What gzip files begin with.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
+
+/// Whether bytes are packed by gzip.
+pub(crate) fn is_packed(bytes: &[u8]) -> bool {
+    bytes.starts_with(&GZIP)
+}
+
+/// What was packed into bytes that messages call so.
+///
+/// # Errors
+///
+/// Where they are damaged, or all is larger than 256 MiB.
+pub(crate) fn unpacked(mut packed: &[u8], name: &str) -> anyhow::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    // Zeros after the last member fill up a block, as on a tape.
+    while packed.iter().any(|byte| *byte != 0) {
+        anyhow::ensure!(
+            is_packed(packed),
+            "cannot read {name}: other bytes follow the packed ones"
+        );
+        more_bytes(&mut bytes, GzDecoder::new(&mut packed), name)?;
+    }
+    Ok(bytes)
 }
 
 /// What messages call path data on the command line.
@@ -42,6 +89,12 @@ pub(crate) fn named(name: &str, error: curveto::Error) -> Failure {
 
 /// Path data: what stands in `words` itself where that begins with a moveto, else in the file of that name or on standard input.
 pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
+    let (bytes, name) = drawing(words)?;
+    Ok((in_utf8(bytes, &name)?, name))
+}
+
+/// The same, which may be any kind of drawing, as bytes.
+pub(crate) fn drawing(words: &str) -> Result<(Vec<u8>, String), Failure> {
     let trimmed = words.trim_start();
     let after = trimmed.strip_prefix(['M', 'm']);
     let is_data = after.is_some_and(|rest| {
@@ -49,7 +102,7 @@ pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
             && !Path::new(words).is_file()
     });
     if is_data || trimmed.is_empty() {
-        return Ok((words.to_owned(), THE_PATH.to_owned()));
+        return Ok((words.as_bytes().to_owned(), THE_PATH.to_owned()));
     }
     if words != "-" && !Path::new(words).exists() {
         return Err(Failure::request_with_hint(
@@ -60,7 +113,7 @@ pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
             "path data begins with a moveto, such as M0 0; - reads standard input",
         ));
     }
-    text(Path::new(words))
+    document(Path::new(words))
 }
 
 /// Coefficients as JSON: what stands in `words` itself where that begins like JSON, else in the file of that name or on standard
@@ -115,8 +168,12 @@ fn bytes_up_to(most: u64, bytes: &mut Vec<u8>, input: impl Read, name: &str) -> 
     Ok(())
 }
 
-fn read(input: impl Read, name: &str) -> Result<String, Failure> {
-    let bytes = bytes(input, name)?;
+/// The text of bytes, without a byte order mark.
+///
+/// # Errors
+///
+/// Where they are no UTF-8.
+pub(crate) fn in_utf8(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
     let text = String::from_utf8(bytes).map_err(|error| {
         let byte = error.utf8_error().valid_up_to() + 1;
         anyhow::anyhow!("cannot read {name}: it is no text in UTF-8, from byte {byte} on")

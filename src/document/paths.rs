@@ -1,16 +1,18 @@
 //! The paths of SVG files, with the viewports and transforms of their ancestors.
 
 use kurbo::Affine;
-use quick_xml::Reader;
-use quick_xml::events::{BytesStart, Event};
 
-use super::Reason;
 use super::element::{Shape, shape};
 use super::length::Length;
-use super::placing::{Place, attribute, property};
+use super::placing::{Place, Tag};
+use super::style::css;
 use super::style::property::Kind;
+use super::xml::namespace::Namespace;
+use super::xml::node::{Element, Node};
+use super::xml::scan::Scanner;
+use super::{Error, Reason, read_bytes};
 use crate::contour::Contour;
-use crate::error::{Error, Result, TextError};
+use crate::error::TextError;
 use crate::path;
 
 /// A `path` element of an SVG file, or another that draws.
@@ -21,7 +23,7 @@ pub struct SvgPath {
     /// Its id.
     pub id: Option<String>,
     /// Its contours and the map to the coordinates of the outermost element, or why they cannot be had.
-    pub contours: Result<(Vec<Contour>, Affine)>,
+    pub contours: crate::Result<(Vec<Contour>, Affine)>,
 }
 
 /// Every `path` element of an SVG file, with its own transform, those of its ancestors and nested viewports applied. Style
@@ -29,19 +31,19 @@ pub struct SvgPath {
 ///
 /// # Errors
 ///
-/// Where the text is not well-formed XML.
-pub fn svg_paths(text: &str) -> Result<Vec<SvgPath>> {
-    elements(text, &["path"])
+/// As [`super::convert_bytes`].
+pub fn svg_paths(file: impl AsRef<[u8]>) -> Result<Vec<SvgPath>, Error> {
+    elements(file.as_ref(), &["path"])
 }
 
 /// As [`svg_paths`], and every `circle`, `ellipse`, `rect`, `line`, `polyline` and `polygon`.
 ///
 /// # Errors
 ///
-/// Where the text is not well-formed XML.
-pub fn svg_shapes(text: &str) -> Result<Vec<SvgPath>> {
+/// As [`super::convert_bytes`].
+pub fn svg_shapes(file: impl AsRef<[u8]>) -> Result<Vec<SvgPath>, Error> {
     elements(
-        text,
+        file.as_ref(),
         &[
             "path", "circle", "ellipse", "rect", "line", "polyline", "polygon",
         ],
@@ -50,81 +52,99 @@ pub fn svg_shapes(text: &str) -> Result<Vec<SvgPath>> {
 
 /// Whether a style sheet of the file sets transforms, which [`svg_paths`] does not apply.
 #[must_use]
-pub fn has_transforms_elsewhere(text: &str) -> bool {
-    let sheets = text.split("<style").skip(1);
-    let mut sheets = sheets.map(|sheet| sheet.split("</style").next().unwrap_or_default());
-    sheets.any(|sheet| {
-        let words = sheet.split(|c: char| !c.is_ascii_alphanumeric() && c != '-' && c != ':');
-        words
-            .into_iter()
-            .any(|word| word.starts_with("transform:") || word == "transform")
-    })
+pub fn has_transforms_elsewhere(file: impl AsRef<[u8]>) -> bool {
+    let (mut sheet, mut sheets) = (None, String::new());
+    let seen = nodes(file.as_ref(), |node, scanner| match node {
+        Node::Start(element) if !element.empty && is_named(element, "style") => {
+            sheet = Some(scanner.depth());
+        }
+        Node::Text(text) if sheet.is_some() => sheets.push_str(text),
+        Node::End { .. } if sheet > Some(scanner.depth()) => sheet = None,
+        _ => {}
+    });
+    seen.is_ok() && css::declares(&sheets, "transform")
 }
 
 /// Whether the file draws elements again by `use`, which [`svg_paths`] does not follow: what they draw is found where it is defined.
 #[must_use]
-pub fn has_uses(text: &str) -> bool {
-    let mut tags = text.split('<').skip(1);
-    tags.any(|tag| {
-        let ends = |c: char| c.is_ascii_whitespace() || c == '/' || c == '>';
-        let name = tag.split(ends).next().unwrap_or_default();
-        name.rsplit(':').next() == Some("use")
-    })
+pub fn has_uses(file: impl AsRef<[u8]>) -> bool {
+    let mut found = false;
+    let seen = nodes(file.as_ref(), |node, _| {
+        found |= matches!(node, Node::Start(element) if is_named(element, "use"));
+    });
+    seen.is_ok() && found
 }
 
-fn elements(text: &str, names: &[&str]) -> Result<Vec<SvgPath>> {
-    // The reader leaves a byte order mark out of its positions.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut reader = Reader::from_str(text);
-    let mut found = Vec::new();
-    let mut places = vec![Place::OUTSIDE];
-    let (mut counted, mut line) = (0, 1);
-    loop {
-        let position = (reader.buffer_position() as usize).min(text.len());
-        line += text[counted..position].matches('\n').count();
-        counted = position;
-        let event = reader.read_event().map_err(|error| {
-            let why = error.to_string();
-            Error::Text(TextError::Xml { line, why })
-        })?;
-        let (element, is_open) = match &event {
-            Event::Start(element) => (element, true),
-            Event::Empty(element) => (element, false),
-            Event::End(_) => {
-                if places.len() > 1 {
-                    places.pop();
+fn is_named(element: &Element<'_>, name: &str) -> bool {
+    element.namespace == Namespace::Svg && element.local == name
+}
+
+/// Visits the nodes of a file.
+fn nodes(file: &[u8], mut visit: impl FnMut(&Node<'_>, &Scanner<'_>)) -> Result<(), Error> {
+    read_bytes(file, |source| {
+        let mut all = || {
+            let mut scanner = Scanner::new(source)?;
+            loop {
+                match scanner.next()? {
+                    Node::Done => return Ok(()),
+                    node => visit(&node, &scanner),
                 }
-                continue;
             }
-            Event::Eof => break,
-            _ => continue,
         };
-        let place = places.last().unwrap_or(&Place::OUTSIDE).within(element);
-        if names.contains(&element.local_name().as_ref()) {
+        all().map_err(|fault| Error::new(source.text, fault))
+    })
+    .map(|(done, _)| done)
+}
+
+fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
+    let (mut found, mut places) = (Vec::new(), vec![Place::OUTSIDE]);
+    let (mut counted, mut line) = (0, 1);
+    nodes(file, |node, scanner| {
+        let element = match node {
+            Node::Start(element) => element,
+            Node::End { .. } => {
+                places.pop();
+                return;
+            }
+            _ => return,
+        };
+        let outer = places.last().unwrap_or(&Place::OUTSIDE);
+        let tag = Tag {
+            name: element.local,
+            scanner,
+        };
+        let place = if element.namespace == Namespace::Svg {
+            outer.within(tag)
+        } else {
+            outer.clone()
+        };
+        if element.namespace == Namespace::Svg && names.contains(&element.local) {
+            let before = &scanner.source[counted..element.start];
+            line += before.matches('\n').count();
+            counted = element.start;
             found.push(SvgPath {
                 line,
-                id: attribute(element, "id"),
-                contours: contours(element, &place),
+                id: tag.attribute("id"),
+                contours: contours(tag, &place),
             });
         }
-        if is_open {
+        if !element.empty {
             places.push(place);
         }
-    }
+    })?;
     Ok(found)
 }
 
-fn contours(element: &BytesStart, place: &Place) -> Result<(Vec<Contour>, Affine)> {
+fn contours(tag: Tag<'_>, place: &Place) -> crate::Result<(Vec<Contour>, Affine)> {
     let map = place.map.clone()?;
-    Ok((path::contours(&data(element, place)?)?, map))
+    Ok((path::contours(&data(tag, place)?)?, map))
 }
 
 /// The path data of an element, as SVG 2 gives those of shapes.
-fn data(element: &BytesStart, place: &Place) -> Result<String> {
-    let points = || attribute(element, "points").unwrap_or_default();
-    let given = |name| place.length(element, name, Some(0.0));
-    let name = element.local_name();
-    Ok(match name.as_ref() {
+fn data(tag: Tag<'_>, place: &Place) -> crate::Result<String> {
+    let points = || tag.attribute("points").unwrap_or_default();
+    let given = |name| place.length(tag, name, Some(0.0));
+    Ok(match tag.name {
         "line" => {
             let [x1, y1, x2, y2] = [given("x1")?, given("y1")?, given("x2")?, given("y2")?];
             format!("M{x1} {y1}L{x2} {y2}")
@@ -133,17 +153,17 @@ fn data(element: &BytesStart, place: &Place) -> Result<String> {
         "polyline" => format!("M{}", points()),
         "polygon" => format!("M{}Z", points()),
         name => match Kind::named(name).filter(|kind| *kind != Kind::Path) {
-            Some(kind) => round(kind, element, place)?,
-            None => property(element, "d").unwrap_or_default(),
+            Some(kind) => round(kind, tag, place)?,
+            None => tag.property("d").unwrap_or_default(),
         },
     })
 }
 
 /// The path data of a circle, an ellipse or a rectangle.
-fn round(kind: Kind, element: &BytesStart, place: &Place) -> Result<String> {
-    let given = |name| place.length(element, name, Some(0.0));
+fn round(kind: Kind, tag: Tag<'_>, place: &Place) -> crate::Result<String> {
+    let given = |name| place.length(tag, name, Some(0.0));
     let values = |lengths: [Length; 2]| lengths.map(|length| length.value);
-    let get = |name| Ok(place.optional_length(element, name)?.map(Length::computed));
+    let get = |name| Ok(place.optional_length(tag, name)?.map(Length::computed));
     Ok(match shape(kind, get) {
         Ok(Shape::Ellipse(center, radii)) => ellipse(values(center), values(radii)),
         Ok(Shape::Rect(corner, size, radii)) => {
@@ -154,7 +174,7 @@ fn round(kind: Kind, element: &BytesStart, place: &Place) -> Result<String> {
             [given("width")?, given("height")?],
         ),
         Err(Reason::NotDrawn(_)) => String::new(),
-        Err(why) => return Err(Error::Text(TextError::Element(why.to_string()))),
+        Err(why) => return Err(crate::Error::Text(TextError::Element(why.to_string()))),
     })
 }
 
@@ -223,7 +243,7 @@ mod tests {
         assert!(svg_paths("<svg><path").is_err());
         let marked = svg_paths("\u{feff}<svg>\n<!--\u{e9}--><path/></svg>").unwrap();
         assert_eq!(marked[0].line, 2);
-        assert!(svg_paths("\u{feff}c0").is_ok());
+        assert!(svg_paths("\u{feff}c0").is_err());
     }
 
     #[test]
@@ -244,13 +264,16 @@ mod tests {
         assert!(line(2)[0].distance(Point::new(150.0, -50.0)) < 1e-12);
         assert_eq!(line(3)[1], Point::new(100.0, 100.0));
         assert!(paths[4].contours.is_err());
-        assert!(has_uses("<svg><use href='#a'/></svg>") && has_uses("<s:svg><s:use/></s:svg>"));
+        assert!(
+            has_uses("<svg><use href='#a'/></svg>")
+                && has_uses("<s:svg xmlns:s='http://www.w3.org/2000/svg'><s:use/></s:svg>")
+        );
         assert!(!has_uses("<svg><user/> use </svg>"));
         assert!(has_transforms_elsewhere(
-            "<style>.a{transform: none}</style>"
+            "<svg><style>.a{transform: none}</style></svg>"
         ));
         assert!(!has_transforms_elsewhere(
-            "<style>.a{text-transform:none}</style>"
+            "<svg><style>.a{text-transform:none}transform{}</style></svg>"
         ));
     }
 
@@ -280,7 +303,7 @@ mod tests {
             "M4 2H8A3 4 0 0 1 11 6V18A3 4 0 0 1 8 22H4A3 4 0 0 1 1 18V6A3 4 0 0 1 4 2Z"
         );
         for nothing in ["<polyline points=' '/>", "<polygon/>"] {
-            let shapes = svg_shapes(&format!("<svg>{nothing}</svg>")).unwrap();
+            let shapes = svg_shapes(format!("<svg>{nothing}</svg>")).unwrap();
             assert!(
                 shapes[0].contours.as_ref().unwrap().0.is_empty(),
                 "{nothing}"

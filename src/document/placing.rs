@@ -1,11 +1,36 @@
 //! Where the coordinates of an element lie: viewports, and transforms of attributes and of style attributes.
 
 use kurbo::{Affine, Vec2};
-use quick_xml::events::BytesStart;
 
 use super::length::{self, Reading};
+use super::style::css;
+use super::xml::scan::Scanner;
 use crate::error::{Error, Result, TextError, finite};
 use crate::path::{self, shortened};
+
+/// A start tag of SVG that was just read.
+#[derive(Clone, Copy)]
+pub(super) struct Tag<'t> {
+    /// Its name without a prefix.
+    pub(super) name: &'t str,
+    pub(super) scanner: &'t Scanner<'t>,
+}
+
+impl Tag<'_> {
+    pub(super) fn attribute(self, name: &str) -> Option<String> {
+        Some(self.scanner.attribute(name)?.into_owned())
+    }
+
+    /// A property, of the style attribute or as an attribute.
+    pub(super) fn property(self, name: &str) -> Option<String> {
+        self.styled(name).or_else(|| self.attribute(name))
+    }
+
+    /// The declaration of the style attribute that counts.
+    fn styled(self, name: &str) -> Option<String> {
+        css::declared(&self.scanner.attribute("style")?, name)
+    }
+}
 
 /// Where the coordinates of an element lie.
 #[derive(Debug, Clone)]
@@ -27,13 +52,13 @@ impl Place {
     };
 
     /// That of an element in here.
-    pub(super) fn within(&self, element: &BytesStart) -> Self {
-        let is_svg = element.local_name().as_ref() == "svg";
+    pub(super) fn within(&self, tag: Tag<'_>) -> Self {
+        let is_svg = tag.name == "svg";
         let mut place = self.clone();
         place.map = self.map.clone().and_then(|map| {
-            let mut map = map * self.own(element)?;
+            let mut map = map * self.own(tag)?;
             if is_svg && self.nested {
-                map *= self.viewport(element, &mut place.viewport)?;
+                map *= self.viewport(tag, &mut place.viewport)?;
             }
             for number in map.as_coeffs() {
                 finite("number in the transform", number)?;
@@ -42,24 +67,27 @@ impl Place {
         });
         if is_svg && !self.nested {
             place.nested = true;
-            let size = ["width", "height"].map(|name| self.length(element, name, None).ok());
+            let size = ["width", "height"].map(|name| self.length(tag, name, None).ok());
             let size = match size {
                 [Some(width), Some(height)] => Some([width, height]),
                 _ => None,
             };
-            place.viewport = view_box(element).map(|[_, _, w, h]| [w, h]).or(size);
+            place.viewport = view_box(tag).map(|[_, _, w, h]| [w, h]).or(size);
         }
         place
     }
 
     /// The transform of an element itself, about its origin.
-    fn own(&self, element: &BytesStart) -> Result<Affine> {
+    fn own(&self, tag: Tag<'_>) -> Result<Affine> {
         for name in ["translate", "rotate", "scale", "offset-path"] {
-            if let Some(value) = styled(element, name).filter(|value| value != "none") {
+            if let Some(value) = tag.styled(name).filter(|value| value != "none") {
                 return Err(unread(name, &value));
             }
         }
-        let Some(text) = property(element, "transform").filter(|text| text.trim() != "none") else {
+        let Some(text) = tag
+            .property("transform")
+            .filter(|text| text.trim() != "none")
+        else {
             return Ok(Affine::IDENTITY);
         };
         let plain = text.replace("px", "").replace("deg", "");
@@ -69,10 +97,12 @@ impl Place {
                 why: Box::new(error),
             })
         })?;
-        let Some(origin) = property(element, "transform-origin") else {
+        let Some(origin) = tag.property("transform-origin") else {
             return Ok(own);
         };
-        if let Some(value) = property(element, "transform-box").filter(|value| value != "view-box")
+        if let Some(value) = tag
+            .property("transform-box")
+            .filter(|value| value != "view-box")
         {
             return Err(unread("transform-box", &value));
         }
@@ -123,22 +153,18 @@ impl Place {
     /// The length of a property; the default stands where the element lacks it.
     pub(super) fn length(
         &self,
-        element: &BytesStart,
+        tag: Tag<'_>,
         name: &'static str,
         default: Option<f64>,
     ) -> Result<f64> {
-        let length = self.optional_length(element, name)?.or(default);
+        let length = self.optional_length(tag, name)?.or(default);
         length.ok_or(Error::Text(TextError::NoProperty(name)))
     }
 
     /// The same, where the element has it and it is not `auto`.
-    pub(super) fn optional_length(
-        &self,
-        element: &BytesStart,
-        name: &'static str,
-    ) -> Result<Option<f64>> {
+    pub(super) fn optional_length(&self, tag: Tag<'_>, name: &'static str) -> Result<Option<f64>> {
         let axis = usize::from(matches!(name, "y" | "height" | "cy" | "ry" | "y1" | "y2"));
-        let Some(text) = property(element, name).filter(|text| text != "auto") else {
+        let Some(text) = tag.property(name).filter(|text| text != "auto") else {
             return Ok(None);
         };
         let is_known = name != "r" || !text.ends_with('%');
@@ -147,14 +173,14 @@ impl Place {
     }
 
     /// The map of a nested viewport, and its size for what is in it.
-    fn viewport(&self, element: &BytesStart, size: &mut Option<[f64; 2]>) -> Result<Affine> {
+    fn viewport(&self, tag: Tag<'_>, size: &mut Option<[f64; 2]>) -> Result<Affine> {
         let outer = self.viewport.map_or([None; 2], |size| size.map(Some));
-        let x = self.length(element, "x", Some(0.0))?;
-        let y = self.length(element, "y", Some(0.0))?;
+        let x = self.length(tag, "x", Some(0.0))?;
+        let y = self.length(tag, "y", Some(0.0))?;
         let at = Affine::translate((x, y));
-        let width = self.length(element, "width", outer[0]);
-        let height = self.length(element, "height", outer[1]);
-        let Some([left, top, w, h]) = view_box(element) else {
+        let width = self.length(tag, "width", outer[0]);
+        let height = self.length(tag, "height", outer[1]);
+        let Some([left, top, w, h]) = view_box(tag) else {
             *size = width
                 .ok()
                 .zip(height.ok())
@@ -164,7 +190,7 @@ impl Place {
         *size = Some([w, h]);
         let (width, height) = (width?, height?);
         let [x_scale, y_scale] = [width / w, height / h];
-        let words = property(element, "preserveAspectRatio").unwrap_or_default();
+        let words = tag.property("preserveAspectRatio").unwrap_or_default();
         let mut words = words.split_ascii_whitespace();
         let align = words.next().unwrap_or("xMidYMid");
         if align == "none" {
@@ -197,37 +223,14 @@ fn unread(name: &str, value: &str) -> Error {
     })
 }
 
-fn view_box(element: &BytesStart) -> Option<[f64; 4]> {
-    let text = attribute(element, "viewBox")?;
+fn view_box(tag: Tag<'_>) -> Option<[f64; 4]> {
+    let text = tag.attribute("viewBox")?;
     let numbers = text
         .split([' ', ',', '\t', '\n'])
         .filter(|word| !word.is_empty());
     let numbers: Vec<f64> = numbers.map(str::parse).collect::<Result<_, _>>().ok()?;
     let numbers: [f64; 4] = numbers.try_into().ok()?;
     (numbers[2] > 0.0 && numbers[3] > 0.0).then_some(numbers)
-}
-
-/// A property, of the style attribute or as an attribute.
-pub(super) fn property(element: &BytesStart, name: &str) -> Option<String> {
-    styled(element, name).or_else(|| attribute(element, name))
-}
-
-/// A declaration of the style attribute, the last of its name.
-fn styled(element: &BytesStart, name: &str) -> Option<String> {
-    let style = attribute(element, "style")?;
-    let declarations = style.rsplit(';').filter_map(|one| one.split_once(':'));
-    let mut values =
-        declarations.filter(|(property, _)| property.trim().eq_ignore_ascii_case(name));
-    let value = values.next()?.1.trim();
-    Some(value.trim_end_matches("!important").trim().to_owned())
-}
-
-pub(super) fn attribute(element: &BytesStart, name: &str) -> Option<String> {
-    let attribute = element.try_get_attribute(name).ok().flatten()?;
-    match quick_xml::escape::unescape(&attribute.value) {
-        Ok(plain) => Some(plain.into_owned()),
-        Err(_) => Some(attribute.value.into_owned()),
-    }
 }
 
 #[cfg(test)]

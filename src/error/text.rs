@@ -28,14 +28,6 @@ pub enum TextError {
         /// What is wrong with it.
         why: Box<super::Error>,
     },
-    /// A document that is no XML.
-    #[error("line {line}: not well-formed XML: {why}")]
-    Xml {
-        /// The line, from 1.
-        line: usize,
-        /// What the reader of XML says.
-        why: String,
-    },
     /// A property of an element whose value is not read.
     #[error("its {name} '{value}' is not read here")]
     Property {

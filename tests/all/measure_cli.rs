@@ -3,9 +3,10 @@
 use crate::judges::program;
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 
-use program::{json, printed, refused, run};
+use program::{json, piped, printed, refused, run};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {
@@ -716,4 +717,82 @@ fn several_counts_and_methods_are_measured_in_their_order() {
     assert!(refused(&["ellipse", "5", "3", "-n", "2,4"]).contains("one number of segments"));
     assert!(refused(&["measure", "circle", "5", "-n", "2,0"]).contains("from 1"));
     assert!(refused(&["measure", "circle", "5", "-n", "90000,90000"]).contains("at most"));
+}
+
+#[test]
+fn files_are_read_as_convert_reads_them() {
+    let circle = |attributes: &str| {
+        let d = "M50 0C50 27.6 27.6 50 0 50C-27.6 50-50 27.6-50 0C-50-27.6-27.6-50 0-50C27.6-50 50-27.6 50 0Z";
+        format!("<path {attributes} d=\"{d}\"/>")
+    };
+    let radius = |svg: &[u8]| -> Option<f64> {
+        let output = piped(
+            &["measure", "--file", "-", "--fit", "circle", "-f", "json"],
+            svg,
+        );
+        let found: Value = serde_json::from_slice(&output.stdout).ok()?;
+        let radius = found[0]["reference"]["radii"][0].as_f64()?;
+        Some(radius.round())
+    };
+    let svg = |inner: &str| {
+        format!("<svg xmlns='http://www.w3.org/2000/svg' xmlns:x='urn:x'>{inner}</svg>")
+    };
+    for (style, expected) in [
+        ("/*;transform:scale(3);*/", 50.0),
+        ("transform:scale(2) !important;transform:scale(3)", 100.0),
+        ("transform:scale(2) ! important", 100.0),
+        ("transform:scale(3);transform:scale(2)", 100.0),
+        ("transform:scale(/*3*/2)", 100.0),
+        ("transform:scale(2)!", 50.0),
+        ("TRANSFORM:scale(2)", 100.0),
+    ] {
+        let drawing = svg(&circle(&format!("style='{style}'")));
+        assert_eq!(radius(drawing.as_bytes()), Some(expected), "{style}");
+    }
+    // A path by an entity of the DTD.
+    let d = circle("").split('"').nth(1).unwrap().to_owned();
+    let drawing = format!("<!DOCTYPE svg [<!ENTITY d '{d}'>]><svg><path d='&d;'/></svg>");
+    assert_eq!(radius(drawing.as_bytes()), Some(50.0));
+    // An element of another vocabulary is none, and what stands in comments neither.
+    let foreign = circle("").replace("<path", "<x:path");
+    let drawing = svg(&format!(
+        "<!-- <use/><style>a{{transform:none}}</style> -->{foreign}{}",
+        circle("transform='scale(2)'")
+    ));
+    let output = piped(
+        &["measure", "--file", "-", "-f", "json"],
+        drawing.as_bytes(),
+    );
+    assert!(
+        output.status.success() && output.stderr.is_empty(),
+        "{output:?}"
+    );
+    assert_eq!(radius(drawing.as_bytes()), Some(100.0));
+    // Bytes of a declared encoding, and those of gzip.
+    let latin = [
+        &b"<?xml version='1.0' encoding='ISO-8859-1'?><svg><title>\xe9</title>"[..],
+        circle("").as_bytes(),
+        b"</svg>",
+    ]
+    .concat();
+    assert_eq!(radius(&latin), Some(50.0));
+    let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    packed.write_all(&latin).unwrap();
+    assert_eq!(radius(&packed.finish().unwrap()), Some(50.0));
+    for (wrong, why) in [
+        (
+            "<svg><path d='M0 0' d='M1 1'/></svg>",
+            "1:21: not well-formed XML: the attribute `d` stands twice in one tag",
+        ),
+        (
+            "<svg/><svg/>",
+            "1:7: not well-formed XML: a second root element",
+        ),
+        ("<svg>", "1:1: not well-formed XML: `<svg>` is never closed"),
+    ] {
+        let output = piped(&["measure", "--file", "-"], wrong.as_bytes());
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        assert!(said.contains(&format!("standard input:{why}")), "{said}");
+    }
 }

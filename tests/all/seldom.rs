@@ -585,10 +585,3 @@ fn the_smallest_arc_of_a_path_has_its_digits_and_so_have_the_others() {
     let both = format!("{large}M0 0A1e-40 1e-40 0 0 1 1e-40 1e-40");
     assert!(printed(&["path", &both]).starts_with("M0 0C2.75957512246755"));
 }
-
-#[test]
-fn a_reference_that_is_not_declared_stays_as_it_stands() {
-    let drawing = br#"<svg><path transform="&foo;" d="M5 0C5 2.76 2.76 5 0 5"/></svg>"#;
-    let said = String::from_utf8(piped(&["measure", "--file", "-"], drawing).stderr).unwrap();
-    assert!(said.contains("cannot read the transform '&foo;'"), "{said}");
-}

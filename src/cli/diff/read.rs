@@ -11,13 +11,17 @@ use super::super::input;
 
 /// The subpaths of a drawing: of path data, or of a file with it, with SVG, JSON or PostScript.
 pub(super) fn drawing(words: &str) -> Result<Vec<Track>, Failure> {
-    let (text, name) = input::path_data(words)?;
+    let (bytes, name) = input::drawing(words)?;
+    let is_svg =
+        bytes.trim_ascii_start().starts_with(b"<") || bytes.starts_with("\u{feff}<".as_bytes());
+    if is_svg {
+        return some(of_svg(&bytes, &name)?, &name);
+    }
+    let text = input::in_utf8(bytes, &name)?;
     let begins = |what: &str| text.trim_start().starts_with(what);
     let is_operator = |word: &str| ["moveto", "arc", "arcn"].contains(&word);
     let is_postscript = || text.split_ascii_whitespace().any(is_operator);
-    let tracks = if begins("<") {
-        of_svg(&text, &name)?
-    } else if begins("{") || begins("[") {
+    let tracks = if begins("{") || begins("[") {
         of_json(&text, &name)?
     } else if begins("%") || is_postscript() {
         tracks(
@@ -33,6 +37,11 @@ pub(super) fn drawing(words: &str) -> Result<Vec<Track>, Failure> {
         })?;
         tracks(&contours, Affine::IDENTITY)?
     };
+    some(tracks, &name)
+}
+
+/// Refuses a drawing of nothing.
+fn some(tracks: Vec<Track>, name: &str) -> Result<Vec<Track>, Failure> {
     if tracks.is_empty() {
         return Err(Failure::request(format!(
             "{name} draws nothing that could be compared"
@@ -50,9 +59,10 @@ fn tracks(contours: &[Contour], map: Affine) -> Result<Vec<Track>, Failure> {
     Ok(tracks.collect::<curveto::Result<_>>()?)
 }
 
-fn of_svg(text: &str, name: &str) -> Result<Vec<Track>, Failure> {
+fn of_svg(svg: &[u8], name: &str) -> Result<Vec<Track>, Failure> {
     let mut found = Vec::new();
-    for shape in document::svg_shapes(text).map_err(|error| at(name, &error))? {
+    let shapes = document::svg_shapes(svg);
+    for shape in shapes.map_err(|error| Failure::request(format!("{name}:{error}")))? {
         let place = format!("{name}:{}", shape.line);
         let (contours, map) = shape.contours.map_err(|error| at(&place, &error))?;
         found.extend(tracks(&contours, map)?);

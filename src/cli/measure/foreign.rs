@@ -100,14 +100,14 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Sourc
             "for example: curveto measure circle 50, curveto measure --path 'M...', curveto measure --file drawing.svg",
         ));
     };
-    let (text, name) = input::text(file)?;
+    let (svg, name) = input::document(file)?;
     let paths =
-        document::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
-    if document::has_transforms_elsewhere(&text) {
+        document::svg_paths(&svg).map_err(|error| Failure::request(format!("{name}:{error}")))?;
+    if document::has_transforms_elsewhere(&svg) {
         let why = "a style sheet mentions transform; style sheets are not applied";
         note(report, &format!("{name}: {why}"));
     }
-    if document::has_uses(&text) {
+    if document::has_uses(&svg) {
         let why = "<use> is not followed; what it draws is measured where it is defined";
         note(report, &format!("{name}: {why}"));
     }

@@ -3,7 +3,7 @@
 //! Whatever cannot be read counts as if it matched everything. Time and memory are linear in the sheet: a token is read three
 //! times at most (in its rule, in its selector or declaration, in what the parser skips), and only rules that can matter stay.
 
-use cssparser::{ParseError, Parser, Token};
+use cssparser::{Delimiter, ParseError, Parser, Token};
 
 use super::property::{Effect, Properties};
 use super::rules::Rules;
@@ -76,6 +76,86 @@ pub(in crate::document) fn declarations(text: &str) -> Effect {
         &mut sheet,
     );
     effect
+}
+
+/// The value that a style attribute gives a property: the last important one, or else the last one, without comments.
+pub(in crate::document) fn declared(text: &str, name: &str) -> Option<String> {
+    let mut input = Parser::new(text);
+    let mut found = None;
+    while !input.is_exhausted() {
+        let one = input.parse_until_after(Delimiter::Semicolon, |input| {
+            let own = input.expect_ident_cloned()?;
+            input.expect_colon()?;
+            let is_own = own.eq_ignore_ascii_case(name);
+            Ok::<_, ParseError<()>>(is_own.then(|| plain(input)))
+        });
+        if let Ok(Some((value, bang))) = one
+            && bang != Bang::Alone
+            && !(found.as_ref().is_some_and(|(_, last)| *last == Bang::Whole)
+                && bang == Bang::Missing)
+        {
+            found = Some((value.trim().to_owned(), bang));
+        }
+    }
+    found.map(|(value, _)| value)
+}
+
+/// The text of a value without comments, up to its `!important`.
+fn plain(input: &mut Parser<'_>) -> (String, Bang) {
+    let (mut out, mut bang) = (String::new(), Bang::Missing);
+    loop {
+        let start = input.position();
+        let is_block = match input.next_including_whitespace_and_comments() {
+            Ok(Token::Comment(_)) => continue,
+            Ok(Token::Delim('!')) => {
+                let is_important =
+                    input.expect_ident_matching("important").is_ok() && input.is_exhausted();
+                bang = if is_important {
+                    Bang::Whole
+                } else {
+                    Bang::Alone
+                };
+                return (out, bang);
+            }
+            Ok(Token::Function(_) | Token::ParenthesisBlock) => true,
+            Ok(_) => false,
+            Err(_) => return (out, bang),
+        };
+        out.push_str(input.slice_from(start));
+        if is_block {
+            let _: Result<(), ParseError<()>> = input.parse_nested_block(|input| {
+                out.push_str(&plain(input).0);
+                Ok(())
+            });
+            out.push(')');
+        }
+    }
+}
+
+/// Whether a rule of a style sheet declares a property.
+pub(in crate::document) fn declares(text: &str, name: &str) -> bool {
+    fn block(input: &mut Parser<'_>, name: &str, is_rule: bool) -> bool {
+        let (mut found, mut is_name) = (false, false);
+        loop {
+            match input.next() {
+                Ok(Token::Colon) => found |= is_name,
+                Ok(Token::Ident(word)) => {
+                    is_name = is_rule && word.eq_ignore_ascii_case(name);
+                    continue;
+                }
+                Ok(Token::CurlyBracketBlock) => {
+                    let _: Result<(), ParseError<()>> = input.parse_nested_block(|input| {
+                        found |= block(input, name, true);
+                        Ok(())
+                    });
+                }
+                Ok(_) => {}
+                Err(_) => return found,
+            }
+            is_name = false;
+        }
+    }
+    block(&mut Parser::new(text), name, false)
 }
 
 /// Reads the rules and the declarations of a block; `effect` is that of the declarations that stand in it.

@@ -94,7 +94,6 @@ mod tests {
             cut,
             transform,
             precision: Some(Precision::Full),
-            ..Options::default()
         };
         let drawing = approximate(&Shape::Ellipse(ellipse.unwrap()), &options).unwrap();
         let (truth, segments) = (drawing.outline.unwrap().truth, &drawing.curve.segments);
