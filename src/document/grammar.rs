@@ -128,4 +128,29 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_grammar_is_that_of_the_reader_of_all_commands() {
+        let tokens = ["M", "l", "z", "a5 5 0 0 1", "0", "-1", ".5", " ", ",", "e"];
+        let mut texts = vec![String::new()];
+        let mut from = 0;
+        for _ in 0..5 {
+            let until = texts.len();
+            for i in from..until {
+                texts.extend(tokens.map(|token| format!("{}{token}", texts[i])));
+            }
+            from = until;
+        }
+        let mut wrong = Vec::new();
+        for text in texts {
+            let text = format!("M0 0{text}");
+            let mut segments = super::super::path_data::Segments::new(&text, 0..text.len());
+            while segments.next().is_some() {}
+            let is_right = segments.error().is_none();
+            if crate::path::contours(&text).is_ok() != is_right {
+                wrong.push((text, is_right));
+            }
+        }
+        assert!(wrong.is_empty(), "{:?}", wrong.first());
+    }
 }

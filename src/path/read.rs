@@ -1,9 +1,11 @@
 //! SVG path data as contours and curves.
 
+use std::borrow::Cow;
+
 use kurbo::{CubicBez, PathSeg, Point, QuadBez};
 use svgtypes::{PathParser, PathSegment};
 
-use super::refusal::refusal;
+use super::refusal::{place, refusal};
 use crate::contour::{Contour, Step};
 use crate::curve::{CLOSING_GAP, Curve, size};
 use crate::error::{Error, Result, TextError, UnmeasurableError, finite};
@@ -16,8 +18,12 @@ use crate::shape::endpoint::SvgArc;
 ///
 /// Where the data does not parse, or a number is not finite or beyond 1e150.
 pub fn contours(data: &str) -> Result<Vec<Contour>> {
+    if let Some(at) = stray_comma(data) {
+        let why = format!("a number is expected after the comma {}", place(data, at));
+        return Err(syntax(data, why));
+    }
     let mut pen = Pen::default();
-    for segment in PathParser::from(data) {
+    for segment in PathParser::from(&*commas_first(data)) {
         let segment = segment
             .map_err(|error| syntax(data, refusal(&error, data, "a command or a number")))?;
         pen.take(segment)?;
@@ -65,6 +71,38 @@ pub fn curve(contour: &Contour) -> Option<Result<Curve>> {
         }
     }
     (!curve.segments.is_empty()).then_some(Ok(curve))
+}
+
+/// The same data with each comma before the white space around it: after the flag of an arc svgtypes reads none behind.
+fn commas_first(data: &str) -> Cow<'_, str> {
+    let is_space = |c: char| matches!(c, ' ' | '\t' | '\n' | '\r' | '\x0c');
+    if !data.contains(['a', 'A']) || !data.contains(',') {
+        return Cow::Borrowed(data);
+    }
+    let mut out = String::with_capacity(data.len());
+    for c in data.chars() {
+        let end = out.trim_end_matches(is_space).len();
+        if c == ',' && end < out.len() && !out[..end].ends_with(',') {
+            out.insert(end, c);
+        } else {
+            out.push(c);
+        }
+    }
+    Cow::Owned(out)
+}
+
+/// The character, from 1, of a comma that no number follows, which svgtypes overlooks.
+fn stray_comma(data: &str) -> Option<usize> {
+    let mut comma = None;
+    for (i, c) in data.chars().enumerate() {
+        match c {
+            ',' => comma = Some(i + 1),
+            ' ' | '\t' | '\n' | '\r' | '\x0c' => {}
+            _ if c.is_ascii_alphabetic() && comma.is_some() => return comma,
+            _ => comma = None,
+        }
+    }
+    comma
 }
 
 fn syntax(data: &str, why: String) -> Error {
@@ -265,6 +303,16 @@ mod tests {
     fn arcs_and_nonsense_are_refused() {
         let arc = curves("M0 0A1 1 0 0 1 2 0").unwrap_err().to_string();
         assert!(arc.contains("arc (A)"), "{arc}");
+        assert!(
+            curves("M0 0,L1 1")
+                .unwrap_err()
+                .to_string()
+                .ends_with("after the comma at character 5")
+        );
+        assert_eq!(
+            contours("M0 0a5 5 0 0 1 , 9 0"),
+            contours("M0 0a5 5 0 0 1 9 0")
+        );
         for bad in ["NaN", "M0 0C1", "M1e300 0L1 1", "M1e149 0l1e150 0", "L1 1"] {
             assert!(curves(bad).is_err(), "{bad}");
         }
