@@ -1,34 +1,16 @@
 //! SVG documents: arcs become Béziers, every other byte stays.
 
-mod arcs;
-mod back;
-mod bezier;
-mod collapse;
-mod curve_text;
 mod doubt;
-mod element;
 mod failure;
-mod grammar;
-mod length;
-mod memo;
 mod note;
 mod output;
-mod path_data;
+mod path;
 mod paths;
-mod pen;
-mod placing;
-mod position;
 mod reason;
 mod rewrite;
-mod run_text;
-mod runs;
-mod scratch;
-mod segments;
-mod shape_data;
+mod shape;
 mod splice;
 mod style;
-mod tag;
-mod whole;
 mod xml;
 
 use std::borrow::Cow;
@@ -47,7 +29,7 @@ pub use reason::Reason;
 pub use style::property::Kind;
 
 use rewrite::{Done, Pass};
-use style::facts::Facts;
+use style::of_document::Facts;
 use xml::encoding::Source;
 use xml::fault::{Fault, FaultKind};
 
@@ -99,7 +81,9 @@ impl Target {
     fn concerns(self, data: &str) -> bool {
         match self {
             Self::Beziers => memchr::memchr2(b'a', b'A', data.as_bytes()).is_some(),
-            Self::Arcs { .. } => data.bytes().any(|byte| run_text::family(byte | 0x20) != 0),
+            Self::Arcs { .. } => data
+                .bytes()
+                .any(|byte| path::run_text::family(byte | 0x20) != 0),
         }
     }
 }
@@ -311,7 +295,7 @@ fn read_bytes<T>(
 
 /// The new text, if anything was replaced, with what was and what was not.
 fn pass(source: Source<'_>, options: &Options) -> Result<Done, Error> {
-    let pass = scratch::with_scratch(options, |scratch| {
+    let pass = path::scratch::with_scratch(options, |scratch| {
         match rewrite::run(source, options, None, scratch, MOST_BYTES)? {
             Pass::NeedsFacts => {
                 let facts = Facts::read(source)?;

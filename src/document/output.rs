@@ -2,10 +2,11 @@
 
 use core::ops::Range;
 
+use super::Note;
+use super::path::arcs;
 use super::reason::Reason;
 use super::splice::Splice;
 use super::xml::place::Places;
-use super::{Note, arcs};
 
 /// The new text, and the notes.
 pub(super) struct Output<'a> {

@@ -1,10 +1,12 @@
 //! The paths of SVG files, with the viewports and transforms of their ancestors.
 
+mod placing;
+
 use kurbo::Affine;
 
-use super::element::{Shape, shape};
-use super::length::Length;
-use super::placing::{Place, Tag};
+use self::placing::{Place, Tag};
+use super::shape::element::{Shape, shape};
+use super::shape::length::Length;
 use super::style::css;
 use super::style::property::Kind;
 use super::xml::namespace::Namespace;

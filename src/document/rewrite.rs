@@ -4,16 +4,18 @@ mod permission;
 
 use core::ops::Range;
 
-use super::arcs;
 use super::output::{Output, Sink};
+use super::path::arcs;
+use super::path::runs;
+use super::path::scratch::Scratch;
 use super::reason::Reason;
-use super::scratch::Scratch;
-use super::shape_data::{self, ShapeData};
+use super::shape::back;
+use super::shape::shape_data::{self, ShapeData};
+use super::shape::tag;
 use super::splice::Splice;
-use super::style::facts::{self, Facts};
-use super::style::own;
+use super::style::of_document::{self, Facts};
+use super::style::on_element;
 use super::style::property::{Kind, Markers};
-use super::tag;
 use super::xml::attributes::Attribute;
 use super::xml::encoding::Source;
 use super::xml::fault::{Fault, Result};
@@ -22,7 +24,7 @@ use super::xml::node::{Element, Node};
 use super::xml::place::Places;
 use super::xml::scan::Scanner;
 use super::xml::value;
-use super::{Counts, Note, Options, Target, back, runs};
+use super::{Counts, Note, Options, Target};
 use crate::joints::Tolerance;
 
 /// What a pass came to.
@@ -94,12 +96,12 @@ pub(super) fn run(
     loop {
         match scanner.next()? {
             Node::Start(element) => {
-                if facts.is_none() && facts::is_sign(&element, &scanner) {
+                if facts.is_none() && of_document::is_sign(&element, &scanner) {
                     return Ok(Pass::NeedsFacts);
                 }
                 let inherited = open.last().map(|open| open.markers).unwrap_or_default();
                 let markers = rewriter.markers(inherited, &element, &scanner);
-                if facts.is_none() && markers.any && facts::is_use(&element) {
+                if facts.is_none() && markers.any && of_document::is_use(&element) {
                     return Ok(Pass::NeedsFacts);
                 }
                 let renamed = rewriter.element(&element, &scanner, markers);
@@ -131,7 +133,7 @@ pub(super) fn run(
 impl<'a> Rewriter<'a, '_> {
     fn markers(&self, inherited: Markers, element: &Element<'_>, scanner: &Scanner<'_>) -> Markers {
         self.facts.map_or_else(
-            || own::markers(inherited, &scanner.attributes, &scanner.doctype),
+            || on_element::markers(inherited, &scanner.attributes, &scanner.doctype),
             |facts| facts.markers(inherited, element, scanner),
         )
     }

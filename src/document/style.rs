@@ -2,9 +2,9 @@
 
 mod animation;
 pub(super) mod css;
-pub(super) mod facts;
 mod motion;
-pub(super) mod own;
+pub(super) mod of_document;
+pub(super) mod on_element;
 pub(super) mod property;
 pub(super) mod rules;
 mod script;

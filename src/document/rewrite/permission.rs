@@ -4,7 +4,7 @@ use super::Rewriter;
 use crate::document::doubt::Doubt;
 use crate::document::reason::Reason;
 use crate::document::style::property::{Kind, Properties};
-use crate::document::style::{facts, own};
+use crate::document::style::{of_document, on_element};
 use crate::document::xml::node::Element;
 use crate::document::xml::scan::Scanner;
 
@@ -24,8 +24,8 @@ impl Rewriter<'_, '_> {
         });
         by_document
             .or_else(|| {
-                let own = own::style(&scanner.attributes, &scanner.doctype);
-                facts::style_reason(kind, own).filter(|reason| reason.counts(trust))
+                let own = on_element::style(&scanner.attributes, &scanner.doctype);
+                of_document::style_reason(kind, own).filter(|reason| reason.counts(trust))
             })
             .or_else(|| {
                 let prefix = element.name.strip_suffix(element.local).unwrap_or_default();
@@ -49,7 +49,7 @@ impl Rewriter<'_, '_> {
         });
         let radii = Properties::named("rx").with(Properties::named("ry"));
         by_sheet
-            || own::style(&scanner.attributes, &scanner.doctype)
+            || on_element::style(&scanner.attributes, &scanner.doctype)
                 .sets
                 .meets(radii)
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::document::scratch::with_scratch;
+use crate::document::path::scratch::with_scratch;
 use crate::joints::Cut;
 
 /// How long a document becomes, or the byte of the element with which it becomes longer than so many bytes.

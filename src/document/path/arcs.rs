@@ -10,39 +10,40 @@ use core::ops::Range;
 
 use kurbo::{Point, Vec2};
 
-use super::curve_text::{absolute, relative, strayed};
-use super::path_data::{Segment, Segments};
-use super::position::{Position, Trail, is_nearly_whole};
-use super::scratch::Scratch;
-use super::style::property::Markers;
-use super::{Options, Reason, bezier, collapse};
+use super::{bezier, collapse};
 use crate::Angle;
+use crate::document::path::curve_text::{absolute, relative, strayed};
+use crate::document::path::position::{Position, Trail, is_nearly_whole};
+use crate::document::path::scratch::Scratch;
+use crate::document::path::segments::{Segment, Segments};
+use crate::document::style::property::Markers;
+use crate::document::{Options, Reason};
 use crate::number::decimal::{After, Decimal, Form};
 use crate::path::PathText;
 use crate::shape::endpoint::SvgArc;
-pub(super) use sink::Sink;
+pub(in crate::document) use sink::Sink;
 
 /// What a path may not lose, and how it is drawn.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Context<'a> {
-    pub(super) options: &'a Options,
+pub(in crate::document) struct Context<'a> {
+    pub(in crate::document) options: &'a Options,
     /// The markers that may be drawn: on inner vertices none may be added then, and an arc without an extent gives directions.
-    pub(super) markers: Markers,
+    pub(in crate::document) markers: Markers,
 }
 
 /// What became of one path.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Outcome {
+pub(in crate::document) struct Outcome {
     /// Arc commands replaced.
-    pub(super) arcs: usize,
+    pub(in crate::document) arcs: usize,
     /// Smooth commands that had to be spelled out.
-    pub(super) smooth: usize,
+    pub(in crate::document) smooth: usize,
     /// The largest peak error of their curves, where it is measured.
-    pub(super) strayed: f64,
+    pub(in crate::document) strayed: f64,
 }
 
 /// Rewrites the arcs of the path data in `text[span]`, after which the text ends or goes on with a quote.
-pub(super) fn rewrite(
+pub(in crate::document) fn rewrite(
     text: &str,
     span: Range<usize>,
     context: Context<'_>,

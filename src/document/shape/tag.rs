@@ -1,13 +1,13 @@
 //! The tag of a shape becomes that of a path.
 
-use super::splice::Splice;
-use super::style::property::Kind;
-use super::xml::attributes::Attribute;
-use super::xml::node::Element;
-use super::xml::scan::Scanner;
+use crate::document::splice::Splice;
+use crate::document::style::property::Kind;
+use crate::document::xml::attributes::Attribute;
+use crate::document::xml::node::Element;
+use crate::document::xml::scan::Scanner;
 
 /// The element and the attribute that is not a path's `d` and holds path data with arcs, and where it begins.
-pub(super) fn arcs_elsewhere(
+pub(in crate::document) fn arcs_elsewhere(
     element: &Element<'_>,
     scanner: &Scanner<'_>,
 ) -> Option<(&'static str, &'static str, usize)> {
@@ -27,7 +27,7 @@ pub(super) fn arcs_elsewhere(
 
 /// The tag's name becomes `path`, the first geometry attribute `d`, or a `d` that has no meaning yet gets one; the other ones go
 /// with the space before them.
-pub(super) fn replace(
+pub(in crate::document) fn replace(
     kind: Kind,
     element: &Element<'_>,
     attributes: &[Attribute<'_>],
@@ -54,7 +54,7 @@ pub(super) fn replace(
 }
 
 /// The tag of a path becomes that of a shape, whose attributes stand in place of `d`, up to its closing quote.
-pub(super) fn become_shape(
+pub(in crate::document) fn become_shape(
     kind: Kind,
     element: &Element<'_>,
     d: &Attribute<'_>,

@@ -2,17 +2,17 @@
 
 use core::cell::Cell;
 
-use super::Options;
-use super::curve_text::Body;
-use super::memo::Memo;
-use super::segments::Beziers;
+use crate::document::Options;
+use crate::document::path::beziers::Beziers;
+use crate::document::path::curve_text::Body;
+use crate::document::path::known::Memo;
 
 /// Buffers that outlive one path.
 #[derive(Debug, Default)]
-pub(super) struct Scratch {
-    pub(super) body: Body,
-    pub(super) beziers: Beziers,
-    pub(super) memo: Memo,
+pub(in crate::document) struct Scratch {
+    pub(in crate::document) body: Body,
+    pub(in crate::document) beziers: Beziers,
+    pub(in crate::document) memo: Memo,
 }
 
 thread_local! {
@@ -20,7 +20,10 @@ thread_local! {
 }
 
 /// Runs `work` with this thread's buffers.
-pub(super) fn with_scratch<T>(options: &Options, work: impl FnOnce(&mut Scratch) -> T) -> T {
+pub(in crate::document) fn with_scratch<T>(
+    options: &Options,
+    work: impl FnOnce(&mut Scratch) -> T,
+) -> T {
     let mut scratch = SCRATCH.take().unwrap_or_default();
     scratch.memo.serve(options);
     let result = work(&mut scratch);

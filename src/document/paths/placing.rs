@@ -2,27 +2,27 @@
 
 use kurbo::{Affine, Vec2};
 
-use super::length::{self, Reading};
-use super::style::css;
-use super::xml::scan::Scanner;
+use crate::document::shape::length::{self, Reading};
+use crate::document::style::css;
+use crate::document::xml::scan::Scanner;
 use crate::error::{Error, Result, TextError, finite};
 use crate::path::{self, shortened};
 
 /// A start tag of SVG that was just read.
 #[derive(Clone, Copy)]
-pub(super) struct Tag<'t> {
+pub(in crate::document) struct Tag<'t> {
     /// Its name without a prefix.
-    pub(super) name: &'t str,
-    pub(super) scanner: &'t Scanner<'t>,
+    pub(in crate::document) name: &'t str,
+    pub(in crate::document) scanner: &'t Scanner<'t>,
 }
 
 impl Tag<'_> {
-    pub(super) fn attribute(self, name: &str) -> Option<String> {
+    pub(in crate::document) fn attribute(self, name: &str) -> Option<String> {
         Some(self.scanner.attribute(name)?.into_owned())
     }
 
     /// A property, of the style attribute or as an attribute.
-    pub(super) fn property(self, name: &str) -> Option<String> {
+    pub(in crate::document) fn property(self, name: &str) -> Option<String> {
         self.styled(name).or_else(|| self.attribute(name))
     }
 
@@ -34,9 +34,9 @@ impl Tag<'_> {
 
 /// Where the coordinates of an element lie.
 #[derive(Debug, Clone)]
-pub(super) struct Place {
+pub(in crate::document) struct Place {
     /// The map to the coordinates of the outermost element, or why it is not known.
-    pub(super) map: Result<Affine>,
+    pub(in crate::document) map: Result<Affine>,
     /// The size of the viewport, where it is known.
     viewport: Option<[f64; 2]>,
     /// Whether it is within an `svg` element.
@@ -45,14 +45,14 @@ pub(super) struct Place {
 
 impl Place {
     /// Outside of everything.
-    pub(super) const OUTSIDE: Self = Self {
+    pub(in crate::document) const OUTSIDE: Self = Self {
         map: Ok(Affine::IDENTITY),
         viewport: None,
         nested: false,
     };
 
     /// That of an element in here.
-    pub(super) fn within(&self, tag: Tag<'_>) -> Self {
+    pub(in crate::document) fn within(&self, tag: Tag<'_>) -> Self {
         let is_svg = tag.name == "svg";
         let mut place = self.clone();
         place.map = self.map.clone().and_then(|map| {
@@ -151,7 +151,7 @@ impl Place {
     }
 
     /// The length of a property; the default stands where the element lacks it.
-    pub(super) fn length(
+    pub(in crate::document) fn length(
         &self,
         tag: Tag<'_>,
         name: &'static str,
@@ -162,7 +162,11 @@ impl Place {
     }
 
     /// The same, where the element has it and it is not `auto`.
-    pub(super) fn optional_length(&self, tag: Tag<'_>, name: &'static str) -> Result<Option<f64>> {
+    pub(in crate::document) fn optional_length(
+        &self,
+        tag: Tag<'_>,
+        name: &'static str,
+    ) -> Result<Option<f64>> {
         let axis = usize::from(matches!(name, "y" | "height" | "cy" | "ry" | "y1" | "y2"));
         let Some(text) = tag.property(name).filter(|text| text != "auto") else {
             return Ok(None);

@@ -2,20 +2,20 @@
 
 use kurbo::Vec2;
 
-use super::Options;
-use super::path_data::{Segment, Segments};
-use super::position::Position;
+use crate::document::Options;
+use crate::document::path::position::Position;
+use crate::document::path::segments::{Segment, Segments};
 use crate::numeric::functions::power;
 
 /// Whether a radius is so small that every point between a centre and it rounds to that centre.
-pub(super) fn is_too_small(radius: f64, precision: u8) -> bool {
+pub(in crate::document) fn is_too_small(radius: f64, precision: u8) -> bool {
     radius * power(10.0, i32::from(precision)) <= 0.5
 }
 
 /// Whether the precision asked for would leave nothing of a subpath: it is one of arcs alone that lies within one unit of the last
 /// decimal, and each arc is too small. `first` is its first arc, `after` what follows, `from` the current point, of which absolute
 /// arcs know.
-pub(super) fn collapses(
+pub(in crate::document) fn collapses(
     options: &Options,
     text: &str,
     first: &Segment,

@@ -2,9 +2,9 @@
 
 use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 
-use super::path_data::Segment;
-use super::segments::{Beziers, arguments};
-use super::{Options, Reason};
+use crate::document::path::beziers::{Beziers, arguments};
+use crate::document::path::segments::Segment;
+use crate::document::{Options, Reason};
 use crate::measure::radial;
 use crate::number::decimal::{After, Decimal, Form};
 use crate::number::read as number;
@@ -15,34 +15,34 @@ const FARTHEST: f64 = 1e15;
 
 /// The arguments of the curve commands for one arc, before they are joined to what stands before them.
 #[derive(Debug, Default)]
-pub(super) struct Body {
-    pub(super) text: Vec<u8>,
+pub(in crate::document) struct Body {
+    pub(in crate::document) text: Vec<u8>,
     /// What they end with.
-    pub(super) after: After,
-    pub(super) quadratic: bool,
-    pub(super) segments: usize,
+    pub(in crate::document) after: After,
+    pub(in crate::document) quadratic: bool,
+    pub(in crate::document) segments: usize,
     /// The end point of an arc, as its numbers give it.
-    pub(super) to: Option<[f64; 2]>,
+    pub(in crate::document) to: Option<[f64; 2]>,
     /// Their peak error, where it was measured.
-    pub(super) strayed: f64,
+    pub(in crate::document) strayed: f64,
 }
 
 /// The arguments of curves, wherever they are kept.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Curve<'a> {
-    pub(super) text: &'a [u8],
+pub(in crate::document) struct Curve<'a> {
+    pub(in crate::document) text: &'a [u8],
     /// What they end with.
-    pub(super) after: After,
-    pub(super) quadratic: bool,
-    pub(super) segments: usize,
+    pub(in crate::document) after: After,
+    pub(in crate::document) quadratic: bool,
+    pub(in crate::document) segments: usize,
     /// The end point of an arc, as its numbers give it.
-    pub(super) to: Option<[f64; 2]>,
+    pub(in crate::document) to: Option<[f64; 2]>,
     /// Their peak error, where it was measured.
-    pub(super) strayed: f64,
+    pub(in crate::document) strayed: f64,
 }
 
 impl Body {
-    pub(super) fn curve(&self) -> Curve<'_> {
+    pub(in crate::document) fn curve(&self) -> Curve<'_> {
         Curve {
             text: &self.text,
             after: self.after,
@@ -55,7 +55,7 @@ impl Body {
 }
 
 /// The arguments of absolute curves; returns what they end with.
-pub(super) fn absolute(
+pub(in crate::document) fn absolute(
     data: &str,
     segment: &Segment,
     from: Vec2,
@@ -77,7 +77,7 @@ pub(super) fn absolute(
 }
 
 /// The arguments of relative curves, on a grid that begins at the arc's start: each number is a difference of two rounded ones.
-pub(super) fn relative(
+pub(in crate::document) fn relative(
     data: &str,
     segment: &Segment,
     drawn: &Beziers,
@@ -133,7 +133,7 @@ fn check_size(p: Point) -> Result<(), Reason> {
 }
 
 /// The peak error of the curve of an arc as it is printed, whose end is the arc's own, where it is to be measured.
-pub(super) fn strayed(arc: &SvgArc, options: &Options, drawn: &Beziers) -> f64 {
+pub(in crate::document) fn strayed(arc: &SvgArc, options: &Options, drawn: &Beziers) -> f64 {
     if !options.measure {
         return 0.0;
     }

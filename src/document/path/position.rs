@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use kurbo::Vec2;
 
-use super::path_data::{Segment, Segments};
+use crate::document::path::segments::{Segment, Segments};
 use crate::shape::endpoint::SvgArc;
 
 /// A chord of so small a part of the radius makes the larger arc nearly a whole ellipse.
@@ -12,14 +12,14 @@ const SMALL_CHORD: f64 = 1.0 / 32.0;
 
 /// The current point and the start of the subpath, as a renderer adds them up.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Position {
-    pub(super) point: Vec2,
+pub(in crate::document) struct Position {
+    pub(in crate::document) point: Vec2,
     subpath: Vec2,
 }
 
 impl Position {
     /// The start of a subpath.
-    pub(super) const fn at(point: Vec2) -> Self {
+    pub(in crate::document) const fn at(point: Vec2) -> Self {
         Self {
             point,
             subpath: point,
@@ -27,7 +27,7 @@ impl Position {
     }
 
     /// Moves on after a segment, which has been read with its end.
-    pub(super) fn advance(&mut self, segment: &Segment) {
+    pub(in crate::document) fn advance(&mut self, segment: &Segment) {
         let base = if segment.is_relative() {
             self.point
         } else {
@@ -56,14 +56,14 @@ impl Position {
 
 /// The current point of a few segments among many: the way to one begins at the one before.
 #[derive(Debug)]
-pub(super) struct Trail<'a> {
+pub(in crate::document) struct Trail<'a> {
     segments: Segments<'a>,
     next: Option<Segment>,
     at: Position,
 }
 
 impl<'a> Trail<'a> {
-    pub(super) const fn new(text: &'a str, span: Range<usize>) -> Self {
+    pub(in crate::document) const fn new(text: &'a str, span: Range<usize>) -> Self {
         Self {
             segments: Segments::new(text, span).with_ends(true),
             next: None,
@@ -72,7 +72,7 @@ impl<'a> Trail<'a> {
     }
 
     /// The current point before the segment that begins at this byte; segments are asked for in their order.
-    pub(super) fn before(&mut self, start: usize) -> Vec2 {
+    pub(in crate::document) fn before(&mut self, start: usize) -> Vec2 {
         loop {
             match self.next.take().or_else(|| self.segments.next()) {
                 Some(segment) if segment.start < start => self.at.advance(&segment),
@@ -86,7 +86,7 @@ impl<'a> Trail<'a> {
 }
 
 /// Whether an arc goes nearly all around.
-pub(super) fn is_nearly_whole(arc: &SvgArc) -> bool {
+pub(in crate::document) fn is_nearly_whole(arc: &SvgArc) -> bool {
     let chord = arc.to - arc.from;
     let radius = arc.radii.x.abs().min(arc.radii.y.abs());
     arc.large_arc && chord.x.abs().max(chord.y.abs()) <= SMALL_CHORD * radius

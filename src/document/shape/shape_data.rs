@@ -1,14 +1,14 @@
 //! Where the path data of a shape come from: they are worked out, or were before.
 
-use super::Options;
-use super::element::{self, Shape};
-use super::reason::Reason;
-use super::scratch::Scratch;
-use super::style::property::Kind;
-use super::xml::scan::Scanner;
+use crate::document::Options;
+use crate::document::path::scratch::Scratch;
+use crate::document::reason::Reason;
+use crate::document::shape::element::{self, Shape};
+use crate::document::style::property::Kind;
+use crate::document::xml::scan::Scanner;
 
 /// Where the path data of a shape are.
-pub(super) enum ShapeData {
+pub(in crate::document) enum ShapeData {
     /// In the buffer for curves.
     Drawn,
     /// Among those that were worked out before.
@@ -18,7 +18,7 @@ pub(super) enum ShapeData {
 }
 
 /// Works out the path data of a shape. `key` is a buffer for how it is spelled.
-pub(super) fn find(
+pub(in crate::document) fn find(
     kind: Kind,
     scanner: &Scanner<'_>,
     options: &Options,

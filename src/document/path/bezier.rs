@@ -7,12 +7,12 @@ use core::iter::repeat;
 
 use kurbo::{Point, Vec2};
 
-use super::memo::Memo;
-use super::segments::Beziers;
-use super::{Options, Reason};
 use crate::Angle;
 use crate::approximate::{self, Drawing, Known, approximate, approximate_between};
 use crate::curve::map_points;
+use crate::document::path::beziers::Beziers;
+use crate::document::path::known::Memo;
+use crate::document::{Options, Reason};
 use crate::joints::cutting::{Cutting, EqualPieces};
 use crate::joints::{Cut, quarters};
 use crate::method::{Ends, Method, Rule};
@@ -29,7 +29,7 @@ const LAST_DIGITS: u32 = 12;
 type Engine = fn(&Shape, &approximate::Options) -> crate::Result<Drawing>;
 
 /// Fills `out` with an arc of a path, whose ends stay as they are; points are counted from `arc.from`.
-pub(super) fn arc(
+pub(in crate::document) fn arc(
     arc: &SvgArc,
     options: &Options,
     memo: &mut Memo,
@@ -39,7 +39,7 @@ pub(super) fn arc(
 }
 
 /// As [`arc`] for the corner of a rectangle, whose ends are rounded as all others where a precision is asked for.
-pub(super) fn corner(
+pub(in crate::document) fn corner(
     arc: &SvgArc,
     options: &Options,
     memo: &mut Memo,
@@ -86,7 +86,7 @@ fn arc_by(
 }
 
 /// Fills `out` with an ellipse that starts at `center` + (`radii.x`, 0) and runs towards +y, its points counted from its centre.
-pub(super) fn ellipse(
+pub(in crate::document) fn ellipse(
     center: Point,
     radii: Vec2,
     options: &Options,

@@ -4,40 +4,40 @@ use core::ops::Range;
 
 use kurbo::Vec2;
 
-use super::path_data::Segment;
 use crate::arcs::recognize::Found;
+use crate::document::path::segments::Segment;
 use crate::number::decimal::{After, Decimal, Form};
 use crate::number::decimals_of;
 
 /// A Bézier of path data.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Link {
-    pub(super) segment: Segment,
+pub(in crate::document) struct Link {
+    pub(in crate::document) segment: Segment,
     /// The index of the byte after the segment before it.
-    pub(super) previous: usize,
+    pub(in crate::document) previous: usize,
     /// Where it ends.
-    pub(super) to: Vec2,
+    pub(in crate::document) to: Vec2,
     /// The most decimals of its numbers that are believed.
-    pub(super) decimals: u8,
+    pub(in crate::document) decimals: u8,
 }
 
 /// A run of links that becomes one arc.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Run {
+pub(in crate::document) struct Run {
     /// Its first link.
-    pub(super) start: usize,
-    pub(super) found: Found,
+    pub(in crate::document) start: usize,
+    pub(in crate::document) found: Found,
 }
 
 impl Run {
     /// The index of the link after it.
-    pub(super) const fn end(&self) -> usize {
+    pub(in crate::document) const fn end(&self) -> usize {
         self.start + self.found.count
     }
 }
 
 /// The family of a Bézier command: `c` or `q`; 0 for any other one.
-pub(super) const fn family(kind: u8) -> u8 {
+pub(in crate::document) const fn family(kind: u8) -> u8 {
     match kind {
         b'c' | b's' => b'c',
         b'q' | b't' => b'q',
@@ -50,9 +50,9 @@ const TEXT: usize = 48;
 
 /// A range of the path data and what stands in its place.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Edit {
-    pub(super) range: Range<usize>,
-    pub(super) text: Vec<u8>,
+pub(in crate::document) struct Edit {
+    pub(in crate::document) range: Range<usize>,
+    pub(in crate::document) text: Vec<u8>,
 }
 
 impl Edit {
@@ -75,7 +75,11 @@ type Cost = (isize, isize);
 
 /// The edits for those runs with which the text is shortest, in their order, and these runs; of texts of one length it is that with the most
 /// arcs.
-pub(super) fn edits(text: &str, links: &[Link], runs: &[Run]) -> (Vec<Edit>, Vec<Run>) {
+pub(in crate::document) fn edits(
+    text: &str,
+    links: &[Link],
+    runs: &[Run],
+) -> (Vec<Edit>, Vec<Run>) {
     // From the last one, so that what follows each is known: what becomes of it, and which of them is the first to be taken from it on.
     let mut taken: Vec<Option<Taken>> = runs.iter().map(|_| None).collect();
     let mut first = vec![runs.len(); runs.len() + 1];
@@ -142,7 +146,12 @@ const fn text_start(link: &Link) -> usize {
 
 /// How many characters an arc may take, at most, without its end point in place of one Bézier; a letter for the next one may stand where
 /// several characters parted them, and after a run this one would be spelled otherwise.
-pub(super) fn longest(text: &str, links: &[Link], index: usize, before: Option<&Run>) -> usize {
+pub(in crate::document) fn longest(
+    text: &str,
+    links: &[Link],
+    index: usize,
+    before: Option<&Run>,
+) -> usize {
     let Some(link) = links.get(index) else {
         return 0;
     };

@@ -1,25 +1,25 @@
 //! The way back for a whole path: where it becomes a shape, and why not.
 
-use super::output::Output;
-use super::reason::Reason;
-use super::style::property::Kind;
-use super::tag;
-use super::whole::{self, Whole};
-use super::xml::attributes::Attribute;
-use super::xml::node::Element;
+use crate::document::output::Output;
+use crate::document::reason::Reason;
+use crate::document::shape::tag;
+use crate::document::shape::whole::{self, Whole};
+use crate::document::style::property::Kind;
+use crate::document::xml::attributes::Attribute;
+use crate::document::xml::node::Element;
 use crate::joints::Tolerance;
 
 /// A path that may be a shape.
-pub(super) struct Candidate<'r, 'a> {
-    pub(super) element: &'r Element<'r>,
-    pub(super) attributes: &'r [Attribute<'a>],
-    pub(super) d: &'r Attribute<'a>,
-    pub(super) whole: Whole,
+pub(in crate::document) struct Candidate<'r, 'a> {
+    pub(in crate::document) element: &'r Element<'r>,
+    pub(in crate::document) attributes: &'r [Attribute<'a>],
+    pub(in crate::document) d: &'r Attribute<'a>,
+    pub(in crate::document) whole: Whole,
 }
 
 impl<'r, 'a> Candidate<'r, 'a> {
     /// The path, where its data are a shape of no more bytes.
-    pub(super) fn new(
+    pub(in crate::document) fn new(
         element: &'r Element<'r>,
         attributes: &'r [Attribute<'a>],
         d: &'r Attribute<'a>,
@@ -38,7 +38,7 @@ impl<'r, 'a> Candidate<'r, 'a> {
     }
 
     /// Why it stays a path, as far as it says itself. `lower` is the text of the document as [`super::xml::value::words`].
-    pub(super) fn stays(&self, lower: &str) -> Option<Reason> {
+    pub(in crate::document) fn stays(&self, lower: &str) -> Option<Reason> {
         let has = |name: &str| {
             self.attributes
                 .iter()
@@ -59,7 +59,7 @@ impl<'r, 'a> Candidate<'r, 'a> {
     }
 
     /// Makes it the shape.
-    pub(super) fn replace(&self, source: &str, output: &mut Output<'_>) {
+    pub(in crate::document) fn replace(&self, source: &str, output: &mut Output<'_>) {
         let quote = source.as_bytes().get(self.d.value_span.start - 1);
         let attributes = self.whole.attributes(quote.copied().unwrap_or(b'"'));
         tag::become_shape(

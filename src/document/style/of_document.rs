@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use super::animation::{self, Target, target};
 use super::css::{self, Sheet};
 use super::motion::{self, Motion};
-use super::own;
+use super::on_element;
 use super::property::{Effect, Kind, Markers, Properties};
 use super::rules::Subject;
 use super::script;
@@ -287,7 +287,7 @@ impl Facts {
             id,
         };
         let styled = self.sheet.rules.effect(subject).sets.markers();
-        own::markers(inherited, &scanner.attributes, &scanner.doctype).with(styled)
+        on_element::markers(inherited, &scanner.attributes, &scanner.doctype).with(styled)
     }
 
     /// Follows markers through `<use>` into what it refers to, which may hold further ones.

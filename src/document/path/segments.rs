@@ -4,48 +4,51 @@ use core::ops::Range;
 
 use kurbo::Vec2;
 
-use super::grammar::{
+use crate::document::path::grammar::{
     after_arc_shape, after_arguments, after_numbers, after_separator, after_space,
 };
 use crate::number::read as number;
 
 /// One command and one set of its arguments.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Segment {
+pub(in crate::document) struct Segment {
     /// The command letter; for implicit repetition the one that applies (`L` after `M`).
-    pub(super) letter: u8,
+    pub(in crate::document) letter: u8,
     /// Whether the letter stands in the text.
-    pub(super) explicit: bool,
+    pub(in crate::document) explicit: bool,
     /// The first byte: the letter, or the first argument of a repetition.
-    pub(super) start: usize,
+    pub(in crate::document) start: usize,
     /// The first byte of the first argument.
-    pub(super) arguments: usize,
+    pub(in crate::document) arguments: usize,
     /// The first byte of the end point's text (of the last argument for `H` and `V`); the end where the arc is known.
-    pub(super) tail: usize,
+    pub(in crate::document) tail: usize,
     /// The index after the last argument.
-    pub(super) end: usize,
+    pub(in crate::document) end: usize,
     /// The end point's numbers, for `H` and `V` the one there is, if they are wanted; infinite where one is beyond `f64`.
-    pub(super) to: [f64; 2],
+    pub(in crate::document) to: [f64; 2],
 }
 
 impl Segment {
     /// The command as a small letter.
-    pub(super) const fn kind(&self) -> u8 {
+    pub(in crate::document) const fn kind(&self) -> u8 {
         self.letter.to_ascii_lowercase()
     }
 
     /// Whether coordinates count from the current point.
-    pub(super) const fn is_relative(&self) -> bool {
+    pub(in crate::document) const fn is_relative(&self) -> bool {
         self.letter.is_ascii_lowercase()
     }
 
     /// Whether the end point's numbers are within `f64`.
-    pub(super) const fn is_finite(&self) -> bool {
+    pub(in crate::document) const fn is_finite(&self) -> bool {
         self.to[0].is_finite() && self.to[1].is_finite()
     }
 
     /// The texts of its numbers; of an arc, whose flags are no numbers, they are none.
-    pub(super) fn numbers<'t>(&self, text: &'t str) -> impl Iterator<Item = &'t str> + use<'t> {
+    pub(in crate::document) fn numbers<'t>(
+        &self,
+        text: &'t str,
+    ) -> impl Iterator<Item = &'t str> + use<'t> {
         let (mut at, end) = (self.arguments, self.end);
         core::iter::from_fn(move || {
             let bytes = text.as_bytes();
@@ -57,7 +60,7 @@ impl Segment {
     }
 
     /// The arguments of an arc, flags as 0 or 1.
-    pub(super) fn arc_values(&self, text: &str) -> Option<[f64; 7]> {
+    pub(in crate::document) fn arc_values(&self, text: &str) -> Option<[f64; 7]> {
         let bytes = text.as_bytes();
         let mut values = [0.0; 7];
         let mut at = self.arguments;
@@ -76,16 +79,16 @@ impl Segment {
 
 /// What a Bézier has before its end point, and how its numbers are spelled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Handles {
+pub(in crate::document) struct Handles {
     /// Its control points, as many as it spells.
-    pub(super) points: [Vec2; 2],
+    pub(in crate::document) points: [Vec2; 2],
     /// The most decimals of its numbers; [`WITH_EXPONENT`](number::WITH_EXPONENT) where one has an exponent.
-    pub(super) decimals: u8,
+    pub(in crate::document) decimals: u8,
 }
 
 /// Reads path data up to its end or its first error.
 #[derive(Debug, Clone)]
-pub(super) struct Segments<'a> {
+pub(in crate::document) struct Segments<'a> {
     bytes: &'a [u8],
     at: usize,
     end: usize,
@@ -103,7 +106,7 @@ pub(super) struct Segments<'a> {
 
 impl<'a> Segments<'a> {
     /// The path data in `text[span]`. After them the text ends or goes on with a quote, which no number does.
-    pub(super) const fn new(text: &'a str, span: Range<usize>) -> Self {
+    pub(in crate::document) const fn new(text: &'a str, span: Range<usize>) -> Self {
         Self {
             bytes: text.as_bytes(),
             at: span.start,
@@ -117,12 +120,12 @@ impl<'a> Segments<'a> {
     }
 
     /// The segments with the numbers of their end points.
-    pub(super) const fn with_ends(self, wants_ends: bool) -> Self {
+    pub(in crate::document) const fn with_ends(self, wants_ends: bool) -> Self {
         Self { wants_ends, ..self }
     }
 
     /// The same with the numbers of control points.
-    pub(super) const fn with_handles(self) -> Self {
+    pub(in crate::document) const fn with_handles(self) -> Self {
         Self {
             wants_ends: true,
             handles: Some(Handles {
@@ -134,17 +137,17 @@ impl<'a> Segments<'a> {
     }
 
     /// What the last segment has, a Bézier, before its end point, where that is wanted.
-    pub(super) const fn handles(&self) -> Option<Handles> {
+    pub(in crate::document) const fn handles(&self) -> Option<Handles> {
         self.handles
     }
 
     /// The index at which the data stop being path data; what stands after it is not drawn.
-    pub(super) const fn error(&self) -> Option<usize> {
+    pub(in crate::document) const fn error(&self) -> Option<usize> {
         self.error
     }
 
     /// The index of the error, if it is a number too many or the first of too few.
-    pub(super) fn number_at_error(&self) -> Option<usize> {
+    pub(in crate::document) fn number_at_error(&self) -> Option<usize> {
         self.error
             .filter(|&at| number::skip(self.bytes, after_separator(self.bytes, at)).is_some())
     }
@@ -152,7 +155,7 @@ impl<'a> Segments<'a> {
     /// The next segment, if it is a relative arc alone after its letter and `known` knows the text of its arguments, with what that
     /// gives: the index of the arc and its end point. Most arcs of icons have been met before, and are not read again.
     #[inline]
-    pub(super) fn next_known(
+    pub(in crate::document) fn next_known(
         &mut self,
         known: impl FnOnce(&[u8]) -> Option<(usize, [f64; 2])>,
     ) -> Option<(Segment, usize)> {
@@ -183,7 +186,7 @@ impl<'a> Segments<'a> {
 
     /// Whether the data have an error right here where a reader that forgives it would find a smooth command: then an arc before it
     /// must stay an arc.
-    pub(super) fn is_broken_smooth(&self) -> bool {
+    pub(in crate::document) fn is_broken_smooth(&self) -> bool {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
         let next = rest
             .iter()

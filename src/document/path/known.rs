@@ -3,8 +3,8 @@
 //! Each thread keeps a bounded table for arcs, by their text, and one for spans, by their angle. Both hold what a computation
 //! gives again, so that nothing depends on what was converted before; they are emptied when the options change.
 
-use super::Options;
-use super::curve_text::Curve;
+use crate::document::Options;
+use crate::document::path::curve_text::Curve;
 use crate::method::{Piece, Rule, Span};
 use crate::number::decimal::After;
 
@@ -32,7 +32,7 @@ struct Written {
 
 /// The tables.
 #[derive(Debug, Default)]
-pub(super) struct Memo {
+pub(in crate::document) struct Memo {
     made_for: Option<Options>,
     /// One more than the index of an arc, or 0.
     places: Vec<u32>,
@@ -42,7 +42,7 @@ pub(super) struct Memo {
 }
 
 impl Memo {
-    pub(super) fn serve(&mut self, options: &Options) {
+    pub(in crate::document) fn serve(&mut self, options: &Options) {
         if self.made_for.as_ref() != Some(options) {
             self.forget_arcs();
             self.spans.clear();
@@ -57,7 +57,7 @@ impl Memo {
     }
 
     /// Where the arc or the shape of this spelling is kept, if it is known.
-    pub(super) fn find(&self, key: &[u8]) -> Option<usize> {
+    pub(in crate::document) fn find(&self, key: &[u8]) -> Option<usize> {
         self.look_up(key).ok()
     }
 
@@ -77,7 +77,7 @@ impl Memo {
     }
 
     /// What the arc or the shape that was found became.
-    pub(super) fn curve(&self, index: usize) -> Curve<'_> {
+    pub(in crate::document) fn curve(&self, index: usize) -> Curve<'_> {
         let Some(written) = self.arcs.get(index) else {
             return Curve::default();
         };
@@ -95,7 +95,7 @@ impl Memo {
     }
 
     /// Keeps an arc or a shape.
-    pub(super) fn keep(&mut self, key: &[u8], curve: &Curve<'_>) {
+    pub(in crate::document) fn keep(&mut self, key: &[u8], curve: &Curve<'_>) {
         if key.len() + curve.text.len() > MOST_BYTES / 64 {
             return;
         }
@@ -131,7 +131,11 @@ impl Memo {
     }
 
     /// The piece of that many degrees by a rule, and its peak radial error on the unit circle.
-    pub(super) fn piece(&mut self, rule: Rule, degrees: f64) -> crate::Result<(Piece, f64)> {
+    pub(in crate::document) fn piece(
+        &mut self,
+        rule: Rule,
+        degrees: f64,
+    ) -> crate::Result<(Piece, f64)> {
         let slot = slot(&degrees.to_bits().to_le_bytes()) % SPANS;
         if let Some(Some((known, piece, error))) = self.spans.get(slot)
             && *known == degrees

@@ -8,13 +8,13 @@ use core::ops::Range;
 
 use kurbo::{CubicBez, QuadBez, Vec2};
 
-use super::arcs::Sink;
-use super::path_data::{Handles, Segment, Segments};
-use super::position::Position;
-use super::reason::Reason;
-use super::run_text::{self, Edit, Link, Run, family};
 use crate::arcs::recognize::Rules;
 use crate::arcs::together;
+use crate::document::path::arcs::Sink;
+use crate::document::path::position::Position;
+use crate::document::path::run_text::{self, Edit, Link, Run, family};
+use crate::document::path::segments::{Handles, Segment, Segments};
+use crate::document::reason::Reason;
 use crate::joints::Tolerance;
 use crate::number::Precision;
 use crate::number::read::{WITH_EXPONENT, decimals_spelled};
@@ -30,25 +30,25 @@ const MOST_LEVELS: usize = 8;
 
 /// What became of one path.
 #[derive(Debug, Default)]
-pub(super) struct Outcome {
+pub(in crate::document) struct Outcome {
     /// The edits, in their order.
-    pub(super) edits: Vec<Edit>,
+    pub(in crate::document) edits: Vec<Edit>,
     /// The arc commands in them.
-    pub(super) arcs: usize,
+    pub(in crate::document) arcs: usize,
     /// A bound of the distance of all arcs from their runs, of those before them too.
-    pub(super) strayed: f64,
+    pub(in crate::document) strayed: f64,
     /// Why a run was left, and where it is.
-    pub(super) left: Option<(usize, Reason)>,
+    pub(in crate::document) left: Option<(usize, Reason)>,
 }
 
 impl Outcome {
     /// Whether there is nothing to do or to note.
-    pub(super) const fn is_empty(&self) -> bool {
+    pub(in crate::document) const fn is_empty(&self) -> bool {
         self.edits.is_empty() && self.left.is_none()
     }
 
     /// Writes it.
-    pub(super) fn write(self, sink: &mut impl Sink) {
+    pub(in crate::document) fn write(self, sink: &mut impl Sink) {
         if let Some((at, reason)) = self.left {
             sink.note(at, reason);
         }
@@ -59,7 +59,7 @@ impl Outcome {
 }
 
 /// The rules for curves whose numbers have this many decimals.
-pub(super) fn rules(tolerance: Option<Tolerance>, decimals: u8) -> Rules {
+pub(in crate::document) fn rules(tolerance: Option<Tolerance>, decimals: u8) -> Rules {
     let (part, absolute) = match tolerance {
         Some(Tolerance::Absolute(distance)) => (0.0, distance),
         Some(Tolerance::Relative(part)) => (part, 0.0),
@@ -76,12 +76,12 @@ pub(super) fn rules(tolerance: Option<Tolerance>, decimals: u8) -> Rules {
 }
 
 /// The most decimals of the numbers in a text that are believed; `None` where one has an exponent.
-pub(super) fn decimals(text: &[u8]) -> Option<u8> {
+pub(in crate::document) fn decimals(text: &[u8]) -> Option<u8> {
     Some(decimals_spelled(text)?.min(MOST_DECIMALS))
 }
 
 /// Finds the runs of the path data in `text[span]`, after which the text ends or goes on with a quote; `strayed` is how far those before them do.
-pub(super) fn find(
+pub(in crate::document) fn find(
     text: &str,
     span: Range<usize>,
     tolerance: Option<Tolerance>,

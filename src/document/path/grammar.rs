@@ -4,7 +4,7 @@ use crate::number::read as number;
 
 /// The index after white space.
 #[inline]
-pub(super) fn after_space(bytes: &[u8], mut at: usize) -> usize {
+pub(in crate::document) fn after_space(bytes: &[u8], mut at: usize) -> usize {
     while let Some(b' ' | b'\t' | b'\n' | b'\r' | 0x0c) = bytes.get(at) {
         at += 1;
     }
@@ -13,7 +13,7 @@ pub(super) fn after_space(bytes: &[u8], mut at: usize) -> usize {
 
 /// The index after white space with at most one comma.
 #[inline]
-pub(super) fn after_separator(bytes: &[u8], at: usize) -> usize {
+pub(in crate::document) fn after_separator(bytes: &[u8], at: usize) -> usize {
     /// The bit of each byte that parts numbers.
     const SEPARATORS: u64 =
         1 << b' ' | 1 << b'\t' | 1 << b'\n' | 1 << b'\r' | 1 << 0x0c | 1 << b',';
@@ -41,7 +41,10 @@ fn after_separators(bytes: &[u8], at: usize) -> usize {
 
 /// The index after `COUNT` numbers and what parts them from the next one.
 #[inline]
-pub(super) fn after_numbers<const COUNT: usize>(bytes: &[u8], mut at: usize) -> Option<usize> {
+pub(in crate::document) fn after_numbers<const COUNT: usize>(
+    bytes: &[u8],
+    mut at: usize,
+) -> Option<usize> {
     for _ in 0..COUNT {
         at = after_separator(bytes, number::skip(bytes, at)?);
     }
@@ -50,7 +53,7 @@ pub(super) fn after_numbers<const COUNT: usize>(bytes: &[u8], mut at: usize) -> 
 
 /// The index of the first byte above the digits, such as a letter; the end of the text where there is none.
 #[inline]
-pub(super) fn after_arguments(bytes: &[u8], mut at: usize) -> usize {
+pub(in crate::document) fn after_arguments(bytes: &[u8], mut at: usize) -> usize {
     const HIGH: u64 = 0x8080_8080_8080_8080;
     while let Some(chunk) = bytes.get(at..).and_then(<[u8]>::first_chunk) {
         let word = u64::from_le_bytes(*chunk);
@@ -74,7 +77,7 @@ fn after_flag(bytes: &[u8], at: usize) -> Option<usize> {
 
 /// The index after the radii, the rotation and the flags of an arc.
 #[inline]
-pub(super) fn after_arc_shape(bytes: &[u8], at: usize) -> Option<usize> {
+pub(in crate::document) fn after_arc_shape(bytes: &[u8], at: usize) -> Option<usize> {
     let large = after_numbers::<3>(bytes, at)?;
     let sweep = after_separator(bytes, after_flag(bytes, large)?);
     Some(after_separator(bytes, after_flag(bytes, sweep)?))
@@ -144,7 +147,7 @@ mod tests {
         let mut wrong = Vec::new();
         for text in texts {
             let text = format!("M0 0{text}");
-            let mut segments = super::super::path_data::Segments::new(&text, 0..text.len());
+            let mut segments = super::super::segments::Segments::new(&text, 0..text.len());
             while segments.next().is_some() {}
             let is_right = segments.error().is_none();
             if crate::path::contours(&text).is_ok() != is_right {

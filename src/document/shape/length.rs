@@ -5,14 +5,14 @@ use crate::number::read as number;
 
 /// A length: its value, and its digits as the file spells them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Length {
-    pub(super) value: f64,
-    pub(super) exact: Decimal,
+pub(in crate::document) struct Length {
+    pub(in crate::document) value: f64,
+    pub(in crate::document) exact: Decimal,
 }
 
 /// What an attribute says.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Reading {
+pub(in crate::document) enum Reading {
     Length(Length),
     /// The keyword `auto`.
     Auto,
@@ -33,7 +33,7 @@ const UNITS: [(&str, f64); 7] = [
 
 impl Length {
     /// A value that was computed.
-    pub(super) fn computed(value: f64) -> Self {
+    pub(in crate::document) fn computed(value: f64) -> Self {
         let size = libm::log10(value.abs().max(1e-300)).ceil() as i32;
         Self {
             value,
@@ -41,7 +41,7 @@ impl Length {
         }
     }
 
-    pub(super) fn zero() -> Self {
+    pub(in crate::document) fn zero() -> Self {
         Self {
             value: 0.0,
             exact: Decimal::ZERO,
@@ -50,7 +50,7 @@ impl Length {
 }
 
 /// Reads the value of a geometry attribute.
-pub(super) fn read(text: &str) -> Reading {
+pub(in crate::document) fn read(text: &str) -> Reading {
     let text = text.trim_matches([' ', '\t', '\n', '\r', '\x0c']);
     if text == "auto" {
         return Reading::Auto;

@@ -4,11 +4,11 @@ use core::ops::Range;
 
 use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Rect, Shape as _, Vec2};
 
-use super::runs::{decimals, rules};
-use super::style::property::Kind;
 use crate::arcs::recognize::{MARGIN, Rules};
 use crate::arcs::turn::{Turn, turned};
 use crate::contour::{Contour, Step};
+use crate::document::path::runs::{decimals, rules};
+use crate::document::style::property::Kind;
 use crate::joints::Tolerance;
 use crate::number::{push_shortest, round};
 use crate::path;
@@ -31,19 +31,19 @@ const NOISE: f64 = 1e-12;
 
 /// A whole shape.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Whole {
-    pub(super) kind: Kind,
+pub(in crate::document) struct Whole {
+    pub(in crate::document) kind: Kind,
     /// The values of its attributes, as [`Kind::geometry`] has them; a rectangle of equal radii has one of them.
     numbers: Vec<f64>,
     /// A bound, both ways, of its distance from the path.
-    pub(super) strayed: f64,
+    pub(in crate::document) strayed: f64,
     /// Whether the path starts and runs as renderers draw the shape, so that dashes stay where they are.
-    pub(super) starts_alike: bool,
+    pub(in crate::document) starts_alike: bool,
 }
 
 impl Whole {
     /// The attributes, without the quote that ends the last one.
-    pub(super) fn attributes(&self, quote: u8) -> Vec<u8> {
+    pub(in crate::document) fn attributes(&self, quote: u8) -> Vec<u8> {
         let mut out = Vec::new();
         for (name, number) in self.kind.geometry().iter().zip(&self.numbers) {
             if !out.is_empty() {
@@ -59,7 +59,11 @@ impl Whole {
 }
 
 /// The shape that the path data in `text[span]` are; `None` where they are anything else.
-pub(super) fn find(text: &str, span: Range<usize>, tolerance: Option<Tolerance>) -> Option<Whole> {
+pub(in crate::document) fn find(
+    text: &str,
+    span: Range<usize>,
+    tolerance: Option<Tolerance>,
+) -> Option<Whole> {
     let data = text.get(span)?.trim_ascii();
     let closes = data.ends_with(['z', 'Z']);
     if !closes || data.len() > LONGEST || data.matches(['m', 'M', 'z', 'Z']).count() != 2 {

@@ -4,21 +4,21 @@ use std::borrow::Cow;
 
 use kurbo::{ParamCurve, Point, Vec2};
 
-use super::bezier;
-use super::collapse::is_too_small;
-use super::length::{self, Length, Reading};
-use super::pen::Pen;
-use super::scratch::Scratch;
-use super::style::property::Kind;
-use super::{Options, Reason};
 use crate::Angle;
+use crate::document::path::bezier;
+use crate::document::path::collapse::is_too_small;
+use crate::document::path::scratch::Scratch;
+use crate::document::shape::length::{self, Length, Reading};
+use crate::document::shape::pen::Pen;
+use crate::document::style::property::Kind;
+use crate::document::{Options, Reason};
 use crate::number::decimal::Decimal;
 use crate::shape::Truth;
 use crate::shape::endpoint::SvgArc;
 
 /// A shape with its used values: `auto` resolved, radii clamped.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Shape {
+pub(in crate::document) enum Shape {
     /// Centre and radii.
     Ellipse([Length; 2], [Length; 2]),
     /// Left top corner, size, corner radii.
@@ -28,7 +28,7 @@ pub(super) enum Shape {
 }
 
 /// Reads a shape; `attribute` gives the resolved value of an attribute, if the element has it.
-pub(super) fn read<'v>(
+pub(in crate::document) fn read<'v>(
     kind: Kind,
     attribute: impl Fn(&str) -> Option<Cow<'v, str>>,
 ) -> Result<Shape, Reason> {
@@ -60,7 +60,7 @@ pub(super) fn read<'v>(
 }
 
 /// The shape with these lengths; `get` gives that of an attribute, if the element has one.
-pub(super) fn shape(
+pub(in crate::document) fn shape(
     kind: Kind,
     get: impl Fn(&'static str) -> Result<Option<Length>, Reason>,
 ) -> Result<Shape, Reason> {
@@ -125,7 +125,7 @@ fn clamp(radius: Length, side: Length) -> Length {
 }
 
 /// Writes the path data of a shape to `out`; returns how far it lies from the shape at most, where that is to be measured.
-pub(super) fn path_data(
+pub(in crate::document) fn path_data(
     shape: &Shape,
     options: &Options,
     scratch: &mut Scratch,

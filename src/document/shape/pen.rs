@@ -2,9 +2,9 @@
 
 use kurbo::Point;
 
-use super::length::Length;
-use super::segments::{Beziers, arguments};
 use crate::curve::segment_of;
+use crate::document::path::beziers::{Beziers, arguments};
+use crate::document::shape::length::Length;
 use crate::measure::radial;
 use crate::number::decimal::{Decimal, Form};
 use crate::path::PathText;
@@ -14,20 +14,20 @@ use crate::shape::Truth;
 type Place = [Decimal; 2];
 
 /// Writes the path data of one shape.
-pub(super) struct Pen<'a> {
+pub(in crate::document) struct Pen<'a> {
     out: &'a mut Vec<u8>,
     text: PathText,
     /// The decimals of control points.
-    pub(super) decimals: u32,
+    pub(in crate::document) decimals: u32,
     /// The precision asked for: then every number is rounded to it.
     asked: Option<u32>,
     /// What offsets are counted from.
-    pub(super) base: [Length; 2],
+    pub(in crate::document) base: [Length; 2],
     /// Offsets whose digits are known: a point there is written exactly.
-    pub(super) known: [Length; 2],
+    pub(in crate::document) known: [Length; 2],
     current: Place,
     /// What curves are measured against, and how far they lie from it at most.
-    pub(super) truth: Option<Truth>,
+    pub(in crate::document) truth: Option<Truth>,
     strayed: f64,
 }
 
@@ -45,7 +45,7 @@ fn push_points(text: &mut PathText, out: &mut Vec<u8>, points: &[Place], origin:
 
 impl<'a> Pen<'a> {
     /// A pen that rounds control points to `decimals`, or everything to the precision that was asked for.
-    pub(super) fn new(asked: Option<u8>, decimals: u32, out: &'a mut Vec<u8>) -> Self {
+    pub(in crate::document) fn new(asked: Option<u8>, decimals: u32, out: &'a mut Vec<u8>) -> Self {
         Self {
             out,
             text: PathText::new(Form::Short),
@@ -69,7 +69,7 @@ impl<'a> Pen<'a> {
     }
 
     /// The place at an offset from the base.
-    pub(super) fn place(&self, offset: Point) -> Place {
+    pub(in crate::document) fn place(&self, offset: Point) -> Place {
         let axis = |value: f64, base: &Length, known: &Length| {
             let rounded = if value == known.value {
                 known.exact
@@ -89,14 +89,14 @@ impl<'a> Pen<'a> {
     }
 
     /// Begins the path.
-    pub(super) fn move_to(&mut self, place: Place) {
+    pub(in crate::document) fn move_to(&mut self, place: Place) {
         self.current = self.rounded(place);
         self.text.letter(self.out, b'M');
         push_points(&mut self.text, self.out, &[self.current], None);
     }
 
     /// A line along an axis.
-    pub(super) fn line_to(&mut self, letter: u8, place: Place) {
+    pub(in crate::document) fn line_to(&mut self, letter: u8, place: Place) {
         self.current = self.rounded(place);
         self.text.letter(self.out, letter);
         self.text
@@ -104,7 +104,7 @@ impl<'a> Pen<'a> {
     }
 
     /// Curves; where they close the path the last one is absolute, so that it ends on the first point digit for digit.
-    pub(super) fn curves(&mut self, drawn: &Beziers, closes: bool) {
+    pub(in crate::document) fn curves(&mut self, drawn: &Beziers, closes: bool) {
         let letter = if drawn.is_quadratic() { b'q' } else { b'c' };
         let (mut absolute, mut relative) = (Vec::new(), Vec::new());
         for (i, segment) in (1..).zip(&drawn.segments) {
@@ -149,7 +149,7 @@ impl<'a> Pen<'a> {
     }
 
     /// Closes the path and tells how far its curves lie from what they were measured against.
-    pub(super) fn close(self) -> f64 {
+    pub(in crate::document) fn close(self) -> f64 {
         self.out.push(b'Z');
         self.strayed
     }

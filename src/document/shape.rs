@@ -1,0 +1,9 @@
+//! Shapes as path data, and path data that are shapes.
+
+pub(super) mod back;
+pub(super) mod element;
+pub(super) mod length;
+mod pen;
+pub(super) mod shape_data;
+pub(super) mod tag;
+mod whole;
