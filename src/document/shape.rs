@@ -3,7 +3,7 @@
 pub(super) mod back;
 pub(super) mod element;
 pub(super) mod length;
-mod pen;
 pub(super) mod shape_data;
 pub(super) mod tag;
+mod text;
 mod whole;

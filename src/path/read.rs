@@ -22,14 +22,14 @@ pub fn contours(data: &str) -> Result<Vec<Contour>> {
         let why = format!("a number is expected after the comma {}", place(data, at));
         return Err(syntax(data, why));
     }
-    let mut pen = Pen::default();
+    let mut subpaths = Subpaths::default();
     for segment in PathParser::from(&*commas_first(data)) {
         let segment = segment
             .map_err(|error| syntax(data, refusal(&error, data, "a command or a number")))?;
-        pen.take(segment)?;
+        subpaths.take(segment)?;
     }
-    pen.end();
-    Ok(pen.contours)
+    subpaths.end();
+    Ok(subpaths.contours)
 }
 
 /// The curves of path data, one for each subpath. A closing line that is next to nothing, as rounding leaves one, is no segment.
@@ -128,7 +128,7 @@ pub fn shortened(text: &str) -> String {
 
 /// The current subpath.
 #[derive(Default)]
-struct Pen {
+struct Subpaths {
     contours: Vec<Contour>,
     steps: Vec<Step>,
     start: Point,
@@ -145,7 +145,7 @@ enum Control {
     Cubic(Point),
 }
 
-impl Pen {
+impl Subpaths {
     fn take(&mut self, segment: PathSegment) -> Result<()> {
         match segment {
             PathSegment::MoveTo { abs, x, y } => {

@@ -9,7 +9,7 @@ use crate::document::path::bezier;
 use crate::document::path::collapse::is_too_small;
 use crate::document::path::scratch::Scratch;
 use crate::document::shape::length::{self, Length, Reading};
-use crate::document::shape::pen::Pen;
+use crate::document::shape::text::ShapeText;
 use crate::document::style::property::Kind;
 use crate::document::{Options, Reason};
 use crate::number::decimal::Decimal;
@@ -144,17 +144,17 @@ pub(in crate::document) fn path_data(
                 &mut scratch.beziers,
             )?;
             let drawn = &scratch.beziers;
-            let mut pen = Pen::new(options.precision, drawn.decimals, out);
-            pen.known = [radii[0], radii[1]];
-            pen.base = *center;
-            pen.truth = options.measure.then(|| {
+            let mut text = ShapeText::new(options.precision, drawn.decimals, out);
+            text.known = [radii[0], radii[1]];
+            text.base = *center;
+            text.truth = options.measure.then(|| {
                 let [cx, cy] = center.map(|length| length.value);
                 Truth::new(Point::new(cx, cy), Vec2::new(rx, ry), Vec2::new(1.0, 0.0))
             });
             let start = drawn.segments.first().map(ParamCurve::start);
-            pen.move_to(pen.place(start.unwrap_or_default()));
-            pen.curves(drawn, true);
-            Ok(pen.close())
+            text.move_to(text.place(start.unwrap_or_default()));
+            text.curves(drawn, true);
+            Ok(text.close())
         }
         Shape::Rect(corner, size, radii) => rect(*corner, *size, *radii, options, scratch, out),
         Shape::Square => Ok(0.0),
@@ -204,8 +204,8 @@ fn rect(
         ([x, top_in], (rx, -ry), b'V'),
     ];
     let straight = [size[0].value > 2.0 * rx, size[1].value > 2.0 * ry];
-    let mut pen = Pen::new(options.precision, 0, out);
-    pen.known = radii;
+    let mut text = ShapeText::new(options.precision, 0, out);
+    text.known = radii;
     for (index, (start, to, line)) in corners.into_iter().enumerate() {
         // As for an ellipse: where a precision is asked for, it is points that are rounded.
         let place = Point::new(start[0].value(), start[1].value());
@@ -220,20 +220,20 @@ fn rect(
         };
         bezier::corner(&arc, options, &mut scratch.memo, &mut scratch.beziers)?;
         if index == 0 {
-            pen.decimals = scratch.beziers.decimals;
-            pen.move_to([left_in, y]);
+            text.decimals = scratch.beziers.decimals;
+            text.move_to([left_in, y]);
         }
         if straight[index % 2] {
-            pen.line_to(line, start);
+            text.line_to(line, start);
         }
-        pen.base = start.map(|exact| Length {
+        text.base = start.map(|exact| Length {
             value: exact.value(),
             exact,
         });
-        pen.truth = options.measure.then(|| corner_truth(place, to, index));
-        pen.curves(&scratch.beziers, index == 3);
+        text.truth = options.measure.then(|| corner_truth(place, to, index));
+        text.curves(&scratch.beziers, index == 3);
     }
-    Ok(pen.close())
+    Ok(text.close())
 }
 
 /// The true shape of a corner of this number that begins there and ends so far away: its centre lies above, below or beside its start in turn.

@@ -14,7 +14,7 @@ use crate::shape::Truth;
 type Place = [Decimal; 2];
 
 /// Writes the path data of one shape.
-pub(in crate::document) struct Pen<'a> {
+pub(in crate::document) struct ShapeText<'a> {
     out: &'a mut Vec<u8>,
     text: PathText,
     /// The decimals of control points.
@@ -43,8 +43,8 @@ fn push_points(text: &mut PathText, out: &mut Vec<u8>, points: &[Place], origin:
     }
 }
 
-impl<'a> Pen<'a> {
-    /// A pen that rounds control points to `decimals`, or everything to the precision that was asked for.
+impl<'a> ShapeText<'a> {
+    /// One that rounds control points to `decimals`, or everything to the precision that was asked for.
     pub(in crate::document) fn new(asked: Option<u8>, decimals: u32, out: &'a mut Vec<u8>) -> Self {
         Self {
             out,
