@@ -315,14 +315,35 @@ impl Profile {
         self.excess.sign_changes()
     }
 
-    /// The integral of f(t, |distance|) over t, with a joint wherever the distance changes its sign.
+    /// Where it crosses the long axis of an ellipse: there the nearest point jumps to the other side, and the distance has a corner.
+    fn axis_crossings(&self) -> Parameters {
+        let across = |v: Vec2| {
+            if self.radii.x > self.radii.y {
+                v.y
+            } else {
+                v.x
+            }
+        };
+        let coordinates: Vec<f64> = control_points(&self.own)
+            .iter()
+            .map(|p| across(p.to_vec2() - self.center))
+            .collect();
+        Polynomial::new(&coordinates).sign_changes()
+    }
+
+    /// The integral of f(t, |distance|) over t, with a joint wherever the distance changes its sign or has a corner.
     pub(crate) fn integral(&self, f: impl Fn(f64, f64) -> f64) -> f64 {
-        let crossings = self.crossings();
         let value = |t: f64| f(t, self.at(t).abs());
         let noise = f64::EPSILON / 16.0 * self.larger_radius();
-        crossings
-            .pieces()
-            .map(|(from, to)| adaptive_integral(&value, from, to, noise))
+        let mut joints = vec![0.0, 1.0];
+        joints.extend(self.crossings().iter());
+        if !self.is_circle() {
+            joints.extend(self.axis_crossings().iter());
+        }
+        joints.sort_by(f64::total_cmp);
+        joints
+            .windows(2)
+            .map(|pair| adaptive_integral(&value, pair[0], pair[1], noise))
             .sum()
     }
 }

@@ -703,3 +703,23 @@ fn a_curve_that_does_not_turn_has_the_mean_over_t() {
     .error;
     assert_eq!((error.mean, error.mean_angle), (0.25, 0.25));
 }
+
+#[test]
+fn hairpins_are_as_long_as_they_are() {
+    use curveto::measure::extent::length;
+    // By 800 panels of mpmath's quadrature.
+    for (data, exact) in [
+        (
+            "M3.031565 0.000391C4.493228 -0.000117 0.526064 0.008306 1.336419 0.000477",
+            2.568_950_237_479_907,
+        ),
+        (
+            "M-2.892056 0.000216C-4.623440 0.001062 4.374955 -0.028568 2.047820 0.000244",
+            6.160_077_830_876_906,
+        ),
+    ] {
+        let curve = curveto::path::curves(data).unwrap().remove(0);
+        let found = length(&curve.segments[0]);
+        assert!((found - exact).abs() < 1e-12, "{found} and not {exact}");
+    }
+}

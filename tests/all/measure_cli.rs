@@ -796,3 +796,13 @@ fn files_are_read_as_convert_reads_them() {
         assert!(said.contains(&format!("standard input:{why}")), "{said}");
     }
 }
+
+#[test]
+fn a_corner_of_the_distance_beside_an_end_is_in_its_mean() {
+    let data = "M11.2075 8.43884C6.55935 11.3949 6.91967 1.00526 8.72304 8.2916C7.41428 12.6926 9.10758 8.29169 4.00161 11.1476C6.9373 8.33311 2.68967 5.81608 12.4903 8.30411";
+    let ellipse = "ellipse:-3.56249,8.3064,16.942,2.8745,0";
+    let error = &json(&["measure", "--path", data, "--against", ellipse])["error"];
+    // By the mean of 600,000 places, each with its nearest point from a search over all angles.
+    close(&error["mean"], 0.870_980_991_97, 2e-11);
+    close(&error["rms"], 1.083_440_625_08, 2e-11);
+}
