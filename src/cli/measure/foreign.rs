@@ -100,7 +100,7 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Sourc
             "for example: curveto measure circle 50, curveto measure --path 'M...', curveto measure --file drawing.svg",
         ));
     };
-    let (text, name) = input::text(file)?;
+    let (text, name) = input::text(input::Source::of(file))?;
     let paths =
         document::svg_paths(&text).map_err(|error| Failure::request(format!("{name}: {error}")))?;
     if document::has_transforms_elsewhere(&text) {
