@@ -153,7 +153,8 @@ fn of_value(value: &str, argument: &str) -> Option<String> {
             .parse::<f64>()
             .map(|_| format!("--size {side}x{value}"));
         return Some(both.unwrap_or_else(|_| {
-            "width, x and height, with mm, cm, in or pt behind both: --size 80x60mm".to_owned()
+            "width, x and height, then one unit for both, mm, cm, in or pt: --size 80x60mm"
+                .to_owned()
         }));
     }
     if argument.starts_with("--diameters") {
