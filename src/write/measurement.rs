@@ -205,7 +205,10 @@ const COLUMNS: [(&str, Field); 31] = [
         optional(m.report.curvature.largest.map(|e| e.value))
     }),
     ("continuity", |m| {
-        m.report.continuity.order.clone().unwrap_or_default()
+        m.report
+            .continuity
+            .order
+            .map_or_else(String::new, |order| order.to_string())
     }),
     ("largest_turn", |m| text(m.report.continuity.largest_turn)),
     ("angle_lag", |m| text(m.report.angle_lag.largest)),

@@ -186,7 +186,8 @@ pub fn conic_csv(all: &[ConicMeasurement]) -> String {
             text(e.relative_peak),
             text(r.length.curve),
             text(r.length.truth),
-            r.continuity.clone().unwrap_or_default(),
+            r.continuity
+                .map_or_else(String::new, |order| order.to_string()),
             text(r.largest_turn),
         ];
         out += &(fields.join(",") + "\n");
