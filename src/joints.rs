@@ -225,7 +225,7 @@ impl Joints {
         // An arc's own start is none of the joints that are given.
         let with_more = with_more.skip(usize::from(!self.closed));
         Err(Error::Impossible {
-            method: rule.id(),
+            method: rule.name(),
             why: format!(
                 "a segment of {} is beyond its largest, {largest} degrees",
                 Degrees(span.degrees())

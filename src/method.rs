@@ -30,7 +30,7 @@ use core::str::FromStr;
 
 use kurbo::{CubicBez, PathSeg, Point, QuadBez, Vec2};
 
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, Remedy, Result, RuleName};
 use crate::radial_error::RadialError;
 
 /// A method of the catalogue.
@@ -290,7 +290,7 @@ impl Method {
     /// The error that says why this method cannot do something.
     pub(crate) fn refuse(self, why: String, remedy: Remedy) -> Error {
         Error::Impossible {
-            method: self.id(),
+            method: RuleName::Method(self.id()),
             why,
             remedy,
         }

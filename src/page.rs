@@ -18,7 +18,7 @@ use core::fmt::Write as _;
 
 use crate::angle::Angle;
 use crate::compare::Criterion;
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, FormatError, Remedy, Result};
 use crate::method::Rule;
 use crate::number::compact;
 use crate::shape::Shape;
@@ -74,7 +74,7 @@ pub fn html(document: &PageDocument) -> Result<String> {
 fn too_large() -> Error {
     Error::Format {
         format: "html",
-        why: format!("the page would have more than {} kB", LARGEST / 1000),
+        why: FormatError::Bytes { most: LARGEST },
         remedy: Remedy::SmallerPage,
     }
 }

@@ -11,13 +11,13 @@ use crate::approximate::{self, approximate};
 use crate::arcs;
 use crate::contour::{Contour, Step, Target, draw};
 use crate::course::Course;
-use crate::error::{Error, Result};
+use crate::error::{Error, FormatError, Remedy, Result};
 use crate::joints::Cut;
 use crate::method::Rule;
 use crate::picture::figure::{Approximated, Figure, Layer};
 use crate::shape::Shape;
-use crate::write::Writable;
 use crate::write::dxf::{self, Trace};
+use crate::write::{Format, Writable};
 
 /// The most shapes of one picture.
 pub const MOST_SHAPES: usize = 100_000;
@@ -43,9 +43,11 @@ impl Writable for Picture {
 
     #[cfg(feature = "serde")]
     fn json(&self) -> Result<String> {
-        Err(Error::Json(
-            "one answer a line has JSON, a picture has none".to_owned(),
-        ))
+        Err(Error::Format {
+            format: Format::Json.name(),
+            why: FormatError::Picture,
+            remedy: Remedy::LineByLine,
+        })
     }
 }
 
@@ -266,7 +268,15 @@ mod tests {
                 (title, description)
             );
         }
-        assert!(drawn("circle 0 0 1").json().is_err());
+        let refused = drawn("circle 0 0 1").json();
+        assert!(matches!(
+            refused,
+            Err(Error::Format {
+                format: "json",
+                why: FormatError::Picture,
+                remedy: Remedy::LineByLine,
+            })
+        ));
     }
 
     #[test]

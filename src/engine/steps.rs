@@ -114,7 +114,7 @@ impl Steps {
             });
         }
         Err(Error::Impossible {
-            method: rule.id(),
+            method: rule.name(),
             why: "its segments are no cubics with the same handles along the tangents".to_owned(),
             remedy: Remedy::Approximate,
         })

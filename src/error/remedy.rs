@@ -37,6 +37,8 @@ pub enum Remedy {
     MoreDecimals,
     /// More decimals, or a larger tolerance.
     MoreDecimalsOrTolerance,
+    /// One answer a line in place of one picture.
+    LineByLine,
     /// The function `approximate` draws by every method.
     Approximate,
     /// Fewer methods or counts on one page.

@@ -1,6 +1,6 @@
 //! What gives the control points of a whole chain of pieces, and what it refuses.
 
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, Remedy, Result, RuleName};
 use crate::radial_error::RadialError;
 
 use super::{
@@ -17,9 +17,6 @@ pub enum Rule {
     /// A literal handle length on the unit circle, for every segment.
     Handle(f64),
 }
-
-/// What messages call a literal handle.
-const LITERAL: &str = "a literal handle";
 
 impl Default for Rule {
     fn default() -> Self {
@@ -81,8 +78,9 @@ impl Rule {
     }
 
     /// What messages call it.
-    pub(crate) fn name(self) -> &'static str {
-        self.method().map_or(LITERAL, Method::id)
+    pub(crate) fn name(self) -> RuleName {
+        self.method()
+            .map_or(RuleName::Handle, |method| RuleName::Method(method.id()))
     }
 
     /// The method of the catalogue that it is, if any.
@@ -232,7 +230,7 @@ fn check_half_turn(span: &Span) -> Result<()> {
         return Ok(());
     }
     Err(Error::Impossible {
-        method: LITERAL,
+        method: RuleName::Handle,
         why: format!(
             "a segment of {} is more than half a turn",
             Degrees(span.degrees())

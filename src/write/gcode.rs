@@ -7,7 +7,7 @@ use kurbo::{Point, Vec2};
 
 use crate::contour::Closeness;
 use crate::course::{CircularArc, Course, Step};
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, FormatError, Remedy, Result};
 use crate::number::{Precision, compact, rounded_up, significant, text};
 use crate::numeric::functions::power;
 
@@ -119,7 +119,7 @@ impl Program {
             .or_else(|| drawn(MOST_CHORDS))
             .ok_or_else(|| Error::Format {
                 format: "gcode",
-                why: "with so few decimals it strays farther than the tolerance".to_owned(),
+                why: FormatError::Decimals,
                 remedy: Remedy::MoreDecimalsOrTolerance,
             })
     }

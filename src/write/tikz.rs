@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 use kurbo::{PathSeg, Point};
 
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, FormatError, Remedy, Result};
 use crate::number::text;
 
 /// TeX's largest dimension is just below 16384 points, and TikZ takes no larger number.
@@ -41,7 +41,10 @@ fn check_size(curves: &[&Curve]) -> Result<()> {
     let exponent = libm::log10(LARGEST / 2.0 / far.abs()).floor();
     Err(Error::Format {
         format: "tikz",
-        why: format!("TeX takes no number beyond {LARGEST}, and there is {far:e}"),
+        why: FormatError::Number {
+            most: LARGEST,
+            found: far,
+        },
         remedy: Remedy::Scale(format!("1e{exponent}").parse().unwrap_or(1.0)),
     })
 }
