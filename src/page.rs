@@ -25,7 +25,7 @@ use crate::shape::Shape;
 use crate::write::{escaped, json};
 
 /// The largest page, in bytes.
-pub const LARGEST: usize = 400_000;
+const LARGEST: usize = 400_000;
 
 /// What a page is to show.
 #[derive(Debug, Clone)]
@@ -57,7 +57,7 @@ const SCRIPTS: [&str; 6] = [
     include_str!("page/assets/page.js"),
 ];
 
-/// The page. Its sliders hold as much as there is room for in [`LARGEST`] bytes.
+/// The page. Its sliders hold as much as there is room for in 400,000 bytes.
 ///
 /// # Errors
 ///

@@ -7,6 +7,7 @@ pub mod canvas;
 pub mod catalogue;
 pub mod comparison;
 pub mod conic;
+mod csv;
 #[cfg(feature = "serde")]
 pub mod difference;
 pub mod dxf;

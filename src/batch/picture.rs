@@ -153,16 +153,15 @@ fn too_much(why: &str) -> io::Error {
 }
 
 fn describe(figure: &mut Figure, worst: f64) {
-    use crate::number::{rounded_up, significant};
-    let count = figure.layers.len();
-    let s = if count == 1 { "" } else { "s" };
+    use crate::number::{counted, rounded_up, significant};
+    let shapes = counted(figure.layers.len(), "shape");
     figure.name = "batch";
-    figure.title = format!("{count} shape{s}");
+    figure.title = shapes.clone();
     figure.description = if worst > 0.0 {
         let peak = significant(rounded_up(worst, 3), 3);
-        format!("{count} shape{s}, each within {peak} of its true shape")
+        format!("{shapes}, each within {peak} of its true shape")
     } else {
-        format!("{count} shape{s}, exact")
+        shapes + ", exact"
     };
 }
 

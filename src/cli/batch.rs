@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use curveto::batch::{self, OnError, Options, Summary};
-use curveto::number::{compact, rounded_up};
+use curveto::number::{compact, counted, rounded_up};
 use curveto::write::{Format, Image, write};
 
 use super::args::BatchArgs;
@@ -99,13 +99,13 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
         worst,
     } = summary;
     args.talk.state(|| {
-        let s = if lines == 1 { "" } else { "s" };
+        let lines = counted(lines as usize, "line");
         let within = worst.map(|(line, peak)| {
             let peak = compact(rounded_up(peak, 3), 3);
             format!("; each within {peak} of its true shape, the farthest on line {line}")
         });
         let within = within.unwrap_or_default();
-        format!("{name}: {lines} line{s} read, {failed} could not be drawn{within}")
+        format!("{name}: {lines} read, {failed} could not be drawn{within}")
     });
     Ok(ExitCode::from(u8::from(failed > 0)))
 }

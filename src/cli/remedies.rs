@@ -145,7 +145,7 @@ const fn plain_advice(remedy: &Remedy) -> &'static str {
             "-f path, svg, json, dxf and gcode have them, and eps, pdf and png draw them; --to beziers and --to lines go with every format"
         }
         Remedy::Arcs => {
-            "draw a circle or an arc of one, or make arcs of a path by --to arcs; -f dxf takes every curve"
+            "draw a circle or an arc of one, or make arcs of a path by 'curveto path --to arcs'; -f dxf takes every curve"
         }
         _ => "another method or another number of segments may serve",
     }

@@ -3,6 +3,7 @@
 use curveto::contour::Contour;
 use curveto::curve::Curve;
 use curveto::measure::{Reference, fit, report};
+use curveto::number::counted;
 use curveto::write::measurement::Measurement;
 use curveto::{document, path};
 use kurbo::Affine;
@@ -143,8 +144,8 @@ fn subject(
     let mut found = report(&curve, &reference, report_args.coordinate_tolerance()?)?;
     found.reference.fit = fit;
     if left_out > 0 {
-        let s = if left_out == 1 { "" } else { "s" };
-        let left_out = format!("{name}: {left_out} segment{s} of no length left out");
+        let left_out = counted(left_out, "segment");
+        let left_out = format!("{name}: {left_out} of no length left out");
         note(report_args, &left_out);
     }
     Ok(Subject {
