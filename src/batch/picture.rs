@@ -156,7 +156,7 @@ fn describe(figure: &mut Figure, worst: f64) {
     use crate::number::{counted, rounded_up, significant};
     let shapes = counted(figure.layers.len(), "shape");
     figure.name = "batch";
-    figure.title = shapes.clone();
+    figure.title.clone_from(&shapes);
     figure.description = if worst > 0.0 {
         let peak = significant(rounded_up(worst, 3), 3);
         format!("{shapes}, each within {peak} of its true shape")
