@@ -16,7 +16,7 @@ use thiserror::Error;
 use plain::{plain, short};
 
 pub use picture::PictureError;
-pub use refused::{FormatError, ReachError, RuleName};
+pub use refused::{FormatError, MethodError, ReachError, RuleName};
 pub use remedy::Remedy;
 pub use shape::{JointsError, ShapeError};
 pub use text::TextError;
@@ -75,7 +75,7 @@ pub enum Error {
         /// The method, or the literal handle.
         method: RuleName,
         /// The reason.
-        why: String,
+        why: MethodError,
         /// What can be done instead.
         remedy: Remedy,
     },

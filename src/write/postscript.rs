@@ -3,7 +3,7 @@
 use kurbo::{CubicBez, PathSeg, Point, QuadBez, Rect};
 
 use crate::curve::Curve;
-use crate::error::{Error, PictureError, Remedy, Result};
+use crate::error::{Error, MethodError, PictureError, Remedy, Result};
 use crate::method::{Method, Rule, Span};
 use crate::number::{
     Precision, decimal_sum, decimal_third, push_shortest, rounded_up, significant, text,
@@ -233,7 +233,7 @@ pub fn procset(rule: Rule, with: &[Procedures]) -> Result<String> {
     if !one_number {
         let method = rule.method().unwrap_or(Method::Minimax);
         return Err(method.refuse(
-            "the procedures have one magic number, for cubics that touch the circle at the quadrants".to_owned(),
+            MethodError::MagicNumber,
             Remedy::Methods(&["minimax", "midpoint", "lancaster-drawellipse"]),
         ));
     }
