@@ -12,7 +12,7 @@ FISHDIR = $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d
 .PHONY: help build install uninstall dist deb wheel clean
 .PHONY: test judges test-random test-readers test-browser test-tex corpora test-corpora test-corpora-back kills fuzz fuzz-random coverage mutants truth numbers lint
 .PHONY: golden gallery
-.PHONY: bench bench-startup bench-convert growth-convert scale
+.PHONY: bench bench-startup bench-convert gains growth-convert scale
 
 # ---- Build
 
@@ -200,6 +200,9 @@ bench-startup: build ## Compare the start of the program with that of an empty o
 
 bench-convert: corpora ## Measure convert beside usvg on the icon sets
 	$(CARGO) bench --locked --bench convert
+
+gains: corpora ## Count by valgrind the instructions that the memory of arcs and the short way of small numbers save (ten minutes)
+	CARGO='$(CARGO)' benches/gains
 
 # Nested drawings are SVG too, so all icons ten or twenty times over make one large file.
 corpora/large-%.svg: | corpora

@@ -14,7 +14,9 @@ use kurbo::{Affine, PathSeg, Point, QuadBez, Vec2};
 use crate::angle::Angle;
 use crate::approximate::{Options, automatic_precision};
 use crate::curve::{Curve, with_handles};
-use crate::error::{Error, JointsError, Remedy, Result, ShapeError, finite, positive};
+use crate::error::{
+    Error, JointsError, ReachError, Remedy, Result, RuleName, ShapeError, finite, positive,
+};
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Method, Rule};
 use crate::number::Precision;
@@ -298,9 +300,9 @@ impl Conic {
             }
         }
         Err(Error::ToleranceOutOfReach {
-            method: method.id(),
+            method: RuleName::Method(method.id()),
             tolerance,
-            why: "rounding moves points farther than that".to_owned(),
+            why: ReachError::Rounding,
             remedy: Remedy::MoreDecimalsOrTolerance,
         })
     }
@@ -333,11 +335,9 @@ impl Conic {
             }
             if low <= from || joints.len() > MOST_FOR_TOLERANCE {
                 return Err(Error::ToleranceOutOfReach {
-                    method: method.id(),
+                    method: RuleName::Method(method.id()),
                     tolerance,
-                    why: format!(
-                        "it takes more than {MOST_FOR_TOLERANCE} segments, or is finer than coordinates are"
-                    ),
+                    why: ReachError::Segments(MOST_FOR_TOLERANCE),
                     remedy: Remedy::LargerTolerance("minimax"),
                 });
             }

@@ -2,6 +2,7 @@
 
 mod picture;
 mod plain;
+mod refused;
 mod remedy;
 mod shape;
 mod text;
@@ -15,6 +16,7 @@ use thiserror::Error;
 use plain::{plain, short};
 
 pub use picture::PictureError;
+pub use refused::{FormatError, MethodError, ReachError, RuleName};
 pub use remedy::Remedy;
 pub use shape::{JointsError, ShapeError};
 pub use text::TextError;
@@ -70,22 +72,22 @@ pub enum Error {
     /// The method cannot do what was asked of it.
     #[error("{method} cannot do this: {why}")]
     Impossible {
-        /// The id of the method.
-        method: &'static str,
+        /// The method, or the literal handle.
+        method: RuleName,
         /// The reason.
-        why: String,
+        why: MethodError,
         /// What can be done instead.
         remedy: Remedy,
     },
     /// No number of segments meets the tolerance.
     #[error("no number of segments brings {method} within {} of the true shape: {why}", plain(*tolerance))]
     ToleranceOutOfReach {
-        /// The id of the method.
-        method: &'static str,
+        /// The method, or the literal handle.
+        method: RuleName,
         /// The tolerance in user units.
         tolerance: f64,
         /// The reason.
-        why: String,
+        why: ReachError,
         /// What can be done instead.
         remedy: Remedy,
     },
@@ -211,7 +213,7 @@ pub enum Error {
         /// The name of the format.
         format: &'static str,
         /// The reason.
-        why: String,
+        why: FormatError,
         /// What can be done instead.
         remedy: Remedy,
     },

@@ -8,8 +8,8 @@ use core::str::FromStr;
 use kurbo::Vec2;
 
 use crate::angle::Angle;
-use crate::error::{Error, JointsError, Remedy, Result};
-use crate::method::{Degrees, Rule, Span};
+use crate::error::{Error, JointsError, MethodError, Remedy, Result};
+use crate::method::{Rule, Span};
 use crate::shape::UnitArc;
 
 use cutting::{Cutting, EqualPieces};
@@ -225,11 +225,11 @@ impl Joints {
         // An arc's own start is none of the joints that are given.
         let with_more = with_more.skip(usize::from(!self.closed));
         Err(Error::Impossible {
-            method: rule.id(),
-            why: format!(
-                "a segment of {} is beyond its largest, {largest} degrees",
-                Degrees(span.degrees())
-            ),
+            method: rule.name(),
+            why: MethodError::Largest {
+                degrees: span.degrees(),
+                largest,
+            },
             remedy: Remedy::Joints(with_more.collect()),
         })
     }

@@ -30,7 +30,7 @@ use core::str::FromStr;
 
 use kurbo::{CubicBez, PathSeg, Point, QuadBez, Vec2};
 
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, MethodError, Remedy, Result, RuleName};
 use crate::radial_error::RadialError;
 
 /// A method of the catalogue.
@@ -256,17 +256,17 @@ impl Method {
     /// Refuses an angle that the method does not serve, and says what would do.
     fn check_angle(self, span: &Span) -> Result<()> {
         let card = self.card();
-        let degrees = Degrees(span.degrees());
+        let degrees = span.degrees();
         if self == Self::LancasterDrawellipse && !span.is_about(90.0) {
             return Err(self.refuse(
-                format!("its one number serves quarters only, not segments of {degrees}"),
+                MethodError::OnlyQuarters(degrees),
                 Remedy::Segments(vec![4], &["midpoint", "minimax"]),
             ));
         }
         let largest = card.largest_angle;
         if span.exceeds(largest) {
             return Err(self.refuse(
-                format!("a segment of {degrees} is beyond its largest, {largest} degrees"),
+                MethodError::Largest { degrees, largest },
                 Remedy::MoreSegments {
                     degrees: Some(largest),
                     methods: self.beyond_its_angle(),
@@ -288,21 +288,12 @@ impl Method {
     }
 
     /// The error that says why this method cannot do something.
-    pub(crate) fn refuse(self, why: String, remedy: Remedy) -> Error {
+    pub(crate) fn refuse(self, why: MethodError, remedy: Remedy) -> Error {
         Error::Impossible {
-            method: self.id(),
+            method: RuleName::Method(self.id()),
             why,
             remedy,
         }
-    }
-}
-
-/// An angle in a message: two decimals tell enough.
-pub(crate) struct Degrees(pub(crate) f64);
-
-impl fmt::Display for Degrees {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} degrees", (self.0 * 100.0).round() / 100.0)
     }
 }
 

@@ -16,7 +16,7 @@ mod people;
 #[cfg(feature = "document")]
 pub(crate) mod read;
 
-pub use people::{compact, round_one_two_five, rounded_up, significant};
+pub use people::{compact, counted, round_one_two_five, rounded_up, significant};
 
 use crate::numeric::functions;
 use std::io::Write as _;
@@ -157,6 +157,14 @@ pub(crate) fn decimal_sum(a: f64, b: f64) -> f64 {
     } else {
         a + b
     }
+}
+
+/// A third of a decimal as a person would write it: that of 8.244 is 2.748, though the nearest float to the quotient is another.
+pub(crate) fn decimal_third(x: f64) -> f64 {
+    let third = x / 3.0;
+    let rounded = round(third, decimals_of(x));
+    let thrice = decimal_sum(rounded, decimal_sum(rounded, rounded));
+    if thrice == x { rounded } else { third }
 }
 
 /// The number that a word spells. A whole number up to 2^53 over an exact power of ten is the nearest float (Clinger 1990); what is

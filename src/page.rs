@@ -18,14 +18,14 @@ use core::fmt::Write as _;
 
 use crate::angle::Angle;
 use crate::compare::Criterion;
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, FormatError, Remedy, Result};
 use crate::method::Rule;
 use crate::number::compact;
 use crate::shape::Shape;
 use crate::write::{escaped, json};
 
 /// The largest page, in bytes.
-pub const LARGEST: usize = 400_000;
+const LARGEST: usize = 400_000;
 
 /// What a page is to show.
 #[derive(Debug, Clone)]
@@ -57,7 +57,7 @@ const SCRIPTS: [&str; 6] = [
     include_str!("page/assets/page.js"),
 ];
 
-/// The page. Its sliders hold as much as there is room for in [`LARGEST`] bytes.
+/// The page. Its sliders hold as much as there is room for in 400,000 bytes.
 ///
 /// # Errors
 ///
@@ -74,7 +74,7 @@ pub fn html(document: &PageDocument) -> Result<String> {
 fn too_large() -> Error {
     Error::Format {
         format: "html",
-        why: format!("the page would have more than {} kB", LARGEST / 1000),
+        why: FormatError::Bytes { most: LARGEST },
         remedy: Remedy::SmallerPage,
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! A [`Figure`](figure::Figure) and a chart of `plot` become a [`Scene`](scene::Scene); the formats know nothing else.
 
+mod color_space;
 mod deviation;
 pub mod figure;
 pub mod paint;

@@ -7,6 +7,7 @@ pub mod canvas;
 pub mod catalogue;
 pub mod comparison;
 pub mod conic;
+mod csv;
 #[cfg(feature = "serde")]
 pub mod difference;
 pub mod dxf;
@@ -35,7 +36,7 @@ use core::cell::LazyCell;
 use crate::approximate::Drawing;
 use crate::contour::Closeness;
 use crate::course::Course;
-use crate::error::{Error, PictureError, Remedy, Result};
+use crate::error::{Error, FormatError, PictureError, Remedy, Result};
 use crate::number::Precision;
 use crate::picture::figure::{Figure, Layer};
 #[cfg(feature = "plot")]
@@ -68,7 +69,7 @@ pub trait Writable {
     ///
     /// # Errors
     ///
-    /// Where the values cannot be JSON ([`Error::Json`]).
+    /// Where the values cannot be JSON ([`Error::Json`]), and where there are many shapes in one picture ([`Error::Format`]).
     #[cfg(feature = "serde")]
     fn json(&self) -> Result<String>;
 }
@@ -196,7 +197,7 @@ fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<V
     if matches!(format, Format::Dxf | Format::Gcode) && !courses.iter().all(Course::is_circular) {
         return Err(Error::Format {
             format: format.name(),
-            why: "its arcs are those of circles".to_owned(),
+            why: FormatError::EllipticalArcs,
             remedy: Remedy::CircularArcs,
         });
     }
@@ -222,7 +223,7 @@ fn write_courses(figure: &Figure, format: Format, options: &Options) -> Result<V
         _ => {
             return Err(Error::Format {
                 format: format.name(),
-                why: "it has no circular arcs here".to_owned(),
+                why: FormatError::Arcs,
                 remedy: Remedy::FormatsOfArcs,
             });
         }
@@ -256,7 +257,7 @@ fn courses(figure: &Figure) -> Result<Vec<Course>> {
         let course = Course::of_lines(curve).or_else(of_arc);
         course.ok_or_else(|| Error::Format {
             format: Format::Gcode.name(),
-            why: "it has straight lines and circular arcs only".to_owned(),
+            why: FormatError::Curves,
             remedy: Remedy::Arcs,
         })
     };

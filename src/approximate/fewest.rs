@@ -6,7 +6,7 @@ use core::ops::RangeInclusive;
 use kurbo::Point;
 
 use super::{Options, ROUNDING_SHARE, Request, Sketch};
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, ReachError, Remedy, Result};
 use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
 use crate::measure::radial;
@@ -192,7 +192,7 @@ impl Request<'_> {
         if tolerance < finest {
             return Err(self.out_of_reach(
                 tolerance,
-                "it is finer than the digits of a double-precision coordinate",
+                ReachError::Digits,
                 Remedy::FinestTolerance(finest),
             ));
         }
@@ -205,12 +205,12 @@ impl Request<'_> {
             (Some(refused), _) => refused,
             (None, Some(decimals)) => self.out_of_reach(
                 tolerance,
-                format!("rounding to {decimals} decimals moves points farther than that"),
+                ReachError::Decimals(decimals),
                 Remedy::MoreDecimals,
             ),
             _ => self.out_of_reach(
                 tolerance,
-                "its error does not fall that far",
+                ReachError::Order,
                 Remedy::LargerToleranceOrOrder("minimax"),
             ),
         }
@@ -225,11 +225,11 @@ impl Request<'_> {
         .filter(|&decimals| power(10.0, -i32::from(decimals)) > tolerance)
     }
 
-    fn out_of_reach(&self, tolerance: f64, why: impl Into<String>, remedy: Remedy) -> Error {
+    fn out_of_reach(&self, tolerance: f64, why: ReachError, remedy: Remedy) -> Error {
         Error::ToleranceOutOfReach {
             method: self.options.rule.name(),
             tolerance,
-            why: why.into(),
+            why,
             remedy,
         }
     }

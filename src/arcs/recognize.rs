@@ -26,7 +26,7 @@ use crate::number::{Precision, decimals_of, round};
 use crate::shape::endpoint::{SvgArc, through};
 use crate::shape::{Arc, Shape, Truth};
 
-/// The least and the largest sweep of an arc, in degrees: with less its radius is anybody's guess, and with more its ends are so close
+/// The least and the largest sweep of an arc, in degrees: less does not determine its radius, and with more its ends are so close
 /// that the last bits of a renderer move its centre.
 const SWEEPS: [f64; 2] = [4.0, 350.0];
 

@@ -11,13 +11,13 @@ use crate::approximate::{self, approximate};
 use crate::arcs;
 use crate::contour::{Contour, Step, Target, draw};
 use crate::course::Course;
-use crate::error::{Error, Result};
+use crate::error::{Error, FormatError, Remedy, Result};
 use crate::joints::Cut;
 use crate::method::Rule;
 use crate::picture::figure::{Approximated, Figure, Layer};
 use crate::shape::Shape;
-use crate::write::Writable;
 use crate::write::dxf::{self, Trace};
+use crate::write::{Format, Writable};
 
 /// The most shapes of one picture.
 pub const MOST_SHAPES: usize = 100_000;
@@ -43,9 +43,11 @@ impl Writable for Picture {
 
     #[cfg(feature = "serde")]
     fn json(&self) -> Result<String> {
-        Err(Error::Json(
-            "one answer a line has JSON, a picture has none".to_owned(),
-        ))
+        Err(Error::Format {
+            format: Format::Json.name(),
+            why: FormatError::Picture,
+            remedy: Remedy::LineByLine,
+        })
     }
 }
 
@@ -151,16 +153,15 @@ fn too_much(why: &str) -> io::Error {
 }
 
 fn describe(figure: &mut Figure, worst: f64) {
-    use crate::number::{rounded_up, significant};
-    let count = figure.layers.len();
-    let s = if count == 1 { "" } else { "s" };
+    use crate::number::{counted, rounded_up, significant};
+    let shapes = counted(figure.layers.len(), "shape");
     figure.name = "batch";
-    figure.title = format!("{count} shape{s}");
+    figure.title.clone_from(&shapes);
     figure.description = if worst > 0.0 {
         let peak = significant(rounded_up(worst, 3), 3);
-        format!("{count} shape{s}, each within {peak} of its true shape")
+        format!("{shapes}, each within {peak} of its true shape")
     } else {
-        format!("{count} shape{s}, exact")
+        shapes + ", exact"
     };
 }
 
@@ -266,7 +267,15 @@ mod tests {
                 (title, description)
             );
         }
-        assert!(drawn("circle 0 0 1").json().is_err());
+        let refused = drawn("circle 0 0 1").json();
+        assert!(matches!(
+            refused,
+            Err(Error::Format {
+                format: "json",
+                why: FormatError::Picture,
+                remedy: Remedy::LineByLine,
+            })
+        ));
     }
 
     #[test]

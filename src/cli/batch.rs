@@ -1,18 +1,18 @@
 //! `batch`.
 
 use std::cell::Cell;
-use std::fs::File;
 use std::io::{self, IsTerminal, Read, Write};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use curveto::batch::{self, OnError, Options, Summary};
-use curveto::number::{compact, rounded_up};
+use curveto::number::{compact, counted, rounded_up};
 use curveto::write::{Format, Image, write};
 
 use super::args::BatchArgs;
 use super::failure::{Failure, tell};
+use super::input::Source;
 use super::output::{Target, stream_file};
 use super::{Outcome, remedies};
 
@@ -77,15 +77,8 @@ impl Drop for Progress {
 pub(super) fn run(args: &BatchArgs) -> Outcome {
     let options = args.options()?;
     let looks = args.picture(options.format)?;
-    let file = args.file.as_deref().filter(|path| path.as_os_str() != "-");
-    let (input, name): (Box<dyn Read + Send>, _) = match file {
-        Some(path) => {
-            let name = path.display().to_string();
-            let input = File::open(path).with_context(|| format!("cannot read {name}"))?;
-            (Box::new(input), name)
-        }
-        None => (Box::new(io::stdin()), "<stdin>".to_owned()),
-    };
+    let source = args.file.as_deref().map_or(Source::Stdin, Source::of);
+    let (input, name) = (source.open()?, source.name());
     let target = Target::new(args.output.as_deref());
     let complain = |line: u64, error: &curveto::Error| {
         let hint = remedies::hint(error).map(|hint| format!("hint: {hint}\n"));
@@ -106,13 +99,13 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
         worst,
     } = summary;
     args.talk.state(|| {
-        let s = if lines == 1 { "" } else { "s" };
+        let lines = counted(lines as usize, "line");
         let within = worst.map(|(line, peak)| {
             let peak = compact(rounded_up(peak, 3), 3);
             format!("; each within {peak} of its true shape, the farthest on line {line}")
         });
         let within = within.unwrap_or_default();
-        format!("{name}: {lines} line{s} read, {failed} could not be drawn{within}")
+        format!("{name}: {lines} read, {failed} could not be drawn{within}")
     });
     Ok(ExitCode::from(u8::from(failed > 0)))
 }

@@ -13,6 +13,7 @@ use curveto::write::json;
 use super::Outcome;
 use super::args::diff::{DiffArgs, DiffFormat};
 use super::failure::Failure;
+use super::input::Source;
 use super::output::Target;
 
 /// Compares two drawings; 0 within the tolerance, 1 beyond it, 2 where that cannot be said.
@@ -26,7 +27,7 @@ pub(super) fn run(args: &DiffArgs) -> Outcome {
             "for example: curveto diff old.svg new.svg -t 0.01",
         ));
     }
-    if args.old == "-" && args.new == "-" {
+    if [&args.old, &args.new].map(Source::of) == [Source::Stdin; 2] {
         return Err(Failure::request_with_hint(
             "standard input cannot be both drawings",
             "name a file for one of them",
@@ -130,8 +131,8 @@ fn bound(distance: f64, noise: f64) -> String {
 }
 
 fn name(words: &str) -> String {
-    match words {
-        "-" => "standard input".to_owned(),
-        _ => curveto::path::shortened(words),
+    match Source::of(words) {
+        Source::Stdin => Source::Stdin.name(),
+        Source::File(_) => curveto::path::shortened(words),
     }
 }

@@ -65,7 +65,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
             "printf 'circle 0 0 5\\ncircle 9 0 5\\n' | curveto batch -o both.svg",
             "echo 'polyline 0 0 1 10 0 0 close' | curveto batch -t 0.001",
         ],
-        "0 done; 1 a failure while running, such as a line that cannot be drawn; 2 a wrong or impossible request; 130, 143 ended by SIGINT, SIGTERM.",
+        "0 done; 1 a failure while running, such as a line that cannot be drawn; 2 a wrong or impossible request; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM.",
     ),
     (
         "spline",
@@ -146,7 +146,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
             "curveto convert icons --in-place",
             "curveto convert icons --check",
         ],
-        "0 done; 1 a failure while running, some files failed, or --check found work; 2 a wrong or impossible request; 130, 143 ended by SIGINT, SIGTERM.",
+        "0 done; 1 a failure while running, some files failed, or --check found work; 2 a wrong or impossible request; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM.",
     ),
     (
         "completions",
@@ -168,7 +168,7 @@ const EXAMPLES: [(&str, [&str; 3], &str); 18] = [
     ),
 ];
 
-const DRAWS: &str = "0 done; 1 a failure while running; 2 a wrong or impossible request; 130, 143 ended by SIGINT, SIGTERM.";
+const DRAWS: &str = "0 done; 1 a failure while running; 2 a wrong or impossible request; 129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM.";
 
 /// Stands for a blank where help must not wrap a line: clap does so at blanks.
 pub(crate) const BLANK: char = '\u{a0}';

@@ -6,6 +6,7 @@ use clap::CommandFactory as _;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use curveto::path::shortened;
+use curveto::write::Image;
 use foreign::{COMMANDS, FLAGS};
 
 use super::args::{Cli, hint_of_number};
@@ -153,7 +154,8 @@ fn of_value(value: &str, argument: &str) -> Option<String> {
             .parse::<f64>()
             .map(|_| format!("--size {side}x{value}"));
         return Some(both.unwrap_or_else(|_| {
-            "width, x and height, with mm, cm, in or pt behind both: --size 80x60mm".to_owned()
+            "width, x and height, then one unit for both, mm, cm, in or pt: --size 80x60mm"
+                .to_owned()
         }));
     }
     if argument.starts_with("--diameters") {
@@ -228,7 +230,7 @@ fn of_choice(value: &str, argument: &str, command: &str) -> Option<String> {
         // A name that looks like its own is no other's.
         return Some("for example: curveto completions bash".to_owned());
     }
-    let is_picture = ["svg", "png", "eps", "pdf"].contains(&value);
+    let is_picture = Image::ALL.iter().any(|image| image.name() == value);
     (command == "measure" && argument.starts_with("--format") && is_picture)
         .then(|| format!("a plot has a flag: --plot error.{value}"))
 }

@@ -12,39 +12,68 @@ use super::failure::Failure;
 /// The most that a command reads at once.
 const MOST_BYTES: u64 = 1 << 28;
 
-/// The text of a file, or of standard input for `-`, and what messages call it. A byte order mark is left out.
+/// What a word on the command line names: a file, or standard input by `-`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Source<'a> {
+    Stdin,
+    File(&'a Path),
+}
+
+impl<'a> Source<'a> {
+    pub(crate) fn of(word: &'a (impl AsRef<Path> + ?Sized)) -> Self {
+        match word.as_ref() {
+            path if path.as_os_str() == "-" => Self::Stdin,
+            path => Self::File(path),
+        }
+    }
+
+    pub(crate) fn is_stdin(self) -> bool {
+        self == Self::Stdin
+    }
+
+    /// What messages call it, before the line of a fault too.
+    pub(crate) fn name(self) -> String {
+        match self {
+            Self::Stdin => "<stdin>".to_owned(),
+            Self::File(path) => path.display().to_string(),
+        }
+    }
+
+    pub(crate) fn open(self) -> anyhow::Result<Box<dyn Read + Send>> {
+        Ok(match self {
+            Self::Stdin => Box::new(io::stdin()),
+            Self::File(path) => {
+                let file = File::open(path);
+                Box::new(file.with_context(|| format!("cannot read {}", self.name()))?)
+            }
+        })
+    }
+}
+
+/// The text of an input, and what messages call it. A byte order mark is left out.
 ///
 /// # Errors
 ///
 /// Where it cannot be read, is no UTF-8, or is larger than 256 MiB.
-pub(crate) fn text(file: &Path) -> Result<(String, String), Failure> {
-    let (bytes, name) = all(file)?;
-    Ok((in_utf8(bytes, &name)?, name))
+pub(crate) fn text(source: Source<'_>) -> Result<(String, String), Failure> {
+    let name = source.name();
+    Ok((in_utf8(bytes(source.open()?, &name)?, &name)?, name))
 }
 
-/// The bytes of a file that may be packed by gzip, or of standard input for `-`, and what messages call it.
+/// The bytes of an input that may be packed by gzip, and what messages call it.
 ///
 /// # Errors
 ///
 /// Where it cannot be read, or is larger than 256 MiB.
-pub(crate) fn document(file: &Path) -> Result<(Vec<u8>, String), Failure> {
-    let (bytes, name) = all(file)?;
+pub(crate) fn document(source: Source<'_>) -> Result<(Vec<u8>, String), Failure> {
+    let name = source.name();
+    let bytes = bytes(source.open()?, &name)?;
     let bytes = if is_packed(&bytes) {
         unpacked(&bytes, &name)?
     } else {
         bytes
     };
     Ok((bytes, name))
-}
-
-fn all(file: &Path) -> Result<(Vec<u8>, String), Failure> {
-    if file.as_os_str() == "-" {
-        let name = "standard input".to_owned();
-        return Ok((bytes(io::stdin().lock(), &name)?, name));
-    }
-    let name = file.display().to_string();
-    let input = File::open(file).with_context(|| format!("cannot read {name}"))?;
-    Ok((bytes(input, &name)?, name))
 }
 
 /// What gzip files begin with.
@@ -104,7 +133,8 @@ pub(crate) fn drawing(words: &str) -> Result<(Vec<u8>, String), Failure> {
     if is_data || trimmed.is_empty() {
         return Ok((words.as_bytes().to_owned(), THE_PATH.to_owned()));
     }
-    if words != "-" && !Path::new(words).exists() {
+    let source = Source::of(words);
+    if !source.is_stdin() && !Path::new(words).exists() {
         return Err(Failure::request_with_hint(
             format!(
                 "'{}' is neither path data nor a file",
@@ -113,7 +143,7 @@ pub(crate) fn drawing(words: &str) -> Result<(Vec<u8>, String), Failure> {
             "path data begins with a moveto, such as M0 0; - reads standard input",
         ));
     }
-    document(Path::new(words))
+    document(source)
 }
 
 /// Coefficients as JSON: what stands in `words` itself where that begins like JSON, else in the file of that name or on standard
@@ -122,7 +152,8 @@ pub(crate) fn coefficients(words: &str) -> Result<String, Failure> {
     if words.trim_start().starts_with(['{', '[']) && !Path::new(words).is_file() {
         return Ok(words.to_owned());
     }
-    if words != "-" && !Path::new(words).exists() {
+    let source = Source::of(words);
+    if !source.is_stdin() && !Path::new(words).exists() {
         return Err(Failure::request_with_hint(
             format!(
                 "'{}' is neither JSON nor a file",
@@ -131,7 +162,7 @@ pub(crate) fn coefficients(words: &str) -> Result<String, Failure> {
             r#"coefficients are {"x": [A,B,C,D], "y": [E,F,G,H]}, or what -f json prints; - reads standard input"#,
         ));
     }
-    Ok(text(Path::new(words))?.0)
+    Ok(text(source)?.0)
 }
 
 /// All bytes of an input that messages call so.

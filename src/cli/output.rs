@@ -192,7 +192,7 @@ pub(crate) fn stream_file(
     Ok(())
 }
 
-/// Where a signal asks for an end, removes the file that is being made and ends the program as a shell tells it: by 130, 143 or 129.
+/// Where a signal asks for an end, removes the file that is being made and ends the program as a shell tells it: by 129, 130 or 143.
 #[cfg(unix)]
 fn remove_on_signal(path: &Path) -> io::Result<()> {
     let mut signals = signal_hook::iterator::Signals::new(signals::of_end())?;

@@ -1,16 +1,17 @@
 //! What the library refuses, in the words of the command line.
 
 use curveto::Error;
-use curveto::error::{JointsError, Remedy, ShapeError};
+use curveto::error::{JointsError, Remedy, RuleName, ShapeError};
 use curveto::number::text;
 
 /// The message of an error.
 pub(crate) fn message(error: &Error) -> String {
     match error {
         Error::Impossible { method, .. } | Error::ToleranceOutOfReach { method, .. }
-            if *method == "a literal handle" =>
+            if *method == RuleName::Handle =>
         {
-            error.to_string().replacen(method, "--handle", 1)
+            let name = RuleName::Handle.to_string();
+            error.to_string().replacen(&name, "--handle", 1)
         }
         Error::Shape(ShapeError::RuleOfEllipses) => {
             "a literal handle and --quadrature are for circles and ellipses, not for a hyperbola or a parabola".to_owned()
@@ -30,7 +31,7 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
             method,
             remedy: Remedy::LargerTolerance(other) | Remedy::LargerToleranceOrOrder(other),
             ..
-        } if method == other => "take a larger tolerance",
+        } if *method == RuleName::Method(other) => "take a larger tolerance",
         Error::Impossible { remedy, .. }
         | Error::ToleranceOutOfReach { remedy, .. }
         | Error::Format { remedy, .. } => return Some(advice(remedy)),
@@ -135,6 +136,7 @@ const fn plain_advice(remedy: &Remedy) -> &'static str {
         Remedy::NearerJoints => "take more segments or nearer joints",
         Remedy::MoreDecimals => "give more decimals with -p, or leave the precision to -p auto",
         Remedy::MoreDecimalsOrTolerance => "give more decimals with -p, or take a larger tolerance",
+        Remedy::LineByLine => "batch -f json answers line by line",
         Remedy::SmallerPage => "name fewer methods or counts: -m minimax,midpoint,apprich -n 3,4,8",
         Remedy::CircularArcs => {
             "leave out --elliptic, so that circular arcs take the place of elliptical ones"
@@ -143,7 +145,7 @@ const fn plain_advice(remedy: &Remedy) -> &'static str {
             "-f path, svg, json, dxf and gcode have them, and eps, pdf and png draw them; --to beziers and --to lines go with every format"
         }
         Remedy::Arcs => {
-            "draw a circle or an arc of one, or make arcs of a path by --to arcs; -f dxf takes every curve"
+            "draw a circle or an arc of one, or make arcs of a path by 'curveto path --to arcs'; -f dxf takes every curve"
         }
         _ => "another method or another number of segments may serve",
     }

@@ -1,8 +1,6 @@
 //! `spline`.
 
-use std::fs::File;
-use std::io::{self, BufReader};
-use std::path::Path;
+use std::io::BufReader;
 use std::process::ExitCode;
 
 use curveto::Error;
@@ -12,13 +10,14 @@ use curveto::write::spline::SplineDrawing;
 
 use super::args::{SplineArgs, SplineSource};
 use super::failure::Failure;
+use super::input::Source;
 use super::output::write_drawn;
 use super::{Outcome, remedies};
 
 pub(super) fn run(args: &SplineArgs) -> Outcome {
     let format = args.output.format_but_gcode()?;
     let options = args.options()?;
-    let source = Source::of(&args.source);
+    let source = Place::of(&args.source);
     let Points { points, lines } = source.read()?;
     let spline = Spline::new(points, options).map_err(|error| source.locate(error, &lines))?;
     drop(lines);
@@ -40,18 +39,16 @@ pub(super) fn run(args: &SplineArgs) -> Outcome {
 
 /// Where points come from.
 #[derive(Clone, Copy)]
-enum Source<'a> {
+enum Place<'a> {
     Words(&'a str),
-    Stdin,
-    File(&'a Path),
+    Source(Source<'a>),
 }
 
-impl<'a> Source<'a> {
+impl<'a> Place<'a> {
     fn of(words: &'a SplineSource) -> Self {
         match words.points_file.as_deref() {
             None => Self::Words(words.points.as_deref().unwrap_or_default()),
-            Some(path) if path.as_os_str() == "-" => Self::Stdin,
-            Some(path) => Self::File(path),
+            Some(path) => Self::Source(Source::of(path)),
         }
     }
 
@@ -59,19 +56,14 @@ impl<'a> Source<'a> {
     fn name(self) -> String {
         match self {
             Self::Words(_) => "--points".to_owned(),
-            Self::Stdin => "standard input".to_owned(),
-            Self::File(path) => path.display().to_string(),
+            Self::Source(source) => source.name(),
         }
     }
 
     fn read(self) -> Result<Points, Failure> {
         let read = match self {
             Self::Words(words) => Points::parse(words),
-            Self::Stdin => Points::read(io::stdin().lock()),
-            Self::File(path) => match File::open(path) {
-                Ok(file) => Points::read(BufReader::new(file)),
-                Err(error) => Err(error.into()),
-            },
+            Self::Source(source) => Points::read(BufReader::new(source.open()?)),
         };
         match (read, self) {
             (Ok(points), _) => Ok(points),

@@ -20,7 +20,7 @@ pub struct Report {
     /// The largest curvature of the true conic.
     pub true_largest_curvature: f64,
     /// The lowest order of all joints, as `measure` states it; `null` where there are none.
-    pub continuity: Option<String>,
+    pub continuity: Option<Continuity>,
     /// The largest turn of the tangent at a joint, in degrees.
     pub largest_turn: f64,
 }
@@ -33,11 +33,11 @@ impl Drawing {
         let segments = &self.curve.segments;
         let speed = |x: f64| frame.derivative(x).hypot();
         let largest = largest_coordinate(segments);
-        let joints: Vec<(Joint, Continuity)> = segments
+        let joints: Vec<Joint> = segments
             .windows(2)
             .map(|pair| joint(&pair[0], &pair[1], 4.0 * f64::EPSILON * largest))
             .collect();
-        let turns = joints.iter().map(|(joint, _)| joint.turn.abs());
+        let turns = joints.iter().map(|joint| joint.turn.abs());
         Report {
             segments: segments.len(),
             length: Extent::new(
@@ -46,11 +46,7 @@ impl Drawing {
                     + adaptive_integral(&speed, 0.0, frame.half, 0.0),
             ),
             true_largest_curvature: frame.largest_curvature(),
-            continuity: joints
-                .iter()
-                .map(|&(_, order)| order)
-                .min()
-                .map(|order| order.to_string()),
+            continuity: joints.iter().map(|joint| joint.continuity).min(),
             largest_turn: turns.fold(0.0, f64::max),
         }
     }

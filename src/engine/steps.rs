@@ -6,7 +6,7 @@
 use kurbo::Vec2;
 
 use crate::angle::first_direction;
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, MethodError, Remedy, Result};
 use crate::joints::MOST_SEGMENTS;
 use crate::method::{Method, Rule, Span};
 use crate::number::digits::ROUNDING;
@@ -114,8 +114,8 @@ impl Steps {
             });
         }
         Err(Error::Impossible {
-            method: rule.id(),
-            why: "its segments are no cubics with the same handles along the tangents".to_owned(),
+            method: rule.name(),
+            why: MethodError::Handles,
             remedy: Remedy::Approximate,
         })
     }

@@ -49,9 +49,9 @@ pub enum PictureError {
         /// The largest number that is served.
         most: usize,
     },
-    /// A stroke too wide for so many segments.
+    /// A stroke too wide for the number of segments.
     #[error(
-        "a picture in pixels takes no stroke of so many pixels with {count} segments: fewer segments or a thinner stroke do, and svg, eps and pdf take any"
+        "the stroke is too wide for a picture in pixels with {count} segments: fewer segments or a thinner stroke do, and svg, eps and pdf take any"
     )]
     StrokeTooWide {
         /// How many segments there are.
@@ -69,7 +69,7 @@ pub enum PictureError {
         /// The longest side.
         longest: f64,
     },
-    /// A page larger than PDF has, with at most so many points on a side.
+    /// A page larger than PDF has, by the most points on a side.
     #[error("the page is too large: a side has at most {0} points, which are 200 inches")]
     LargePage(f64),
     /// A translucent colour in PostScript.

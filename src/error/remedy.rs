@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Remedy {
-    /// More segments, at least one for every so many degrees where that is known; or methods that serve half a turn.
+    /// More segments, of at most this many degrees each where that is known; or methods that serve half a turn.
     MoreSegments {
         /// The largest angle of a segment.
         degrees: Option<f64>,
@@ -37,6 +37,8 @@ pub enum Remedy {
     MoreDecimals,
     /// More decimals, or a larger tolerance.
     MoreDecimalsOrTolerance,
+    /// One answer a line in place of one picture.
+    LineByLine,
     /// The function `approximate` draws by every method.
     Approximate,
     /// Fewer methods or counts on one page.

@@ -10,7 +10,6 @@ use super::report::{
     ReferenceReport, Report,
 };
 use super::{curvature, extent};
-use crate::continuity::Continuity;
 use crate::curve::{CLOSING_GAP, Curve, gap, size};
 use crate::numeric::functions::angle_of;
 
@@ -222,11 +221,10 @@ impl<'a> Bench<'a> {
     fn continuity(&self, delta: f64) -> ContinuityReport {
         let count = self.segments.len();
         let last = if self.returns { count } else { count - 1 };
-        let mut order: Option<Continuity> = None;
         let joints: Vec<Joint> = (0..last)
             .map(|i| {
-                let (mut joint, found) =
-                    joint(&self.segments[i], &self.segments[(i + 1) % count], delta);
+                let next = &self.segments[(i + 1) % count];
+                let mut joint = joint(&self.segments[i], next, delta);
                 joint.angle = self.angles[i + 1];
                 for side in [&mut joint.before, &mut joint.after] {
                     *side = side.map(|k| k.map(|x, _| x * self.sense()));
@@ -234,12 +232,11 @@ impl<'a> Bench<'a> {
                 if let Some(parameters) = &mut joint.parameters {
                     parameters.rest *= self.sense();
                 }
-                order = Some(order.map_or(found, |order| order.min(found)));
                 joint
             })
             .collect();
         ContinuityReport {
-            order: order.map(|order| order.to_string()),
+            order: joints.iter().map(|joint| joint.continuity).min(),
             coordinate_tolerance: delta,
             largest_turn: joints
                 .iter()

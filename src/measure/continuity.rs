@@ -31,7 +31,7 @@ pub struct Joint {
     pub parameters: Option<Parameters>,
     /// The order: `none` (they do not meet), `G0` (a corner), `G1` (tangent), `G2` (curvature), `G3` and `G4` (its first and
     /// second derivative by arc length too; higher orders are not looked at).
-    pub continuity: String,
+    pub continuity: Continuity,
     /// The jumps that rounding explains.
     pub tolerance: JointTolerance,
 }
@@ -67,8 +67,8 @@ pub struct JointTolerance {
     pub d2: f64,
 }
 
-/// The joint of two segments whose coordinates are right to `delta`, and its order. Its angle is left at 0.
-pub(crate) fn joint(before: &PathSeg, after: &PathSeg, delta: f64) -> (Joint, Continuity) {
+/// The joint of two segments whose coordinates are right to `delta`. Its angle is left at 0.
+pub(crate) fn joint(before: &PathSeg, after: &PathSeg, delta: f64) -> Joint {
     let (end, start) = (last_point(before), control_points(after)[0]);
     let (ending, starting) = (curvature::at(before, 1.0), curvature::at(after, 0.0));
     let slack = slack(before, after, delta);
@@ -89,7 +89,7 @@ pub(crate) fn joint(before: &PathSeg, after: &PathSeg, delta: f64) -> (Joint, Co
         .iter()
         .find(|(jump, explained, _)| jump > explained)
         .map_or(Continuity::G4, |&(.., order)| order);
-    let joint = Joint {
+    Joint {
         point: [end.x, end.y],
         angle: 0.0,
         gap,
@@ -97,10 +97,9 @@ pub(crate) fn joint(before: &PathSeg, after: &PathSeg, delta: f64) -> (Joint, Co
         before: ending,
         after: starting,
         parameters: parameters(before, after).filter(|_| order > Continuity::G0),
-        continuity: order.to_string(),
+        continuity: order,
         tolerance: slack,
-    };
-    (joint, order)
+    }
 }
 
 /// Bias, tension and the rest, positive along the normal that is a quarter turn from the tangent, from +x towards +y.
@@ -189,7 +188,7 @@ mod tests {
     use super::*;
 
     fn order(before: impl Into<PathSeg>, after: impl Into<PathSeg>, delta: f64) -> Continuity {
-        joint(&before.into(), &after.into(), delta).1
+        joint(&before.into(), &after.into(), delta).continuity
     }
 
     #[test]
@@ -235,7 +234,7 @@ mod tests {
             (PathSeg::Cubic(CubicBez::new(p, q, r, s)), 2.0 / 3.0),
             (PathSeg::Quad(kurbo::QuadBez::new(p, q, r)), 1.0 / 2.0),
         ] {
-            let (found, _) = joint(&line, &after, delta);
+            let found = joint(&line, &after, delta);
             let sum = f * (4.0 * b.abs() / h + (a - h).abs() / h + a / h + 1.0) / (h * h);
             assert!(
                 (found.tolerance.value / (sum * delta) - 1.0).abs() < 1e-6,
@@ -247,7 +246,7 @@ mod tests {
                 "{found:?}"
             );
             // Where nothing was rounded, the evaluation's own rounding is left.
-            let (exact, _) = joint(&line, &after, 0.0);
+            let exact = joint(&line, &after, 0.0);
             let curvature = exact.after.unwrap().value.abs();
             assert!((curvature / (f * b.abs() / (h * h)) - 1.0).abs() < 1e-12);
             assert_eq!(exact.tolerance.value, 16.0 * f64::EPSILON * curvature);

@@ -2,6 +2,7 @@
 
 use super::continuity::Joint;
 use super::fit::Fit;
+use crate::continuity::Continuity;
 use crate::numeric::functions::power;
 
 /// Everything that is measured of one curve. Lengths are in user units, angles in degrees, parametric on an ellipse.
@@ -147,7 +148,7 @@ pub struct CurvatureReport {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ContinuityReport {
     /// The lowest order of all joints; `null` where there are none.
-    pub order: Option<String>,
+    pub order: Option<Continuity>,
     /// How far rounding may have moved each coordinate: jumps that this explains are none.
     pub coordinate_tolerance: f64,
     /// The largest turn of the tangent, in degrees.

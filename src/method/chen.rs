@@ -35,11 +35,13 @@ pub(super) fn formulation_1_error(span: &Span) -> RadialError {
 
 /// How arc length is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[non_exhaustive]
 pub enum Quadrature {
     /// Until it no longer changes.
     #[default]
     Adaptive,
+    #[cfg_attr(feature = "cli", value(help = "Chen's two-point Gauss quadrature"))]
     /// Two-point Gauss quadrature of Chen's (16), which reproduces the value of Formulation II that he printed.
     Gauss2,
 }

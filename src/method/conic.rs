@@ -18,7 +18,7 @@
 //! `minimax` balances r, 4w0³ = 27ρ(1-w0) with ρ = (3 - r(1/2))/(1 + r(1/2)).
 
 use super::{Method, tangent};
-use crate::error::{Remedy, Result};
+use crate::error::{MethodError, Remedy, Result};
 use crate::numeric::root;
 
 impl Method {
@@ -35,7 +35,7 @@ impl Method {
             Self::Minimax => balanced_zero(weight),
             _ => {
                 return Err(self.refuse(
-                    "it draws circles and ellipses, but this conic is a hyperbola or next to a parabola".to_owned(),
+                    MethodError::Conic,
                     Remedy::Methods(&["minimax", "midpoint", "goldapp", "curvature"]),
                 ));
             }

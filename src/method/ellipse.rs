@@ -30,7 +30,7 @@ use kurbo::{CubicBez, ParamCurve, ParamCurveDeriv, Vec2};
 use super::{Degree, Method, Piece, Span, minimax};
 use crate::angle::Angle;
 use crate::curve::with_handles;
-use crate::error::{Remedy, Result};
+use crate::error::{MethodError, Remedy, Result};
 use crate::numeric::foot::{Foot, foot_by_excess};
 use crate::numeric::{linear, root};
 use crate::shape::Axes;
@@ -345,7 +345,7 @@ pub(crate) fn pieces(
     let on_axes = angles.iter().all(|angle| (angle - axis) % 90.0 == 0.0);
     if is_free && !(is_closed && angles.len() == 5 && on_axes) {
         return Err(method.refuse(
-            "on an ellipse it serves whole ones in quarters from axis to axis".to_owned(),
+            MethodError::OnlyQuartersOfEllipses,
             Remedy::Quarters(&["minimax-ellipse", "minimax"]),
         ));
     }

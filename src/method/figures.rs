@@ -40,6 +40,34 @@ pub fn end_curvature(method: Method, degrees: f64) -> Result<f64> {
     Ok(2.0 * (1.0 - span.c - k * span.s) / (3.0 * k * k))
 }
 
+/// The peak and the mean of |r - 1| of one of n splines with the handle k, as PostScript's single precision has them: at 91 points by
+/// Lancaster's equation space, x = ((At + B)t + C)t + D.
+#[must_use]
+pub fn in_single_precision(n: u8, k: f32) -> [f32; 2] {
+    const STEPS: u8 = 90;
+    let span = Span::from_degrees(360.0 / f64::from(n));
+    let (s, c) = (span.s as f32, span.c as f32);
+    let equation = |p: [f32; 4]| {
+        let a = p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0];
+        let b = 3.0 * p[2] - 6.0 * p[1] + 3.0 * p[0];
+        [a, b, 3.0 * p[1] - 3.0 * p[0], p[0]]
+    };
+    let value = |[a, b, c, d]: [f32; 4], t: f32| ((a * t + b) * t + c) * t + d;
+    let (x, y) = (
+        equation([1.0, 1.0, c + k * s, c]),
+        equation([0.0, k, s - k * c, s]),
+    );
+    let (mut peak, mut sum) = (0.0_f32, 0.0_f32);
+    for i in 0..=STEPS {
+        let t = f32::from(i) / f32::from(STEPS);
+        let (x, y) = (value(x, t), value(y, t));
+        let error = ((x * x + y * y).sqrt() - 1.0).abs();
+        peak = peak.max(error);
+        sum += error;
+    }
+    [peak, sum / (f32::from(STEPS) + 1.0)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -63,6 +91,21 @@ mod tests {
             assert!((crossing(k) - degrees).abs() < 1e-8, "{k}: {degrees}");
         }
         assert!((crossing(handle_crossing_at_30()) - 30.0).abs() < 1e-9);
+    }
+
+    /// What Lancaster's table prints for four and for five splines with 0.55178 and 0.43307, in units of 2^-24.
+    #[test]
+    fn single_precision_gives_whole_units() {
+        const UNIT: f32 = 16_777_216.0;
+        for (n, k) in [(4, 0.551_784), (5, 0.433_072)] {
+            let [peak, mean] = in_single_precision(n, k);
+            assert_eq!((peak * UNIT).fract(), 0.0);
+            assert!(0.0 < mean && mean < peak, "{n}: {mean}");
+            let exact = crate::Rule::Handle(f64::from(k));
+            let span = Span::from_degrees(360.0 / f64::from(n));
+            let exact = exact.radial_error(&span).unwrap().peak();
+            assert!((f64::from(peak) - exact).abs() < 4e-7, "{n}: {exact}");
+        }
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! `lancaster-best` and `lancaster-drawellipse`: the magic numbers of Don Lancaster, "Approximating a Circle or an Ellipse
 //! Using Four Bezier Cubic Splines" (2005).
 
-use crate::error::{Remedy, Result};
+use crate::error::{MethodError, Remedy, Result};
 
-use super::{Degrees, Method, Span};
+use super::{Method, Span};
 
 /// His table of best magic numbers: (segments to the circle, handle).
 pub(super) const BEST: [(u32, f64); 6] = [
@@ -20,11 +20,13 @@ pub(super) const DRAWELLIPSE: f64 = 0.551_834_75;
 
 /// The number of his table for segments of this angle.
 pub(super) fn best(span: &Span) -> Result<f64> {
-    BEST.iter().find(|&&(count, _)| span.is_about(360.0 / f64::from(count))).map(|&(_, handle)| handle).ok_or_else(|| {
-        let counts = BEST.map(|(count, _)| count.to_string()).join(" ");
-        Method::LancasterBest.refuse(
-            format!("his table has no number for segments of {}, only for {counts} segments to the circle", Degrees(span.degrees())),
-            Remedy::Segments(BEST.map(|(count, _)| count as usize).to_vec(), &["midpoint", "minimax"]),
-        )
-    })
+    BEST.iter()
+        .find(|&&(count, _)| span.is_about(360.0 / f64::from(count)))
+        .map(|&(_, handle)| handle)
+        .ok_or_else(|| {
+            let counts = BEST.map(|(count, _)| count as usize).to_vec();
+            let remedy = Remedy::Segments(counts.clone(), &["midpoint", "minimax"]);
+            let degrees = span.degrees();
+            Method::LancasterBest.refuse(MethodError::Table { degrees, counts }, remedy)
+        })
 }

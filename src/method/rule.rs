@@ -1,11 +1,9 @@
 //! What gives the control points of a whole chain of pieces, and what it refuses.
 
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, MethodError, Remedy, Result, RuleName};
 use crate::radial_error::RadialError;
 
-use super::{
-    Degree, Degrees, Ends, Iteration, Method, Piece, Quadrature, Span, chen, ellipse, tangent,
-};
+use super::{Degree, Ends, Iteration, Method, Piece, Quadrature, Span, chen, ellipse, tangent};
 
 /// What gives the control points: a method of the catalogue or a number of the user's own.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,9 +15,6 @@ pub enum Rule {
     /// A literal handle length on the unit circle, for every segment.
     Handle(f64),
 }
-
-/// What messages call a literal handle.
-const LITERAL: &str = "a literal handle";
 
 impl Default for Rule {
     fn default() -> Self {
@@ -81,8 +76,9 @@ impl Rule {
     }
 
     /// What messages call it.
-    pub(crate) fn name(self) -> &'static str {
-        self.method().map_or(LITERAL, Method::id)
+    pub(crate) fn name(self) -> RuleName {
+        self.method()
+            .map_or(RuleName::Handle, |method| RuleName::Method(method.id()))
     }
 
     /// The method of the catalogue that it is, if any.
@@ -173,23 +169,15 @@ impl Method {
         let free = self.card().ends == Ends::OffCircle;
         if free && !(closed && equal) {
             let why = if closed {
-                "with uneven joints its segments do not meet"
+                MethodError::UnevenOffCircle
             } else {
-                "the ends of an open arc would miss it"
+                MethodError::OpenOffCircle
             };
-            return Err(self.refuse(
-                format!("its segments end off the circle, and {why}"),
-                Remedy::OnCircle(self.on_circle_instead(spans)),
-            ));
+            return Err(self.refuse(why, Remedy::OnCircle(self.on_circle_instead(spans))));
         }
         if self == Self::Chen1 && closed && spans.len() < 3 {
-            let points = if spans.len() == 1 {
-                "one point"
-            } else {
-                "two points"
-            };
             return Err(self.refuse(
-                format!("his cyclic system (11) through {points} gives handles of length 0"),
+                MethodError::CyclicPoints(spans.len()),
                 Remedy::ThreeSegments(&["chen-3", "minimax"]),
             ));
         }
@@ -219,11 +207,7 @@ fn check_half_turn_of_chen_1(span: &Span) -> Result<()> {
     if !span.exceeds(180.0) {
         return Ok(());
     }
-    let degrees = Degrees(span.degrees());
-    Err(Method::Chen1.refuse(
-        format!("a segment of {degrees} is more than half a turn"),
-        Remedy::NearerJoints,
-    ))
+    Err(Method::Chen1.refuse(MethodError::HalfTurn(span.degrees()), Remedy::NearerJoints))
 }
 
 /// A literal handle serves up to half a turn: beyond, one cubic is no arc any more.
@@ -232,11 +216,8 @@ fn check_half_turn(span: &Span) -> Result<()> {
         return Ok(());
     }
     Err(Error::Impossible {
-        method: LITERAL,
-        why: format!(
-            "a segment of {} is more than half a turn",
-            Degrees(span.degrees())
-        ),
+        method: RuleName::Handle,
+        why: MethodError::HalfTurn(span.degrees()),
         remedy: Remedy::MoreSegments {
             degrees: Some(180.0),
             methods: &[],
@@ -254,7 +235,7 @@ mod tests {
 
     fn refusal(rule: Rule, spans: &[Span], closed: bool) -> (String, Remedy) {
         match rule.pieces(spans, closed) {
-            Err(Error::Impossible { why, remedy, .. }) => (why, remedy),
+            Err(Error::Impossible { why, remedy, .. }) => (why.to_string(), remedy),
             other => panic!("{other:?}"),
         }
     }

@@ -86,7 +86,7 @@ impl Decimal {
         let product = x * power;
         let shifted = product + ROUNDING;
         let whole = shifted - ROUNDING;
-        // The quotient, which decides, is seldom asked for in vain.
+        // The quick comparison rejects most of the others, so that the quotient, which decides, is seldom computed for nothing.
         let is_whole = (product - whole).abs() < 1e-7 && whole / power == x;
         is_whole.then_some(Self {
             units: i64::from((shifted.to_bits() as u32).cast_signed()),

@@ -29,6 +29,12 @@ pub fn significant(x: f64, digits: u8) -> String {
     String::from_utf8_lossy(&out).into_owned()
 }
 
+/// So many things of a kind, whose plural has an s.
+#[must_use]
+pub fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
 /// The least number of this many significant digits that is not below `x`: what a bound is rounded to for people.
 #[must_use]
 pub fn rounded_up(x: f64, digits: u8) -> f64 {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::compare::Criterion;
+use crate::continuity::Continuity;
 use crate::write::json::ShapeDocument;
 
 /// Everything that a page shows.
@@ -136,7 +137,7 @@ pub struct DrawingEntry {
     pub figures: [f64; 6],
     /// The lowest order of continuity at a joint; nothing where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub continuity: Option<String>,
+    pub continuity: Option<Continuity>,
     /// The signed distance from the true shape at 25 values of t, (1 - cos(πi/24))/2 for i from 0 to 24, in thousandths of the peak in
     /// `figures`, positive outside: a list for each kind of segment, or its first 13 where it is the same from both ends. The polynomial
     /// through them is the distance to a thousandth or so: that of a circle has hardly more than the degree 6 of r².

@@ -8,15 +8,15 @@ use super::paint::Paint;
 use super::scene::along;
 use super::style::{Style, default_stroke_width};
 use super::words::{
-    conic_summary, conic_title, describe_sphere, describe_spline, exactness, name, path_summary,
-    sentence, title, within,
+    conic_summary, conic_title, describe_sphere, describe_spline, name, path_summary, sentence,
+    title, within,
 };
 use crate::approximate::Drawing;
 use crate::conic;
 use crate::contour::{Closeness, PathDrawing};
 use crate::course::Course;
 use crate::curve::Curve;
-use crate::number::{Precision, rounded_up, significant, text};
+use crate::number::{Precision, counted, rounded_up, significant, text};
 use crate::shape::Outline;
 use crate::sphere::{Part, Picture};
 use crate::spline::Spline;
@@ -163,31 +163,38 @@ impl Figure {
 
     /// The description where what lies between the ends of arcs moves so far.
     pub(crate) fn described_with_arcs_moved(&self, style: &Style, moved: f64) -> String {
-        let described = self.described(style);
-        match self.closeness {
-            Some(Closeness { lines, arcs }) if moved > 0.0 => {
-                let error = lines.error.max(arcs.error + moved);
-                described.replace(&within(lines.error), &within(error))
-            }
-            _ => described,
-        }
+        let Some(Closeness { lines, arcs }) = self.closeness.filter(|_| moved > 0.0) else {
+            return self.described(style);
+        };
+        // The description of a path ends in its closeness.
+        let counts = self.description.strip_suffix(&within(lines.error));
+        let error = within(lines.error.max(arcs.error + moved));
+        let description = counts.map_or_else(
+            || self.description.clone(),
+            |counts| counts.to_owned() + &error,
+        );
+        self.with_key(description, style)
     }
 
     /// The description, and how what is shown is to be read.
     pub(crate) fn described(&self, style: &Style) -> String {
+        self.with_key(self.description.clone(), style)
+    }
+
+    /// A description, and how what is shown is to be read.
+    fn with_key(&self, description: String, style: &Style) -> String {
         match style.show.error {
             Some(factor) if !self.truths.is_empty() => format!(
-                "{}; deviation drawn {} times as large, orange outside and blue inside",
-                self.description,
+                "{description}; deviation drawn {} times as large, orange outside and blue inside",
                 text(factor)
             ),
-            _ => self.description.clone(),
+            _ => description,
         }
     }
 }
 
 impl Figure {
-    /// The width of the stroke where none is asked for; see [`default_stroke_width`].
+    /// The width of the stroke where none is asked for: about 1 % of the larger side.
     #[must_use]
     pub fn default_stroke_width(&self) -> f64 {
         let bounds = self.bounding_box().unwrap_or(Rect::ZERO);
@@ -200,19 +207,14 @@ impl From<&Drawing> for Figure {
         let title = title(drawing);
         let description = if drawing.outline.is_some() {
             format!(
-                "{title}; {count} segment{s} by {method}; within {peak} of the true shape ({relative} of the larger radius)",
-                count = drawing.curve.segments.len(),
-                s = if drawing.curve.segments.len() == 1 {
-                    ""
-                } else {
-                    "s"
-                },
+                "{title}; {segments} by {method}; within {peak} of the true shape ({relative} of the larger radius)",
+                segments = counted(drawing.curve.segments.len(), "segment"),
                 method = drawing.rule.id(),
                 peak = significant(rounded_up(drawing.error.peak(), 3), 3),
                 relative = significant(rounded_up(drawing.relative_peak(), 3), 3),
             )
         } else {
-            format!("{title}; {}", exactness(drawing))
+            format!("{title}; {}", within(drawing.error.peak()))
         };
         Self {
             name: name(&drawing.shape),

@@ -2,6 +2,7 @@
 
 use core::str::FromStr;
 
+use super::color_space;
 use crate::error::{Error, PictureError, Result};
 
 /// A colour of sRGB, in bytes.
@@ -70,7 +71,7 @@ impl FromStr for Paint {
     type Err = Error;
 
     /// A colour of CSS level 4: a name, `#rgb`, `#rrggbb`, with alpha too, `rgb()`, `hsl()`, `hwb()`, `lab()`, `lch()`, `oklab()`,
-    /// `oklch()`, `color()`, `currentColor`; or `none`, or `transparent`.
+    /// `oklch()`, `color()` of `srgb`, `srgb-linear` or `xyz`, `currentColor`; or `none`, or `transparent`.
     fn from_str(text: &str) -> Result<Self> {
         let text = text.trim();
         let is = |word: &str| text.eq_ignore_ascii_case(word);
@@ -89,8 +90,30 @@ impl FromStr for Paint {
     }
 }
 
-/// Functions and hexadecimal digits by csscolorparser; names by svgtypes, since csscolorparser's own table of them brings ten crates.
+/// The functions of sRGB; an older name of each ends in an a.
+const OF_SRGB: [&str; 3] = ["rgb", "hsl", "hwb"];
+
+/// Functions of sRGB and hexadecimal digits by csscolorparser; names by svgtypes, since csscolorparser's own table of them brings ten
+/// crates. Colours relative to others are of CSS level 5, and csscolorparser takes some by functions of the platform.
 fn parse(text: &str) -> Option<Color> {
+    if let Some(parts) = color_space::parse(text) {
+        let [red, green, blue, alpha] =
+            parts.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as u8);
+        return Some(Color {
+            red,
+            green,
+            blue,
+            alpha,
+        });
+    }
+    if let Some((name, rest)) = text.split_once('(') {
+        let name = name.to_ascii_lowercase();
+        let name = name.strip_suffix('a').unwrap_or(&name);
+        let is_relative = rest.trim_start().to_ascii_lowercase().starts_with("from");
+        if !OF_SRGB.contains(&name) || is_relative {
+            return None;
+        }
+    }
     if text.starts_with('#') || text.ends_with(')') {
         let [red, green, blue, alpha] = csscolorparser::parse(text).ok()?.to_rgba8();
         return Some(Color {
@@ -145,7 +168,16 @@ mod tests {
         // As the specification's own example has it: rebeccapurple is oklch(44.027% 0.1603 303.37).
         assert_eq!(paint("oklch(44.027% 0.1603 303.37)"), Ok(REBECCA_PURPLE));
         for wrong in [
-            "blak", "#12", "", "#ggg", "rgb(1,2", "red red", "beef", "rgb(1 2)",
+            "blak",
+            "#12",
+            "",
+            "#ggg",
+            "rgb(1,2",
+            "red red",
+            "beef",
+            "rgb(1 2)",
+            "rgb(from lab(50 20 0) r g b)",
+            "hsv(0 100% 100%)",
         ] {
             assert!(paint(wrong).is_err(), "{wrong}");
         }

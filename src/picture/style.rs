@@ -18,7 +18,7 @@ pub struct Style {
     pub size: Option<Size>,
     /// What curves are stroked with.
     pub stroke: Paint,
-    /// How wide their stroke is; without it [`default_stroke_width`].
+    /// How wide their stroke is; without it about 1 % of the larger side.
     pub stroke_width: Option<f64>,
     /// What curves are filled with.
     pub fill: Paint,
@@ -46,8 +46,7 @@ impl Default for Style {
 }
 
 /// The width of the stroke of a drawing whose larger side is this long: about 1 % of it, a 1, 2 or 5 with zeros.
-#[must_use]
-pub fn default_stroke_width(larger_side: f64) -> f64 {
+pub(super) fn default_stroke_width(larger_side: f64) -> f64 {
     if larger_side > 0.0 && larger_side.is_finite() {
         round_one_two_five(STROKE_PART * larger_side)
     } else {

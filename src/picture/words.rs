@@ -3,7 +3,7 @@
 use crate::approximate::Drawing;
 use crate::conic;
 use crate::contour::{Maker, PathDrawing};
-use crate::number::{compact, rounded_up, significant, text};
+use crate::number::{compact, counted, rounded_up, significant, text};
 use crate::shape::Shape;
 use crate::sphere::Picture;
 use crate::spline::{Ends, Spline};
@@ -25,7 +25,7 @@ pub(crate) fn conic_summary(drawing: &conic::Drawing) -> String {
         ),
     };
     let title = conic_title(&drawing.conic);
-    format!("{title}: {count} segment{}{closeness}", plural(count))
+    format!("{title}: {}{closeness}", counted(count, "segment"))
 }
 
 /// A path and how closely it was drawn, in a line; the figures are rounded up.
@@ -43,9 +43,9 @@ pub(crate) fn path_summary(drawing: &PathDrawing) -> String {
         Maker::Rule(_) | Maker::Lines | Maker::Arcs => within(peak),
     };
     format!(
-        "path of {count} subpath{}: {segments} segment{}, {closeness}",
-        plural(count),
-        plural(segments)
+        "path of {}: {}, {closeness}",
+        counted(count, "subpath"),
+        counted(segments, "segment")
     )
 }
 
@@ -58,23 +58,11 @@ pub(super) fn within(error: f64) -> String {
     }
 }
 
-const fn plural(count: usize) -> &'static str {
-    if count == 1 { "" } else { "s" }
-}
-
 /// With a capital first letter.
-pub(super) fn sentence(text: &str) -> String {
+pub(crate) fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(|letter| letter.to_ascii_uppercase());
     first.into_iter().chain(letters).collect()
-}
-
-/// How closely what is straight was drawn: rounding alone moves it.
-pub(super) fn exactness(drawing: &Drawing) -> String {
-    match drawing.error.peak() {
-        0.0 => "exact".to_owned(),
-        peak => format!("within {}", significant(rounded_up(peak, 3), 3)),
-    }
 }
 
 /// What was drawn and how closely, in a line; the figures are rounded up.
@@ -86,12 +74,12 @@ pub(crate) fn summary(drawing: &Drawing) -> String {
         .map_or_else(String::new, |c| c.to_lowercase().to_string());
     let title = first + letters.as_str();
     if drawing.outline.is_none() {
-        return format!("{title}: {}", exactness(drawing));
+        return format!("{title}: {}", within(drawing.error.peak()));
     }
     let count = drawing.curve.segments.len();
     format!(
-        "{title}: {count} segment{} by {}, within {} ({} of the larger radius)",
-        plural(count),
+        "{title}: {} by {}, within {} ({} of the larger radius)",
+        counted(count, "segment"),
         drawing.rule.id(),
         significant(rounded_up(drawing.error.peak(), 3), 3),
         compact(rounded_up(drawing.relative_peak(), 3), 3),

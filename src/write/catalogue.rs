@@ -7,7 +7,7 @@ use crate::continuity::Continuity;
 use crate::curve::control_points;
 use crate::method::{Degree, Ends, Method, Span};
 use crate::number::{Precision, text};
-use crate::write::measurement::csv_text;
+use crate::write::csv;
 use crate::{Circle, Cut, RadialError, Result, Shape};
 
 /// The whole catalogue.
@@ -191,12 +191,7 @@ pub fn csv(entries: &[MethodDocument]) -> String {
     const HEADER: &str = "id,aliases,title,degree,ends,closed,open,continuity_equal,continuity_uneven,order,leading_constant,leading,\
         quarter_handle,quarter_end_radius,quarter_outward,quarter_inward,quarter_error,quarter_corner,\
         largest_angle,criterion,origin,source,formula,advice";
-    let mut out = format!("{HEADER}\n");
-    for entry in entries {
-        out += &fields(entry).map(|field| csv_text(&field)).join(",");
-        out.push('\n');
-    }
-    out
+    csv::lines(HEADER, entries.iter().map(fields))
 }
 
 fn fields(entry: &MethodDocument) -> [String; 24] {

@@ -2,8 +2,10 @@
 
 use core::fmt::Write;
 
+use super::csv;
 use crate::compare::{Comparison, NOISE, Row};
 use crate::number::{compact, rounded_up, text};
+use crate::picture::words::sentence;
 
 /// How wide a table may be.
 const COLUMNS: usize = 80;
@@ -20,7 +22,7 @@ pub fn table(comparison: &Comparison) -> String {
 
 /// What the table cannot say in its cells.
 fn notes(comparison: &Comparison) -> String {
-    let label = capitalised(comparison.by.label());
+    let label = sentence(comparison.by.label());
     let by_span = !comparison.spans.is_empty();
     let (whole, command) = match comparison.ellipse.map(text) {
         Some(b) => (
@@ -49,13 +51,6 @@ fn notes(comparison: &Comparison) -> String {
         String::new()
     };
     format!("\n{label}, of {whole}{order}{impossible}.\n")
-}
-
-fn capitalised(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }
 
 /// The head and the rows as texts.
@@ -112,18 +107,15 @@ fn lay_out(cells: &[Vec<String>], gap: usize) -> String {
 /// A line a method, all digits.
 #[must_use]
 pub fn csv(comparison: &Comparison) -> String {
-    let mut out = "method".to_owned();
-    for (_, size) in comparison.columns() {
-        out.extend([",", &text(size)]);
-    }
-    out += ",order\n";
-    for row in &comparison.rows {
-        out += row.rule.id();
-        for value in row.values.iter().chain([&row.order]) {
-            out.push(',');
-            out += &value.map(text).unwrap_or_default();
-        }
-        out.push('\n');
-    }
-    out
+    let sizes = comparison.columns().into_iter().map(|(_, size)| text(size));
+    let sizes: Vec<String> = sizes.collect();
+    let row = |row: &Row| -> Vec<String> {
+        let values = row.values.iter().chain([&row.order]);
+        let values = values.map(|value| value.map(text).unwrap_or_default());
+        core::iter::once(row.rule.id().to_owned())
+            .chain(values)
+            .collect()
+    };
+    let names = format!("method,{},order", sizes.join(","));
+    csv::lines(&names, comparison.rows.iter().map(row))
 }

@@ -7,8 +7,8 @@ use kurbo::{Point, Vec2};
 
 use crate::contour::Closeness;
 use crate::course::{CircularArc, Course, Step};
-use crate::error::{Error, Remedy, Result};
-use crate::number::{Precision, compact, rounded_up, significant, text};
+use crate::error::{Error, FormatError, Remedy, Result};
+use crate::number::{Precision, compact, counted, rounded_up, significant, text};
 use crate::numeric::functions::power;
 
 /// The part of the size of a course by which rounding may move it where no decimals were asked for.
@@ -117,9 +117,9 @@ impl Program {
         };
         drawn(1)
             .or_else(|| drawn(MOST_CHORDS))
-            .ok_or_else(|| Error::Format {
+            .ok_or(Error::Format {
                 format: "gcode",
-                why: "with so few decimals it strays farther than the tolerance".to_owned(),
+                why: FormatError::Decimals,
                 remedy: Remedy::MoreDecimalsOrTolerance,
             })
     }
@@ -252,8 +252,10 @@ fn told(precision: Precision, moved: [f64; 2], closeness: Option<Closeness>) -> 
     let Precision::Fixed(decimals) = precision else {
         return "exact".to_owned();
     };
-    let s = if decimals == 1 { "" } else { "s" };
-    let rounding = format!("exact but for rounding to {decimals} decimal{s}");
+    let rounding = format!(
+        "exact but for rounding to {}",
+        counted(decimals.into(), "decimal")
+    );
     // What is far below the last decimal is noise of the arithmetic that found it.
     if moved * power(10.0, i32::from(decimals)) < 1e-3 {
         return rounding;

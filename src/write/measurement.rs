@@ -2,13 +2,14 @@
 
 use serde::Serialize;
 
+use super::csv;
 use super::json::{ShapeDocument, shape_document};
 use crate::approximate::Drawing;
 use crate::error::Result;
 use crate::measure::samples::Sample;
 use crate::measure::{Reference, Report, report};
 use crate::method::Rule;
-use crate::number::text;
+use crate::number::{counted, text};
 use crate::picture::words::describe;
 
 /// A report with what it is about.
@@ -73,7 +74,7 @@ impl Measurement {
                 title: format!(
                     "{}, {} by {}",
                     describe(&drawing.shape),
-                    segments(report.segments),
+                    counted(report.segments, "segment"),
                     drawing.rule.id()
                 ),
                 shape: Some(shape_document(&drawing.shape, drawing.transform)),
@@ -91,7 +92,7 @@ impl Measurement {
         Self {
             version: 1,
             subject: Subject {
-                title: format!("{source}, {}", segments(report.segments)),
+                title: format!("{source}, {}", counted(report.segments, "segment")),
                 source: Some(source.to_owned()),
                 ..Subject::default()
             },
@@ -100,24 +101,12 @@ impl Measurement {
     }
 }
 
-fn segments(count: usize) -> String {
-    if count == 1 {
-        "1 segment".to_owned()
-    } else {
-        format!("{count} segments")
-    }
-}
-
 /// One line of CSV for each measurement, below a line of names; the joints are in the JSON only.
 #[must_use]
 pub fn csv(measurements: &[&Measurement]) -> String {
-    let mut out = COLUMNS.map(|(name, _)| name).join(",") + "\n";
-    for measurement in measurements {
-        let fields = COLUMNS.map(|(_, field)| field(measurement));
-        out += &fields.join(",");
-        out.push('\n');
-    }
-    out
+    let names = COLUMNS.map(|(name, _)| name).join(",");
+    let row = |m: &&Measurement| COLUMNS.map(|(_, field)| field(m));
+    csv::lines(&names, measurements.iter().map(row))
 }
 
 /// A curve point by point, with what it is about.
@@ -135,27 +124,30 @@ pub struct Samples<'a> {
 /// One line of CSV for each point, below a line of names.
 #[must_use]
 pub fn samples_csv(all: &[Samples<'_>]) -> String {
-    let mut out = "subject,method,segment,t,x,y,radius,error,degrees\n".to_owned();
-    for samples in all {
-        let subject = csv_text(&samples.subject.title);
-        let method = samples.subject.method.as_deref().unwrap_or_default();
-        for s in &samples.samples {
-            let figures = [s.at.t, s.at.x, s.at.y, s.radius, s.error, s.degrees].map(text);
-            let whose = [subject.as_str(), method, &s.at.segment.to_string()].join(",");
-            out.extend([whose.as_str(), ",", &figures.join(","), "\n"]);
-        }
-    }
-    out
-}
-
-/// A field of text in CSV (RFC 4180): in quotes where it holds a comma, a quote or a line break.
-#[must_use]
-pub fn csv_text(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
+    let rows = all.iter().flat_map(
+        |Samples {
+             subject, samples, ..
+         }| {
+            samples.iter().map(|s| {
+                let method = subject.method.clone().unwrap_or_default();
+                let figures = [s.at.t, s.at.x, s.at.y, s.radius, s.error, s.degrees].map(text);
+                let [t, x, y, radius, error, degrees] = figures;
+                let segment = s.at.segment.to_string();
+                [
+                    subject.title.clone(),
+                    method,
+                    segment,
+                    t,
+                    x,
+                    y,
+                    radius,
+                    error,
+                    degrees,
+                ]
+            })
+        },
+    );
+    csv::lines("subject,method,segment,t,x,y,radius,error,degrees", rows)
 }
 
 fn optional(value: Option<f64>) -> String {
@@ -167,7 +159,7 @@ type Field = fn(&Measurement) -> String;
 
 /// The columns of the CSV.
 const COLUMNS: [(&str, Field); 31] = [
-    ("subject", |m| csv_text(&m.subject.title)),
+    ("subject", |m| m.subject.title.clone()),
     ("method", |m| m.subject.method.clone().unwrap_or_default()),
     ("segments", |m| m.report.segments.to_string()),
     ("closed", |m| m.report.closed.to_string()),
@@ -205,7 +197,10 @@ const COLUMNS: [(&str, Field); 31] = [
         optional(m.report.curvature.largest.map(|e| e.value))
     }),
     ("continuity", |m| {
-        m.report.continuity.order.clone().unwrap_or_default()
+        m.report
+            .continuity
+            .order
+            .map_or_else(String::new, |order| order.to_string())
     }),
     ("largest_turn", |m| text(m.report.continuity.largest_turn)),
     ("angle_lag", |m| text(m.report.angle_lag.largest)),

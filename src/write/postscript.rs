@@ -1,11 +1,13 @@
 //! PostScript: path operators, Encapsulated PostScript, and Lancaster's procedures.
 
-use kurbo::{PathSeg, Point, Rect};
+use kurbo::{CubicBez, PathSeg, Point, QuadBez, Rect};
 
 use crate::curve::Curve;
-use crate::error::{Error, PictureError, Remedy, Result};
+use crate::error::{Error, MethodError, PictureError, Remedy, Result};
 use crate::method::{Method, Rule, Span};
-use crate::number::{Precision, push_shortest, rounded_up, significant, text};
+use crate::number::{
+    Precision, decimal_sum, decimal_third, push_shortest, rounded_up, significant, text,
+};
 use crate::picture::paint::{Color, Paint};
 use crate::picture::scene::{Group, Scene};
 use crate::picture::size::Size;
@@ -49,7 +51,7 @@ pub(super) fn push_path(out: &mut Vec<u8>, curve: &Curve, names: &PathOperators)
         match *segment {
             PathSeg::Line(l) => push_line(out, &[l.p1], names.line_to),
             PathSeg::Quad(q) => {
-                let c = q.raise();
+                let c = raised(q);
                 push_line(out, &[c.p1, c.p2, c.p3], names.curve_to);
             }
             PathSeg::Cubic(c) => push_line(out, &[c.p1, c.p2, c.p3], names.curve_to),
@@ -58,6 +60,13 @@ pub(super) fn push_path(out: &mut Vec<u8>, curve: &Curve, names: &PathOperators)
     if curve.closed {
         push_line(out, &[], names.close);
     }
+}
+
+/// A quadratic as a cubic, in the decimals that its points have: two thirds of 4.122 are 2.748, and not 2.7479999999999998.
+pub(super) fn raised(q: QuadBez) -> CubicBez {
+    let third = |a: f64, b: f64| decimal_third(decimal_sum(a, decimal_sum(b, b)));
+    let [p1, p2] = [q.p0, q.p2].map(|end| Point::new(third(end.x, q.p1.x), third(end.y, q.p1.y)));
+    CubicBez::new(q.p0, p1, p2, q.p2)
 }
 
 fn push_line(out: &mut Vec<u8>, points: &[Point], operator: &str) {
@@ -224,7 +233,7 @@ pub fn procset(rule: Rule, with: &[Procedures]) -> Result<String> {
     if !one_number {
         let method = rule.method().unwrap_or(Method::Minimax);
         return Err(method.refuse(
-            "the procedures have one magic number, for cubics that touch the circle at the quadrants".to_owned(),
+            MethodError::MagicNumber,
             Remedy::Methods(&["minimax", "midpoint", "lancaster-drawellipse"]),
         ));
     }
@@ -297,3 +306,18 @@ const TRIG: &str = "\
 /trig.asin { 1 asin } bind def
 %%EndResource
 ";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn raised_points_have_the_decimals_of_a_person() {
+        let quadratic = QuadBez::new((0.0, 0.1), (4.122, 0.2), (0.003, 0.1));
+        let cubic = raised(quadratic);
+        assert_eq!([cubic.p1.x, cubic.p2.x], [2.748, 2.749]);
+        assert_eq!(cubic.p1.y, 0.5 / 3.0);
+        assert_eq!((cubic.p0, cubic.p3), (quadratic.p0, quadratic.p2));
+        assert_ne!(quadratic.raise().p1.x, cubic.p1.x);
+    }
+}

@@ -1,11 +1,12 @@
 //! TikZ: a `\draw` for each curve, to stand in a `tikzpicture`. Quadratics are raised to cubics exactly.
 
-use core::fmt::Write as _;
+use core::fmt::{self, Write as _};
 
-use kurbo::{PathSeg, Point};
+use kurbo::{CubicBez, PathSeg, Point};
 
+use super::postscript::raised;
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, Remedy, Result};
+use crate::error::{Error, FormatError, Remedy, Result};
 use crate::number::text;
 
 /// TeX's largest dimension is just below 16384 points, and TikZ takes no larger number.
@@ -41,7 +42,10 @@ fn check_size(curves: &[&Curve]) -> Result<()> {
     let exponent = libm::log10(LARGEST / 2.0 / far.abs()).floor();
     Err(Error::Format {
         format: "tikz",
-        why: format!("TeX takes no number beyond {LARGEST}, and there is {far:e}"),
+        why: FormatError::Number {
+            most: LARGEST,
+            found: far,
+        },
         remedy: Remedy::Scale(format!("1e{exponent}").parse().unwrap_or(1.0)),
     })
 }
@@ -60,14 +64,16 @@ fn push_curve(out: &mut String, draw: &str, curve: &Curve) {
         });
         let _ = match *segment {
             PathSeg::Line(l) => write!(out, "-- {}", pair(l.p1)),
-            PathSeg::Quad(_) | PathSeg::Cubic(_) => {
-                let c = segment.to_cubic();
-                let [from, to, end] = [c.p1, c.p2, c.p3].map(pair);
-                write!(out, ".. controls {from} and {to} .. {end}")
-            }
+            PathSeg::Quad(q) => push_cubic(out, raised(q)),
+            PathSeg::Cubic(c) => push_cubic(out, c),
         };
     }
     out.push_str(if curve.closed { " -- cycle;\n" } else { ";\n" });
+}
+
+fn push_cubic(out: &mut String, c: CubicBez) -> fmt::Result {
+    let [from, to, end] = [c.p1, c.p2, c.p3].map(pair);
+    write!(out, ".. controls {from} and {to} .. {end}")
 }
 
 fn pair(p: Point) -> String {

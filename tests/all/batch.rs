@@ -313,14 +313,14 @@ fn a_stop_does_not_wait_for_more_input() {
 #[test]
 fn json_lines_have_the_digits_of_lines_of_text() {
     // Of a number in twelve serde_json reads another one, a unit in the last place off, unless it is told not to.
-    let (mut json, mut text) = (String::new(), String::new());
+    let (mut json, mut text) = (Vec::new(), Vec::new());
     for i in 1..400 {
         let x = f64::from(i) * 1.226_976_813_768_1 + 0.1 / f64::from(i);
         let shape = format!("{{\"center\":[{x},-{x}],\"radii\":[{x},0.5],\"rotation\":{x}}}");
-        json += &format!("{{\"ellipse\":{shape}}}\n");
-        text += &format!("ellipse {x} -{x} {x} 0.5 {x}\n");
+        json.push(format!("{{\"ellipse\":{shape}}}\n"));
+        text.push(format!("ellipse {x} -{x} {x} 0.5 {x}\n"));
     }
-    let [json, text] = [json, text].map(|lines| piped(&["batch", "-f", "json"], &lines));
+    let [json, text] = [json, text].map(|lines| piped(&["batch", "-f", "json"], &lines.concat()));
     assert_eq!(json.0.lines().count(), 399);
     for (from_json, from_text) in json.0.lines().zip(text.0.lines()) {
         assert_eq!(from_json, from_text);

@@ -188,6 +188,11 @@ fn impossible_requests_say_why_and_what_would_do() {
         (&["circle", "1e-200"], "small"),
         (&["circle", "five"], "number"),
         (&["circle", "5", "-n", "0"], "segments"),
+        (
+            &["circle", "5", "--handle", "0.5", "--joints", "0,90,300"],
+            "--handle cannot do this",
+        ),
+        (&["sphere", "5", "-f", "gcode"], "'curveto path --to arcs'"),
         (&["circle", "5", "-n", "1"], "180"),
         (&["circle", "5", "-t", "-1"], "tolerance"),
         (&["circle", "5", "-t", "1e-30"], "finest"),

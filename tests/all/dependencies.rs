@@ -54,3 +54,24 @@ fn each_feature_brings_its_own_crates_and_the_command_line_has_all() {
         }
     }
 }
+
+/// docs/dependencies.md says of each crate why it is there, and of no other.
+#[test]
+fn each_dependency_has_its_reason() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    let manifest = read("Cargo.toml");
+    let (_, after) = manifest.split_once("\n[dependencies]\n").unwrap();
+    let (section, _) = after.split_once("\n[").unwrap();
+    let asked = section.lines().filter(|line| !line.starts_with('#'));
+    let asked = asked.filter_map(|line| Some(line.split_once(" = ")?.0.to_owned()));
+    let reasons = read("docs/dependencies.md");
+    let rows = reasons.lines().filter_map(|line| line.strip_prefix("| "));
+    let names = rows.filter_map(|row| row.split(" |").next()).skip(1);
+    let names = names.filter(|name| !name.starts_with('-'));
+    let named = names.flat_map(|names| names.split(", ").map(str::to_owned));
+    assert_eq!(
+        asked.collect::<BTreeSet<_>>(),
+        named.collect::<BTreeSet<_>>()
+    );
+}

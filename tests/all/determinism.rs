@@ -170,6 +170,8 @@ fn commands() -> Vec<Vec<String>> {
         "conic --from 0,0 --control 1,2 --to 3,0 --weight 2.5 -t 1e-7 -p 15 -f json",
         "measure conic --from 0,0 --control 1,2 --to 3,0 --weight 0.3 -f json",
         "compare --spans 33,77 --by square -f csv",
+        "circle 5 -f svg --fill lab(52.2345%_40.1645_59.9971) --stroke lch(52%_72_56.2)",
+        "circle 5 -f eps --fill oklch(59.7%_0.156_49.7) --stroke color(xyz_0.2_0.3_0.4)",
     ]
     .into_iter()
     .map(|words| {

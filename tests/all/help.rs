@@ -52,7 +52,7 @@ fn examples(help: &str) -> Vec<String> {
     assert!(rest.starts_with("Exit codes: 0 "), "{help}");
     let signals = rest
         .replace('\n', " ")
-        .contains("130, 143 ended by SIGINT, SIGTERM.");
+        .contains("129, 130, 143 ended by SIGHUP, SIGINT, SIGTERM.");
     assert!(signals || rest.contains("2 trouble"), "{help}");
     commands
         .lines()

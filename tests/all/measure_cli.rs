@@ -793,7 +793,7 @@ fn files_are_read_as_convert_reads_them() {
         let output = piped(&["measure", "--file", "-"], wrong.as_bytes());
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2));
-        assert!(said.contains(&format!("standard input:{why}")), "{said}");
+        assert!(said.contains(&format!("<stdin>:{why}")), "{said}");
     }
 }
 

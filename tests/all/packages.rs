@@ -113,6 +113,17 @@ fn the_crate_has_every_file_that_it_is_built_of() {
     for name in ["README.md", "LICENSE-MIT", "LICENSE-APACHE", "Cargo.lock"] {
         assert!(listed.contains(&name), "{name}");
     }
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let pictures = readme
+        .split("](")
+        .skip(1)
+        .filter_map(|rest| rest.split(')').next())
+        .filter(|target| target.starts_with("docs/images/"));
+    let pictures: Vec<&str> = pictures.collect();
+    assert!(!pictures.is_empty());
+    for name in pictures {
+        assert!(listed.contains(&name), "{name} of README.md");
+    }
     assert!(
         !listed
             .iter()

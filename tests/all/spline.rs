@@ -398,29 +398,29 @@ fn points_come_in_many_forms() {
 fn bad_points_are_named_by_line_and_column() {
     let file = ["--points-file", "-"];
     for (input, told) in [
-        ("0,0\n1,x\n", "standard input:2:3: 'x' is not a number"),
+        ("0,0\n1,x\n", "<stdin>:2:3: 'x' is not a number"),
         (
             "0,0\n\n1,NaN\n",
-            "standard input:3:3: 'NaN' is not a finite number",
+            "<stdin>:3:3: 'NaN' is not a finite number",
         ),
         (
             "0,0\n1,1e999\n",
-            "standard input:2:3: '1e999' is not a finite number",
+            "<stdin>:2:3: '1e999' is not a finite number",
         ),
         (
             "0,0\n1\n",
-            "standard input:2:2: a point is two numbers, but this is one",
+            "<stdin>:2:2: a point is two numbers, but this is one",
         ),
         (
             "0,0\n1,2,3\n",
-            "standard input:2:5: a point is two numbers, but here is a third",
+            "<stdin>:2:5: a point is two numbers, but here is a third",
         ),
-        ("0,0\n1,,2\n", "standard input:2:3: a number is missing"),
-        ("x,1\n0,0\n", "standard input:1:1: 'x' is not a number"),
-        ("x,y\nx,y\n", "standard input:2:1: 'x' is not a number"),
+        ("0,0\n1,,2\n", "<stdin>:2:3: a number is missing"),
+        ("x,1\n0,0\n", "<stdin>:1:1: 'x' is not a number"),
+        ("x,y\nx,y\n", "<stdin>:2:1: 'x' is not a number"),
         (
             "0,0\n# a\n1,1\n1,1\n",
-            "standard input:4: point 3 is the same as point 2 (lines 3 and 4)",
+            "<stdin>:4: point 3 is the same as point 2 (lines 3 and 4)",
         ),
         ("0,0\n", "runs through at least 2 points, but there is 1"),
         ("", "runs through at least 2 points, but there are 0"),
@@ -431,7 +431,7 @@ fn bad_points_are_named_by_line_and_column() {
     let cyclic = [&file[..], &["--ends", "cyclic"]].concat();
     assert!(refused(&cyclic, "0,0\n1,1\n").contains("cyclic ends runs through at least 3 points"));
     let closed_twice = refused(&cyclic, "0,0\n1,1\n1,0\n0,0\n");
-    assert!(closed_twice.contains("standard input:4: point 1 is the same as point 4"));
+    assert!(closed_twice.contains("<stdin>:4: point 1 is the same as point 4"));
     assert!(closed_twice.contains("hint: leave the last point out"));
 }
 

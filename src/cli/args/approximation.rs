@@ -1,30 +1,11 @@
 //! The words for how a shape is approximated.
 
-use clap::{ArgAction, Args, ValueEnum};
-use curveto::method::Iteration;
+use clap::{ArgAction, Args};
+use curveto::method::{Iteration, Quadrature};
 use curveto::{Angle, Cut, Method, Rule, Tolerance};
 
 use super::values;
 use crate::cli::failure::Failure;
-
-/// How arc length is integrated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum Quadrature {
-    /// Until it no longer changes
-    #[default]
-    Adaptive,
-    /// Chen's two-point Gauss quadrature
-    Gauss2,
-}
-
-impl From<Quadrature> for curveto::method::Quadrature {
-    fn from(quadrature: Quadrature) -> Self {
-        match quadrature {
-            Quadrature::Adaptive => Self::Adaptive,
-            Quadrature::Gauss2 => Self::Gauss2,
-        }
-    }
-}
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "How it is approximated")]
@@ -128,7 +109,7 @@ impl ApproximationArgs {
             };
         }
         let iteration = Iteration {
-            quadrature: self.quadrature.into(),
+            quadrature: self.quadrature,
             stop: self.stop.unwrap_or(0.0),
         };
         match method {

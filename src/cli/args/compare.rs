@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use clap::builder::PossibleValue;
 use clap::{ArgAction, Args, ValueEnum};
 use curveto::compare::{Comparison, Criterion};
+use curveto::method::Quadrature;
 use curveto::picture::size::Size;
 use curveto::write::Image;
 use curveto::{Angle, Method, Rule};
 
-use super::approximation::Quadrature;
 use super::values::{self, MethodList};
 use crate::cli::formats::FileFormat;
 

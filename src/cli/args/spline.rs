@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use curveto::method::Quadrature;
 use curveto::spline::{self, Ends, Options};
 use kurbo::Vec2;
 
 use super::OutputArgs;
-use super::approximation::Quadrature;
 use super::values;
 use crate::cli::failure::Failure;
 
@@ -87,9 +87,7 @@ impl SplineArgs {
             Parametrization::Uniform => spline::Parametrization::Uniform,
             Parametrization::Chord => spline::Parametrization::Chord,
             Parametrization::Centripetal => spline::Parametrization::Centripetal,
-            Parametrization::ArcLength => {
-                spline::Parametrization::ArcLength(self.way.quadrature.into())
-            }
+            Parametrization::ArcLength => spline::Parametrization::ArcLength(self.way.quadrature),
         };
         let measures = matches!(parametrization, spline::Parametrization::ArcLength(_));
         if self.way.quadrature == Quadrature::Gauss2 && !measures {

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, Write};
 
 use curveto::document::{Counts, Kind, Note};
-use curveto::number::{compact, rounded_up};
+use curveto::number::{compact, counted, rounded_up};
 use serde::Serialize;
 
 use super::tree::Job;
@@ -177,7 +177,7 @@ fn told(counts: &Counts, strayed: f64, back: bool) -> String {
             } else {
                 kind.name()
             };
-            format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+            counted(count, noun)
         })
         .collect();
     if words.is_empty() {

@@ -9,6 +9,7 @@ use walkdir::{DirEntry, WalkDir};
 
 use crate::cli::args::{DestinationArgs, TalkArgs};
 use crate::cli::failure::Failure;
+use crate::cli::input::Source;
 use crate::cli::output::{folder_of, place_of};
 
 /// What is read.
@@ -46,7 +47,7 @@ impl Job {
     pub(super) fn name(&self) -> String {
         match &self.input {
             Input::File(path) | Input::Unreadable(path, _) => path.display().to_string(),
-            Input::Stdin => "<stdin>".to_owned(),
+            Input::Stdin => Source::Stdin.name(),
         }
     }
 }
@@ -101,7 +102,7 @@ pub(super) fn jobs(
                         output: Some(path), ..
                     },
                     _,
-                ) if path.as_os_str() != "-" => Destination::File(path.clone()),
+                ) if !Source::of(path).is_stdin() => Destination::File(path.clone()),
                 _ => Destination::Stdout,
             };
             Job { input, destination }
@@ -119,15 +120,11 @@ fn check(inputs: &[PathBuf], destination: &DestinationArgs) -> Result<(), Failur
         check,
     } = destination;
     let many = inputs.len() > 1 || inputs.iter().any(|input| input.is_dir());
-    if inputs
-        .iter()
-        .filter(|input| input.as_os_str() == "-")
-        .count()
-        > 1
-    {
+    let stdin = inputs.iter().filter(|input| Source::of(input).is_stdin());
+    let stdin = stdin.count();
+    if stdin > 1 {
         return Err(Failure::request("standard input can be read only once"));
     }
-    let stdin = inputs.iter().any(|input| input.as_os_str() == "-");
     if many && output.is_some() {
         return Err(Failure::request_with_hint(
             "-o takes the result of one file, not of several or of a folder",
@@ -140,7 +137,7 @@ fn check(inputs: &[PathBuf], destination: &DestinationArgs) -> Result<(), Failur
             hint,
         ));
     }
-    if stdin && (*in_place || out_dir.is_some()) {
+    if stdin == 1 && (*in_place || out_dir.is_some()) {
         return Err(Failure::request_with_hint(
             "standard input has no name to be written under",
             "give -o FILE, or take the result from standard output",
@@ -184,7 +181,7 @@ impl Walk {
     /// Adds a file, or all SVG files of a folder in the order of their names. Links to folders are not followed, nor links to
     /// files outside of the folder; what is no plain file is left out.
     fn find(&self, input: &Path, found: &mut Vec<Found>) {
-        if input.as_os_str() == "-" {
+        if Source::of(input).is_stdin() {
             return found.push(Found {
                 input: Input::Stdin,
                 below: PathBuf::new(),

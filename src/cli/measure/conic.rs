@@ -115,7 +115,9 @@ fn table(found: &ConicMeasurement) -> String {
         compact(report.length.truth, 7),
         compact(report.length.difference, 4)
     );
-    let order = report.continuity.clone().unwrap_or_else(|| "-".to_owned());
+    let order = report
+        .continuity
+        .map_or_else(|| "-".to_owned(), |order| order.to_string());
     let joints = match report.continuity {
         None => "no joints".to_owned(),
         Some(_) => format!("largest turn {} degrees", compact(report.largest_turn, 3)),

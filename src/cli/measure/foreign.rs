@@ -3,6 +3,7 @@
 use curveto::contour::Contour;
 use curveto::curve::Curve;
 use curveto::measure::{Reference, fit, report};
+use curveto::number::counted;
 use curveto::write::measurement::Measurement;
 use curveto::{document, path};
 use kurbo::Affine;
@@ -100,7 +101,7 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Sourc
             "for example: curveto measure circle 50, curveto measure --path 'M...', curveto measure --file drawing.svg",
         ));
     };
-    let (svg, name) = input::document(file)?;
+    let (svg, name) = input::document(input::Source::of(file))?;
     let paths =
         document::svg_paths(&svg).map_err(|error| Failure::request(format!("{name}:{error}")))?;
     if document::has_transforms_elsewhere(&svg) {
@@ -143,8 +144,8 @@ fn subject(
     let mut found = report(&curve, &reference, report_args.coordinate_tolerance()?)?;
     found.reference.fit = fit;
     if left_out > 0 {
-        let s = if left_out == 1 { "" } else { "s" };
-        let left_out = format!("{name}: {left_out} segment{s} of no length left out");
+        let left_out = counted(left_out, "segment");
+        let left_out = format!("{name}: {left_out} of no length left out");
         note(report_args, &left_out);
     }
     Ok(Subject {

@@ -98,7 +98,9 @@ fn curvature(k: &CurvatureReport) -> [Line; 3] {
 }
 
 fn continuity(c: &ContinuityReport) -> [Line; 2] {
-    let order = c.order.clone().unwrap_or_else(|| "-".to_owned());
+    let order = c
+        .order
+        .map_or_else(|| "-".to_owned(), |order| order.to_string());
     if c.joints.is_empty() {
         return [
             line("continuity", order, "no joints".to_owned()),
@@ -254,7 +256,7 @@ fn side(joint: &Joint, name: &str, side: Option<Curvature>) -> [String; 8] {
         |of: fn(Curvature) -> f64| side.map_or_else(|| "none".to_owned(), |k| compact(of(k), 6));
     [
         once(significant(joint.angle, 6)),
-        once(joint.continuity.clone()),
+        once(joint.continuity.to_string()),
         once(compact(joint.gap, 3)),
         once(compact(joint.turn, 3)),
         name.to_owned(),

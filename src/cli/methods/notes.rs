@@ -127,7 +127,7 @@ fn replays() -> String {
         (8, 0.265_203_1),
     ];
     let case = |&(n, k): &(u8, f32)| {
-        let [peak, mean] = replay(n, k).map(f64::from);
+        let [peak, mean] = figures::in_single_precision(n, k).map(f64::from);
         let handle = text((f64::from(k) * 1e7).round() / 1e7);
         let units = text(peak * UNIT);
         format!(
@@ -143,30 +143,4 @@ fn replays() -> String {
          prints. His other peaks are a few units off these, where he sampled being unknown, and his mean of 6 is unexplained.",
         CASES.iter().map(case).collect::<Vec<_>>().join("; ")
     )
-}
-
-/// The peak and the mean of |r - 1| of one of n splines with the handle k, at 91 points in single precision.
-fn replay(n: u8, k: f32) -> [f32; 2] {
-    const STEPS: u8 = 90;
-    let span = Span::from_degrees(360.0 / f64::from(n));
-    let (s, c) = (span.s as f32, span.c as f32);
-    let equation = |p: [f32; 4]| {
-        let a = p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0];
-        let b = 3.0 * p[2] - 6.0 * p[1] + 3.0 * p[0];
-        [a, b, 3.0 * p[1] - 3.0 * p[0], p[0]]
-    };
-    let value = |[a, b, c, d]: [f32; 4], t: f32| ((a * t + b) * t + c) * t + d;
-    let (x, y) = (
-        equation([1.0, 1.0, c + k * s, c]),
-        equation([0.0, k, s - k * c, s]),
-    );
-    let (mut peak, mut sum) = (0.0_f32, 0.0_f32);
-    for i in 0..=STEPS {
-        let t = f32::from(i) / f32::from(STEPS);
-        let (x, y) = (value(x, t), value(y, t));
-        let error = ((x * x + y * y).sqrt() - 1.0).abs();
-        peak = peak.max(error);
-        sum += error;
-    }
-    [peak, sum / (f32::from(STEPS) + 1.0)]
 }

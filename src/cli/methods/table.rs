@@ -6,7 +6,7 @@ use curveto::method::Ends;
 use curveto::number::{rounded_up, significant};
 use curveto::write::catalogue::MethodDocument;
 
-/// Wider lines of prose are no joy to read, and a pipe has no width of its own.
+/// The width of prose: longer lines are hard to read, and a pipe has no width of its own.
 pub(super) const PROSE: u16 = 100;
 
 /// The widest table: its columns grow until nothing wraps.

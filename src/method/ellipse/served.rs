@@ -1,7 +1,7 @@
 //! Which ellipses and segments `minimax-ellipse` serves, and what it says of others.
 
-use crate::error::{Error, Remedy};
-use crate::method::{Degrees, Method};
+use crate::error::{Error, MethodError, Remedy};
+use crate::method::Method;
 
 /// The flattest ellipses, by their ratio, and the longest segments on those, in degrees: what was tried, and found in 3 microseconds.
 const SERVED: [(f64, f64); 2] = [(0.05, 170.0), (0.02, 100.0)];
@@ -16,23 +16,20 @@ pub(crate) fn largest_angle(short: f64) -> Option<f64> {
 pub(super) fn refusal(method: Method, short: f64, size: f64) -> Error {
     let (why, remedy) = match largest_angle(short) {
         Some(largest) if size > largest => (
-            format!(
-                "a segment of {} is beyond its largest on this ellipse, {largest} degrees",
-                Degrees(size)
-            ),
+            MethodError::LargestOnEllipse {
+                degrees: size,
+                largest,
+            },
             Remedy::MoreSegments {
                 degrees: Some(largest),
                 methods: &["minimax"],
             },
         ),
         Some(_) => (
-            format!("its search ends without handles for {}", Degrees(size)),
+            MethodError::NoHandles(size),
             Remedy::EveryEllipse("minimax"),
         ),
-        None => (
-            "it serves ellipses up to 1:50".to_owned(),
-            Remedy::EveryEllipse("minimax"),
-        ),
+        None => (MethodError::TooFlat, Remedy::EveryEllipse("minimax")),
     };
     method.refuse(why, remedy)
 }

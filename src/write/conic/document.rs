@@ -4,9 +4,10 @@ use serde::Serialize;
 
 use crate::conic::{Conic, Drawing, Report, Sample};
 use crate::error::Result;
-use crate::number::text;
+use crate::number::{counted, text};
 use crate::path;
 use crate::picture::figure::Figure;
+use crate::write::csv;
 use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
 
 /// The JSON of a parabola or a hyperbola; an arc of an ellipse is written as any other arc.
@@ -111,9 +112,8 @@ impl From<&Drawing> for ConicMeasurement {
 
 fn title(drawing: &Drawing) -> String {
     let count = drawing.curve.segments.len();
-    let segments = if count == 1 { "segment" } else { "segments" };
     let (title, method) = (Figure::of_conic(drawing).title, drawing.method_name());
-    format!("{title}, {count} {segments} by {method}")
+    format!("{title}, {} by {method}", counted(count, "segment"))
 }
 
 /// A parabola or a hyperbola point by point; an arc of an ellipse is sampled as any other arc.
@@ -152,30 +152,34 @@ impl ConicSamples {
 /// One line of CSV for each point, below a line of names.
 #[must_use]
 pub fn conic_samples_csv(all: &[ConicSamples]) -> String {
-    let mut out = "form,weight,method,segment,t,x,y,error,place\n".to_owned();
-    for samples in all {
-        let [weight, method] = [&text(samples.shape.weight), &samples.method];
-        for s in &samples.samples {
+    let rows = all.iter().flat_map(|all| {
+        all.samples.iter().map(|s| {
+            let [t, x, y, error, place] = [s.at.t, s.at.x, s.at.y, s.error, s.place].map(text);
+            let (form, method) = (all.shape.form.to_owned(), all.method.clone());
             let segment = s.at.segment.to_string();
-            let figures = [s.at.t, s.at.x, s.at.y, s.error, s.place]
-                .map(text)
-                .join(",");
-            let fields = [samples.shape.form, weight, method, &segment, &figures];
-            out += &(fields.join(",") + "\n");
-        }
-    }
-    out
+            [
+                form,
+                text(all.shape.weight),
+                method,
+                segment,
+                t,
+                x,
+                y,
+                error,
+                place,
+            ]
+        })
+    });
+    csv::lines("form,weight,method,segment,t,x,y,error,place", rows)
 }
 
 /// One line of CSV for each measurement, below a line of names.
 #[must_use]
 pub fn conic_csv(all: &[ConicMeasurement]) -> String {
-    let mut out =
-        "form,weight,method,segments,outward,inward,peak,relative_peak,length,true_length,continuity,largest_turn\n"
-            .to_owned();
-    for m in all {
+    const NAMES: &str = "form,weight,method,segments,outward,inward,peak,relative_peak,length,true_length,continuity,largest_turn";
+    let row = |m: &ConicMeasurement| {
         let (e, r) = (&m.error, &m.report);
-        let fields = [
+        [
             m.shape.form.to_owned(),
             text(m.shape.weight),
             m.method.clone(),
@@ -186,10 +190,10 @@ pub fn conic_csv(all: &[ConicMeasurement]) -> String {
             text(e.relative_peak),
             text(r.length.curve),
             text(r.length.truth),
-            r.continuity.clone().unwrap_or_default(),
+            r.continuity
+                .map_or_else(String::new, |order| order.to_string()),
             text(r.largest_turn),
-        ];
-        out += &(fields.join(",") + "\n");
-    }
-    out
+        ]
+    };
+    csv::lines(NAMES, all.iter().map(row))
 }

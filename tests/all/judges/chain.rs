@@ -60,6 +60,20 @@ impl Chain {
         self
     }
 
+    /// Whether both have the same points, but for what the last bits of a third are.
+    pub(crate) fn is_near(&self, other: &Self) -> bool {
+        let numbers = |chain: &Self| -> Vec<Vec<f64>> {
+            let segments = chain.segments.iter();
+            segments.map(|points| points.concat()).collect()
+        };
+        let (ours, theirs) = (numbers(self), numbers(other));
+        let lengths = |all: &[Vec<f64>]| all.iter().map(Vec::len).collect::<Vec<_>>();
+        let pairs = ours.iter().flatten().zip(theirs.iter().flatten());
+        self.closed == other.closed
+            && lengths(&ours) == lengths(&theirs)
+            && pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max) < 1e-14
+    }
+
     /// With quadratics raised to cubics.
     pub(crate) fn raised(mut self) -> Self {
         for segment in &mut self.segments {
