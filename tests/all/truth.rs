@@ -223,11 +223,20 @@ fn under(case: Case, transform: Affine) -> Case {
     let on = |p: &Point| [&a * &p[0] + &c * &p[1], &b * &p[0] + &d * &p[1]];
     let exact = case.exact;
     let [cos, sin] = &exact.axis;
-    let (first, second) = (
+    let axes = [
         on(&[cos * &exact.radii[0], sin * &exact.radii[0]]),
         on(&[-(sin * &exact.radii[1]), cos * &exact.radii[1]]),
-    );
+    ];
     let center = on(&exact.center);
+    Case {
+        shape: case.shape,
+        exact: image([&center[0] + e, &center[1] + f], axes),
+        transform,
+    }
+}
+
+/// The ellipse about a centre that the unit circle becomes under a map of its axes.
+fn image(center: Point, [first, second]: [Point; 2]) -> Exact {
     // The eigenvectors of the image's A Aᵀ.
     let square = |i: usize, j: usize| &first[i] * &first[j] + &second[i] * &second[j];
     let (p, q, r) = (square(0, 0), square(0, 1), square(1, 1));
@@ -238,21 +247,14 @@ fn under(case: Case, transform: Affine) -> Case {
     let area = if area < int(0) { -area } else { area };
     let cosine = root_of(&((int(1) + &apart / &turn) * ratio(1, 2)));
     let sine = &q / (&turn * int(2) * &cosine);
-    Case {
-        shape: case.shape,
-        exact: Exact {
-            center: [&center[0] + e, &center[1] + f],
-            radii: [larger.clone(), area / larger],
-            axis: [cosine, sine],
-        },
-        transform,
+    Exact {
+        center,
+        radii: [larger.clone(), area / larger],
+        axis: [cosine, sine],
     }
 }
 
 type Class = (&'static str, fn(&mut Dice) -> Option<Case>);
-
-/// Here what is stated may be farther beyond the truth.
-const FLATTENED: &str = "nearly flattened by a map";
 
 const CLASSES: [Class; 9] = [
     ("circles far away", circles),
@@ -263,7 +265,7 @@ const CLASSES: [Class; 9] = [
     ("arcs through three points", by_three_points),
     ("arcs by their bulge", by_bulge),
     ("skewed and mirrored", transformed),
-    (FLATTENED, flattened),
+    ("nearly flattened by a map", flattened),
 ];
 
 /// What was found of one drawing: the stated errors over the true ones, and what is wrong.
@@ -379,14 +381,9 @@ fn campaign(count: u64, seed: u64) -> Vec<String> {
             least - 1.0,
         );
         assert!(verdicts.len() as u64 > count / 4, "{name}: too few drawn");
-        let most = if *name == FLATTENED {
-            f64::INFINITY
-        } else {
-            4.0
-        };
         let bad = verdicts
             .into_iter()
-            .filter(|v| v.least < 1.0 || v.beyond > most);
+            .filter(|v| v.least < 1.0 || v.beyond > 4.0);
         wrong.entry(name).or_default().extend(bad.map(|v| v.words));
     }
     wrong
@@ -475,6 +472,38 @@ fn what_is_stated_under_a_map_that_nearly_flattens_is_a_bound() {
         rule: Method::Mean.into(),
         cut: Cut::Count(4),
         precision: Some(Precision::Fixed(8)),
+        transform: case.transform,
+    };
+    let verdict = judge(&case, &options).unwrap();
+    assert!(
+        verdict.least >= 1.0 && verdict.beyond <= 4.0,
+        "{}",
+        verdict.words
+    );
+}
+
+/// The nearest point to a tip that is a ten-millionth as wide as it is long: 14,000 units in the last place too much was stated.
+#[test]
+fn what_is_stated_at_the_tips_that_a_map_makes_is_close() {
+    let center = kurbo::Point::new(-51_308.522_056_374_65, -55_781.447_975_189_214);
+    let radius = 123.095_614_690_073_28;
+    let shape = Shape::Circle(Circle::new(center, radius).unwrap());
+    let map = Affine::new([
+        -0.428_242_891_070_048,
+        0.728_200_165_246_273_7,
+        -0.428_242_243_848_534_4,
+        0.728_199_116_323_484_4,
+        -1.920_230_629_061_151_7,
+        -53.810_239_991_970_81,
+    ]);
+    let case = under(
+        of_center(shape, center, Vec2::new(radius, radius), 0.0),
+        map,
+    );
+    let options = Options {
+        rule: Method::QuadraticMinimaxFree.into(),
+        cut: Cut::Count(2),
+        precision: Some(Precision::Full),
         transform: case.transform,
     };
     let verdict = judge(&case, &options).unwrap();
