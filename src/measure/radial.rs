@@ -22,7 +22,6 @@ mod slopes;
 mod tangents;
 
 pub(crate) use known::Known;
-pub(crate) use search::visit_between;
 
 use core::iter;
 
@@ -147,7 +146,7 @@ impl Profile {
             #[inline(always)]
             || {
                 let mut framed = FramedPoints::new(segment, exact);
-                if !truth.is_circle() {
+                if !truth.is_circle() || exact.is_conic {
                     framed = framed.raised(exact);
                 }
                 (framed, framed.excess().scaled(exact.unit))
@@ -173,7 +172,7 @@ impl Profile {
     }
 
     fn is_circle(&self) -> bool {
-        self.radii.x == self.radii.y
+        self.radii.x == self.radii.y && !self.exact.is_conic
     }
 
     fn larger_radius(&self) -> f64 {
