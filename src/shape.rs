@@ -6,7 +6,7 @@ pub mod machine;
 mod outline;
 mod svg_arc;
 
-pub(crate) use frame::Exact;
+pub(crate) use frame::{Exact, conic_placement};
 pub(crate) use outline::Axes;
 pub use outline::{Outline, Truth, UnitArc};
 
@@ -92,6 +92,8 @@ pub(crate) enum Given {
     Bulge(f64),
     /// A point between the ends, on a circle.
     Through(Point),
+    /// The point where the tangents at the ends meet, and its weight.
+    Conic { control: Point, weight: f64 },
 }
 
 /// A straight line.

@@ -106,11 +106,11 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// so about the centre of the exact one.
     pub(super) fn distance_exactly(&mut self, q: Vec2, exactly: Twice) -> (Tangent, [f64; 2]) {
         let unit = self.profile.larger_radius();
-        let normal = foot(self.radii, self.image(q)).outward;
-        let normal = normal.rotate_scale(self.profile.axis);
+        let normal = self.image(foot(self.radii, self.image(q)).outward);
+        let w = self.turn[0] * normal.x + self.turn[1] * normal.y;
         let exact = &self.profile.exact;
         let tangents = self.tangents.get_or_insert_with(|| Tangents::new(exact));
-        let tangent = tangents.tangent(normal);
+        let tangent = tangents.tangent(w);
         let between = tangents.distance(&tangent, exactly);
         (tangent, between.map(|d| d / unit))
     }

@@ -28,7 +28,7 @@ const MOST_HALVED: u32 = 5_000;
 pub(super) struct Search<'a, F> {
     pub(super) profile: &'a Profile,
     pub(super) tangents: Option<Tangents>,
-    turn: [Vec2; 2],
+    pub(super) turn: [Vec2; 2],
     visit: F,
     pub(super) radii: Vec2,
     pub(super) center: Vec2,

@@ -42,10 +42,8 @@ impl Tangents {
         }
     }
 
-    /// The tangent whose outward normal is nearly this one: Mᵀ n lies along w.
-    pub(super) fn tangent(&self, normal: Vec2) -> Tangent {
-        let [a, b] = self.columns.map(value);
-        let w = Vec2::new(a.dot(normal), b.dot(normal));
+    /// The tangent at the image of R w/|w|.
+    pub(super) fn tangent(&self, w: Vec2) -> Tangent {
         let [u, v] = [w.x, w.y].map(Double::of);
         let [a, b] = self.columns;
         let across = |i: usize| u.times(b[i]).plus(v.times(a[i]).scaled(-1.0)).value();
@@ -87,10 +85,6 @@ impl Tangents {
             Vec2::new(apart(0), apart(1)).hypot() * (1.0 + ROUNDING),
         ]
     }
-}
-
-fn value([x, y]: Twice) -> Vec2 {
-    Vec2::new(x.value(), y.value())
 }
 
 fn cross(u: Twice, v: Twice) -> Double {

@@ -15,7 +15,8 @@ fn a_tangent_bounds_from_below_and_its_point_from_above() {
     let truth = Truth::new((5.0, 7.0).into(), (2.0, 1.0).into(), Vec2::new(1.0, 0.0));
     let tangents = Tangents::new(&truth.frame.exact(truth.radii));
     let between = |normal: (f64, f64), p: (f64, f64)| {
-        let tangent = tangents.tangent(normal.into());
+        // Where the normal is so the circle's is that under the transposed matrix.
+        let tangent = tangents.tangent(Vec2::new(2.0 * normal.0, normal.1));
         let p = [p.0 / 2.0, p.1].map(Double::of);
         (tangents.beyond(&tangent, p), tangents.distance(&tangent, p))
     };
