@@ -92,6 +92,8 @@ pub(crate) enum Given {
     Bulge(f64),
     /// A point between the ends, on a circle.
     Through(Point),
+    /// A centre, which moves to the bisector of the chord.
+    Center(Point),
     /// The point where the tangents at the ends meet, and its weight.
     Conic { control: Point, weight: f64 },
 }

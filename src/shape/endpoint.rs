@@ -3,6 +3,7 @@
 use kurbo::{Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
+use super::frame::{circle_between, cotangent_between};
 pub use super::svg_arc::SvgArc;
 pub(crate) use super::svg_arc::{Chord, Half};
 use super::{Arc, Given, Line, Shape, finite_point};
@@ -108,13 +109,37 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
         }
         return Ok(Shape::Line(Line { from, to }));
     }
-    // The inscribed angle at `on` is half of what the arc leaves of the turn; the bulge is tan(sweep/4).
-    let bulge = libm::tan(libm::atan2(cross.abs(), -dot) / 2.0);
-    let mut shape = from_bulge(from, to, if cross > 0.0 { -bulge } else { bulge })?;
-    if let Shape::Arc(arc) = &mut shape {
-        arc.given = Given::Through(on);
+    inscribed([from, to], Given::Through(on), cross < 0.0)
+}
+
+/// The circular arc between two ends that something else gives, in the direction of growing angles or against it.
+pub(super) fn inscribed(ends: [Point; 2], given: Given, forth: bool) -> Result<Shape> {
+    let [from, to] = ends;
+    let line = Ok(Shape::Line(Line { from, to }));
+    let Some(cotangent) = cotangent_between(ends, given) else {
+        return line;
+    };
+    let (center, radius) = circle_between(ends, cotangent);
+    if !radius.is_finite() {
+        return line;
     }
-    Ok(shape)
+    let center = finite_point("centre", center)?;
+    let (start, size) = (from - center, cotangent.value());
+    // Half the sweep lies within half a turn.
+    let half = if forth {
+        libm::atan2(1.0, size)
+    } else {
+        -libm::atan2(1.0, -size)
+    };
+    Ok(Shape::Arc(Arc {
+        center,
+        radii: Vec2::new(finite("radius", radius)?, radius),
+        rotation: Angle::ZERO,
+        start: Angle::from_radians(libm::atan2(start.y, start.x)),
+        sweep: Angle::from_radians(2.0 * half),
+        ends: Some(ends),
+        given,
+    }))
 }
 
 /// (from - on) × (to - on) and (from - on)·(to - on) to the last digit: they cancel for points near a line, and on a semicircle.

@@ -2,6 +2,7 @@
 //! was computed from it, as centres, sweeps and the images of a map, is computed anew.
 
 mod conic;
+mod inscribed;
 
 pub(crate) use conic::placement as conic_placement;
 
@@ -10,6 +11,7 @@ use kurbo::{Affine, Point, Vec2};
 use super::Given;
 use crate::angle::Angle;
 use crate::numeric::double::{Double, Twice};
+pub(super) use inscribed::{circle_between, cotangent_between};
 
 /// The sweep in degrees up to which a sweep and a chord tell more than the centre: towards a whole turn the chord shrinks to nothing.
 const WIDEST: f64 = 270.0;
@@ -103,6 +105,7 @@ impl Frame {
                 ends: arc.ends.map(point),
                 given: match arc.given {
                     Given::Through(on) => Given::Through(point(on)),
+                    Given::Center(center) => Given::Center(point(center)),
                     Given::Conic { control, weight } => Given::Conic {
                         control: point(control),
                         weight,
@@ -172,7 +175,6 @@ impl Frame {
 
     /// The cotangent of half the sweep; `None` where the centre tells more.
     fn cotangent(&self, arc: &Inscribed, chord: Twice, is_plain: bool) -> Option<Double> {
-        let [from, to] = arc.ends;
         let sweep = arc.sweep.degrees();
         Some(match arc.given {
             Given::Sweep => {
@@ -184,15 +186,8 @@ impl Frame {
             }
             Given::Conic { .. } => return None,
             Given::Enlarged(_) => Double::of(0.0),
-            // tan(sweep/4) is the bulge b, and the cotangent of twice that angle (1 - b²) / (2b).
-            Given::Bulge(b) => {
-                let square = Double::of(-b).times(Double::of(b));
-                Double::of(1.0).plus(square).over(2.0 * b)
-            }
-            // The inscribed angle is what half the sweep leaves of half a turn.
-            Given::Through(on) => {
-                let (u, v) = (differences(from, on), differences(to, on));
-                dot(u, v).divided(cross(u, v))
+            Given::Bulge(_) | Given::Through(_) | Given::Center(_) => {
+                return cotangent_between(arc.ends, arc.given);
             }
             Given::Radii { large } => {
                 let mut square = dot(chord, chord).scaled(0.25);

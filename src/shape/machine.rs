@@ -2,8 +2,8 @@
 
 use kurbo::{Point, Vec2};
 
-use super::endpoint::{SvgArc, from_bulge, full_circle};
-use super::{Shape, finite_point};
+use super::endpoint::{SvgArc, full_circle, inscribed};
+use super::{Given, Shape, finite_point};
 use crate::angle::Angle;
 use crate::error::{Error, Result, ShapeError, positive};
 
@@ -76,19 +76,5 @@ pub fn about_center(from: Point, to: Point, center: Point, reverse: bool) -> Res
     if !is_rounding(first - last, first.min(last)) {
         return Err(Error::Shape(ShapeError::Centre { first, last }));
     }
-    let chord = to - from;
-    let half = chord.hypot() / 2.0;
-    // How far to the left of the chord, seen in its direction, the centre lies.
-    let depth = chord.cross(center - from.midpoint(to)) / (2.0 * half);
-    // Half the sweep is the angle whose tangent is half the chord over that depth, and the bulge is tan(sweep/4).
-    let bulge = |depth: f64| libm::tan(libm::atan2(half, depth) / 2.0);
-    from_bulge(
-        from,
-        to,
-        if reverse {
-            -bulge(-depth)
-        } else {
-            bulge(depth)
-        },
-    )
+    inscribed([from, to], Given::Center(center), !reverse)
 }

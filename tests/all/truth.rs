@@ -15,6 +15,7 @@ use curveto::conic::Conic;
 use curveto::curve::control_points;
 use curveto::number::Precision;
 use curveto::shape::endpoint::{SvgArc, from_bulge, parse_svg_arc, through};
+use curveto::shape::machine::about_center;
 use curveto::{Angle, Arc, Circle, Cut, Ellipse, Method, Options, Shape, approximate};
 use kurbo::{Affine, Vec2};
 use rayon::prelude::*;
@@ -166,6 +167,54 @@ fn circle_through(points: [kurbo::Point; 3]) -> Option<Case> {
     })
 }
 
+/// Two points of a circle that are as near to one another as may be, and the circle.
+fn beside_one_another(dice: &mut Dice) -> [kurbo::Point; 3] {
+    let (center, radius) = (dice.point(100.0), dice.logarithmic(1e-2, 1e3));
+    let first = dice.within(-4.0, 4.0);
+    let last = first + dice.logarithmic(1e-10, 3.0);
+    let [from, to] = [first, last].map(|angle| center + Vec2::from_angle(angle) * radius);
+    [center, from, to]
+}
+
+/// The circle through three points, of which two are near to one another: an arc that is nearly a whole turn, or the rest of it.
+fn by_near_points(dice: &mut Dice) -> Option<Case> {
+    let [center, from, to] = beside_one_another(dice);
+    let on = center + (center - from) * dice.within(0.9, 1.1);
+    circle_through([from, on, to])
+}
+
+/// The circle about a centre, which moves to the bisector of the chord.
+fn about_centers(dice: &mut Dice) -> Option<Case> {
+    let [center, from, to] = beside_one_another(dice);
+    let shape = about_center(from, to, center, dice.coin()).ok()?;
+    let [c, a, b] = [center, from, to].map(exact_point);
+    let chord = [&b[0] - &a[0], &b[1] - &a[1]];
+    let middle = [0, 1].map(|i| (&a[i] + &b[i]) * ratio(1, 2));
+    let arm = [&c[0] - &middle[0], &c[1] - &middle[1]];
+    let square = &chord[0] * &chord[0] + &chord[1] * &chord[1];
+    let part = (&chord[0] * &arm[1] - &chord[1] * &arm[0]) / square;
+    let center = [
+        &middle[0] - &chord[1] * &part,
+        &middle[1] + &chord[0] * &part,
+    ];
+    Some(about(shape, center, &a))
+}
+
+/// A shape of the circle about a centre that a point lies on.
+fn about(shape: Shape, center: Point, on: &Point) -> Case {
+    let arm = [&on[0] - &center[0], &on[1] - &center[1]];
+    let radius = root_of(&(&arm[0] * &arm[0] + &arm[1] * &arm[1]));
+    Case {
+        shape,
+        exact: Exact {
+            center,
+            radii: [radius.clone(), radius],
+            axis: level(),
+        },
+        transform: Affine::IDENTITY,
+    }
+}
+
 fn by_bulge(dice: &mut Dice) -> Option<Case> {
     let from = dice.point(100.0);
     let to = from + Vec2::from_angle(dice.within(-4.0, 4.0)) * dice.logarithmic(1e-2, 1e2);
@@ -178,17 +227,7 @@ fn by_bulge(dice: &mut Dice) -> Option<Case> {
         (&a[0] + &b[0]) * ratio(1, 2) - &chord[1] * &depth,
         (&a[1] + &b[1]) * ratio(1, 2) + &chord[0] * &depth,
     ];
-    let arm = [&a[0] - &center[0], &a[1] - &center[1]];
-    let radius = root_of(&(&arm[0] * &arm[0] + &arm[1] * &arm[1]));
-    Some(Case {
-        shape,
-        exact: Exact {
-            center,
-            radii: [radius.clone(), radius],
-            axis: level(),
-        },
-        transform: Affine::IDENTITY,
-    })
+    Some(about(shape, center, &a))
 }
 
 /// A shape of any other class under a map that skews, mirrors and moves it.
@@ -287,13 +326,15 @@ fn conic([from, control, to]: [kurbo::Point; 3], weight: f64) -> Option<Case> {
 
 type Class = (&'static str, fn(&mut Dice) -> Option<Case>);
 
-const CLASSES: [Class; 10] = [
+const CLASSES: [Class; 12] = [
     ("circles far away", circles),
     ("ellipses up to 1:30", |dice| by_center(dice, 30.0)),
     ("ellipses up to 1:1,000,000", |dice| by_center(dice, 1e6)),
     ("circular arcs by their ends", |dice| svg_arcs(dice, 1.0)),
     ("elliptical arcs by their ends", |dice| svg_arcs(dice, 30.0)),
     ("arcs through three points", by_three_points),
+    ("arcs through near points", by_near_points),
+    ("arcs about a centre", about_centers),
     ("arcs by their bulge", by_bulge),
     ("conics of a weight below 1", conics),
     ("skewed and mirrored", transformed),

@@ -1,0 +1,41 @@
+//! Circular arcs between two ends, from what gives them.
+
+use kurbo::Point;
+
+use super::{cross, differences, dot};
+use crate::numeric::double::Double;
+use crate::shape::Given;
+
+/// The cotangent of half the sweep of a circular arc between two ends, where what gives the arc says it by itself.
+pub(in crate::shape) fn cotangent_between([from, to]: [Point; 2], given: Given) -> Option<Double> {
+    Some(match given {
+        // tan(sweep/4) is the bulge b, and the cotangent of twice that angle (1 - b²) / (2b).
+        Given::Bulge(b) => {
+            let square = Double::of(-b).times(Double::of(b));
+            Double::of(1.0).plus(square).over(2.0 * b)
+        }
+        // The inscribed angle is what half the sweep leaves of half a turn.
+        Given::Through(on) => {
+            let (u, v) = (differences(from, on), differences(to, on));
+            dot(u, v).divided(cross(u, v))
+        }
+        // How far the centre lies beside the chord, over half of its length.
+        Given::Center(center) => {
+            let (chord, arm) = (differences(to, from), differences(center, from));
+            cross(chord, arm).scaled(2.0).divided(dot(chord, chord))
+        }
+        _ => return None,
+    })
+}
+
+/// The centre and the radius of the circle through two ends by that cotangent, each rounded once.
+pub(in crate::shape) fn circle_between([from, to]: [Point; 2], cotangent: Double) -> (Point, f64) {
+    let half = differences(to, from).map(|x| x.scaled(0.5));
+    let beside = [half[1].scaled(-1.0), half[0]].map(|x| x.times(cotangent));
+    let [x, y] = [0, 1].map(|i| half[i].plus(beside[i]));
+    let center = Point::new(
+        x.plus(Double::of(from.x)).value(),
+        y.plus(Double::of(from.y)).value(),
+    );
+    (center, dot([x, y], [x, y]).sqrt().value())
+}
