@@ -15,59 +15,99 @@ pub struct Branch {
     origin: Point,
     arms: [Point; 2],
     weight: Real,
+    rough: [Rough; 2],
+    fineness: u32,
 }
 
 /// What a search for a nearest point begins with, in `f64`.
 struct Rough {
     arms: [[f64; 2]; 2],
     weight: f64,
+    /// The points at the places.
+    grid: Vec<[f64; 2]>,
 }
 
 impl Rough {
+    fn new(arms: [[f64; 2]; 2], weight: f64, fineness: u32) -> Self {
+        let mut rough = Self {
+            arms,
+            weight,
+            grid: Vec::new(),
+        };
+        let steps = GRID * fineness;
+        let places = (0..=steps).map(|i| rough.place(f64::from(i) / f64::from(steps)));
+        rough.grid = places.map(|r| rough.point(r)).collect();
+        rough
+    }
+
+    /// From the first place on, by ratios.
+    fn place(&self, s: f64) -> f64 {
+        let first = self.first();
+        first * (1.0 / first).powf(s)
+    }
+
+    fn first(&self) -> f64 {
+        1e-4 / (1.0 + self.weight)
+    }
+
     fn point(&self, r: f64) -> [f64; 2] {
         let whole = 1.0 + 2.0 * self.weight * r + r * r;
         [0, 1].map(|i| (self.arms[0][i] + r * r * self.arms[1][i]) / whole)
     }
 
     fn square(&self, q: [f64; 2], r: f64) -> f64 {
-        let p = self.point(r);
-        (p[0] - q[0]).powi(2) + (p[1] - q[1]).powi(2)
+        square(self.point(r), q)
     }
 
-    /// The r up to 1 that is nearest, and the square of its distance.
+    /// The r up to 1 that is nearest, behind the end too, and the square of its distance.
     fn nearest(&self, q: [f64; 2]) -> (f64, f64) {
-        let least = 1e-4 / (1.0 + self.weight);
-        let place = |s: f64| least * (1.0 / least).powf(s);
-        let at = |s: f64| self.square(q, place(s));
-        let step = 1.0 / f64::from(GRID);
-        let best = (0..=GRID)
-            .map(|i| f64::from(i) * step)
-            .min_by(|a, b| at(*a).total_cmp(&at(*b)))
-            .unwrap();
-        let fine = (0..=200).map(|i| best + step * (f64::from(i) / 100.0 - 1.0));
-        let best = fine.min_by(|a, b| at(*a).total_cmp(&at(*b))).unwrap();
-        let (mut low, mut high) = (best - step / 100.0, (best + step / 100.0).min(1.0));
-        for _ in 0..60 {
-            let (a, b) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
-            if at(a) < at(b) {
-                high = b;
-            } else {
-                low = a;
-            }
-        }
-        let found = (place(low), at(low));
-        let start = (0.0, self.square(q, 0.0));
-        if start.1 < found.1 { start } else { found }
+        let (w, first) = (self.weight, self.first());
+        // Behind the end up to where the branch goes to infinity or half around; evenly up to the first place; then by ratios.
+        let behind = if w > 1.0 {
+            1.0 / (w + (w * w - 1.0).sqrt())
+        } else {
+            1.0
+        };
+        let behind = |s: f64| -0.9 * behind * s * s;
+        let near = |s: f64| s * first;
+        let far = |s: f64| self.place(s);
+        let on_grid = self.grid.iter().map(|p| square(*p, q)).collect();
+        let found = [
+            at(&behind, valley(&|s| self.square(q, behind(s)), 40)),
+            at(&near, valley(&|s| self.square(q, near(s)), 8)),
+            at(&far, valley_of(&|s| self.square(q, far(s)), &on_grid)),
+        ];
+        found
+            .into_iter()
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap()
     }
 }
 
+fn at(place: &dyn Fn(f64) -> f64, (s, value): (f64, f64)) -> (f64, f64) {
+    (place(s), value)
+}
+
+fn square(p: [f64; 2], q: [f64; 2]) -> f64 {
+    (p[0] - q[0]).powi(2) + (p[1] - q[1]).powi(2)
+}
+
 impl Branch {
-    pub fn new([from, control, to]: [Point; 3], weight: Real) -> Self {
+    /// The branch; both sides of a sharp tip are told apart by a fineness of 10.
+    pub fn new([from, control, to]: [Point; 3], weight: Real, fineness: u32) -> Self {
         let arm = |p: &Point| [&p[0] - &control[0], &p[1] - &control[1]];
+        let arms = [arm(&from), arm(&to)];
+        let plain = |p: &Point| [to_f64(&p[0]), to_f64(&p[1])];
+        let rough = [0, 1].map(|end| {
+            let arms = [plain(&arms[end]), plain(&arms[1 - end])];
+            Rough::new(arms, to_f64(&weight), fineness)
+        });
         Self {
-            arms: [arm(&from), arm(&to)],
+            arms,
             origin: control,
             weight,
+            rough,
+            fineness,
         }
     }
 
@@ -82,11 +122,7 @@ impl Branch {
     pub fn distance(&self, p: &Point) -> Real {
         let q = [&p[0] - &self.origin[0], &p[1] - &self.origin[1]];
         let plain = |p: &Point| [to_f64(&p[0]), to_f64(&p[1])];
-        let rough = [0, 1].map(|end| {
-            let arms = [plain(&self.arms[end]), plain(&self.arms[1 - end])];
-            let weight = to_f64(&self.weight);
-            Rough { arms, weight }.nearest(plain(&q))
-        });
+        let rough = [0, 1].map(|end: usize| self.rough[end].nearest(plain(&q)));
         let end = usize::from(rough[1].1 < rough[0].1);
         let [u, v] = [&self.arms[end], &self.arms[1 - end]];
         let w = &self.weight;
@@ -149,17 +185,14 @@ impl Branch {
             .iter()
             .map(|points| std::array::from_fn(|i| about(&points[i])))
             .collect();
-        let plain = |p: &Point| [to_f64(&p[0]), to_f64(&p[1])];
-        let sides = [0, 1].map(|end| Rough {
-            arms: [plain(&self.arms[end]), plain(&self.arms[1 - end])],
-            weight: to_f64(&self.weight),
-        });
         let mut most = 0.0_f64;
-        for side in &sides {
+        for side in &self.rough {
             let least = 1e-6 / (1.0 + side.weight);
             most = most.max(peak(&|s| {
                 let q = side.point(least * (1.0 / least).powf(s) * f64::from(s > 0.0));
-                let each = cubics.iter().map(|cubic| nearest(cubic, q));
+                let each = cubics
+                    .iter()
+                    .map(|cubic| nearest(cubic, q, 32 * self.fineness));
                 each.fold(f64::INFINITY, f64::min)
             }));
         }
@@ -174,31 +207,46 @@ fn eval(cubic: &[[f64; 2]; 4], t: f64) -> [f64; 2] {
 }
 
 /// The square of how far a point lies from a cubic.
-fn nearest(cubic: &[[f64; 2]; 4], q: [f64; 2]) -> f64 {
+fn nearest(cubic: &[[f64; 2]; 4], q: [f64; 2], steps: u32) -> f64 {
     let at = |t: f64| {
         let p = eval(cubic, t);
         (p[0] - q[0]).powi(2) + (p[1] - q[1]).powi(2)
     };
-    least(&at, 32)
+    valley(&at, steps).1
 }
 
-/// The least value on [0, 1] of one with few valleys.
-fn least(at: &dyn Fn(f64) -> f64, steps: u32) -> f64 {
-    let step = 1.0 / f64::from(steps);
-    let (value, best) = (0..=steps)
-        .map(|i| (at(f64::from(i) * step), f64::from(i) * step))
-        .min_by(|a, b| a.0.total_cmp(&b.0))
-        .unwrap();
-    let (mut low, mut high) = ((best - step).max(0.0), (best + step).min(1.0));
-    let mut found = value;
-    for _ in 0..40 {
-        let (a, b) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
-        let (at_a, at_b) = (at(a), at(b));
-        found = found.min(at_a).min(at_b);
-        if at_a < at_b {
-            high = b;
-        } else {
-            low = a;
+/// Where a function on [0, 1] is least, and its value there: every valley of its samples is looked into.
+fn valley(at: &dyn Fn(f64) -> f64, steps: u32) -> (f64, f64) {
+    let places = (0..=steps).map(|i| f64::from(i) / f64::from(steps));
+    valley_of(at, &places.map(at).collect())
+}
+
+fn valley_of(at: &dyn Fn(f64) -> f64, samples: &Vec<f64>) -> (f64, f64) {
+    let step = 1.0 / (samples.len() - 1) as f64;
+    let is_low = |i: &usize| {
+        let beside = [i.checked_sub(1), Some(i + 1)];
+        let mut beside = beside.into_iter().filter_map(|j| samples.get(j?));
+        beside.all(|other| *other >= samples[*i])
+    };
+    let mut found = (0.0, samples[0]);
+    for i in (0..samples.len()).filter(is_low) {
+        let best = i as f64 * step;
+        let (mut low, mut high) = ((best - step).max(0.0), (best + step).min(1.0));
+        let mut take = |t: f64| {
+            let value = at(t);
+            if value < found.1 {
+                found = (t, value);
+            }
+            value
+        };
+        take(best);
+        for _ in 0..60 {
+            let (a, b) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
+            if take(a) < take(b) {
+                high = b;
+            } else {
+                low = a;
+            }
         }
     }
     found
@@ -206,7 +254,7 @@ fn least(at: &dyn Fn(f64) -> f64, steps: u32) -> f64 {
 
 /// The largest value on [0, 1].
 fn peak(at: &dyn Fn(f64) -> f64) -> f64 {
-    -least(&|t| -at(t), 400)
+    -valley(&|t| -at(t), 400).1
 }
 
 /// The largest value on [0, 1], from samples on, which crowd at the ends.
