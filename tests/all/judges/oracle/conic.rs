@@ -192,7 +192,7 @@ impl Branch {
                 let q = side.point(least * (1.0 / least).powf(s) * f64::from(s > 0.0));
                 let each = cubics
                     .iter()
-                    .map(|cubic| nearest(cubic, q, 32 * self.fineness));
+                    .map(|cubic| nearest(cubic, q, 32 * self.fineness.pow(2)));
                 each.fold(f64::INFINITY, f64::min)
             }));
         }
