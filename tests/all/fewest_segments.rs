@@ -118,7 +118,9 @@ fn assert_symmetric(drawing: &Drawing, shape: &Shape, method: Method) {
     let count = drawing.curve.segments.len();
     let turned = |i: usize| f64::midpoint(angles[i], 360.0 - angles[count - i]);
     let even: Vec<f64> = (0..count).map(turned).collect();
-    if even[..] != angles[..count] {
+    // Equal angles mirror one another but for their last bit.
+    let is_same = |a: f64, b: f64| (a - b).abs() < 1e-12;
+    if !even.iter().zip(angles).all(|(&a, &b)| is_same(a, b)) {
         let even = even.into_iter().map(Angle::from_degrees).collect();
         let mirrored = draw(shape, method, Cut::At(even));
         let (most, least) = (mirrored.error.peak(), drawing.error.peak());
@@ -126,9 +128,12 @@ fn assert_symmetric(drawing: &Drawing, shape: &Shape, method: Method) {
         return;
     }
     for i in 0..=count {
-        assert_eq!(angles[i] + angles[count - i], 360.0, "{angles:?}");
+        assert!(is_same(angles[i] + angles[count - i], 360.0), "{angles:?}");
         if count.is_multiple_of(2) && i <= count / 2 {
-            assert_eq!(angles[i] + angles[count / 2 - i], 180.0, "{angles:?}");
+            assert!(
+                is_same(angles[i] + angles[count / 2 - i], 180.0),
+                "{angles:?}"
+            );
         }
     }
 }
