@@ -71,7 +71,7 @@ impl Rough {
         let behind = |s: f64| -0.9 * behind * s * s;
         let near = |s: f64| s * first;
         let far = |s: f64| self.place(s);
-        let on_grid = self.grid.iter().map(|p| square(*p, q)).collect();
+        let on_grid: Vec<f64> = self.grid.iter().map(|p| square(*p, q)).collect();
         let found = [
             at(&behind, valley(&|s| self.square(q, behind(s)), 40)),
             at(&near, valley(&|s| self.square(q, near(s)), 8)),
@@ -218,10 +218,10 @@ fn nearest(cubic: &[[f64; 2]; 4], q: [f64; 2], steps: u32) -> f64 {
 /// Where a function on [0, 1] is least, and its value there: every valley of its samples is looked into.
 fn valley(at: &dyn Fn(f64) -> f64, steps: u32) -> (f64, f64) {
     let places = (0..=steps).map(|i| f64::from(i) / f64::from(steps));
-    valley_of(at, &places.map(at).collect())
+    valley_of(at, &places.map(at).collect::<Vec<_>>())
 }
 
-fn valley_of(at: &dyn Fn(f64) -> f64, samples: &Vec<f64>) -> (f64, f64) {
+fn valley_of(at: &dyn Fn(f64) -> f64, samples: &[f64]) -> (f64, f64) {
     let step = 1.0 / (samples.len() - 1) as f64;
     let is_low = |i: &usize| {
         let beside = [i.checked_sub(1), Some(i + 1)];
