@@ -50,11 +50,6 @@ impl Frame {
         }
     }
 
-    /// The same where U and V are known better than the points are.
-    pub(super) const fn with_arms(self, [u, v]: [Vec2; 2]) -> Self {
-        Self { u, v, ..self }
-    }
-
     fn sine(&self, x: f64) -> f64 {
         match self.kind {
             Kind::Ellipse => libm::sin(x),
@@ -115,11 +110,7 @@ impl Frame {
 
     /// How far the parts of p along U and V are, and the θ of the conic's point on the line through P1 and p.
     pub(super) fn opposite(&self, p: Point) -> f64 {
-        self.opposite_about(p - self.origin)
-    }
-
-    fn opposite_about(&self, offset: Vec2) -> f64 {
-        let area = self.u.cross(self.v);
+        let (offset, area) = (p - self.origin, self.u.cross(self.v));
         let along = offset.cross(self.v) / area;
         let across = self.u.cross(offset) / area;
         let (s, t) = (along.max(0.0).sqrt(), across.max(0.0).sqrt());
@@ -138,29 +129,7 @@ impl Frame {
     /// The nearest point near the line through P1 and p; outward is towards P1.
     pub(super) fn foot(&self, p: Point) -> Foot {
         let offset = p - self.origin;
-        self.foot_about(offset, self.opposite_about(offset)).0
-    }
-
-    /// The same for a point about P1, and the nearest point itself, where the arc bends no sharper than that: a point within half of the
-    /// smallest radius has one place alone from where the distance is stationary, one farther away may have three.
-    pub(super) fn nearest_about(&self, offset: Vec2, bend: f64) -> (Foot, Vec2) {
-        let found = self.foot_about(offset, self.opposite_about(offset));
-        if found.0.distance.abs() * bend < 0.5 {
-            return found;
-        }
-        let starts =
-            [-1.0, -0.5, 0.0, 0.5, 1.0].map(|part| self.foot_about(offset, part * self.half));
-        let nearer = |a: (Foot, Vec2), b: (Foot, Vec2)| {
-            if b.0.distance.abs() < a.0.distance.abs() {
-                b
-            } else {
-                a
-            }
-        };
-        starts.into_iter().fold(found, nearer)
-    }
-
-    fn foot_about(&self, offset: Vec2, mut x: f64) -> (Foot, Vec2) {
+        let mut x = self.opposite(p);
         for _ in 0..MOST_STEPS {
             let (arm, tangent) = (offset - self.offset(x), self.derivative(x));
             let square = tangent.hypot2();
@@ -185,7 +154,7 @@ impl Frame {
         } else {
             arm.hypot().copysign(distance)
         };
-        (Foot { distance, outward }, self.offset(x))
+        Foot { distance, outward }
     }
 
     /// Whether points that lie so far from the arc at most have normals that cover it: it bends no sharper than that.

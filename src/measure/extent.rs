@@ -2,17 +2,45 @@
 
 use kurbo::{ParamCurve, ParamCurveArea, ParamCurveDeriv, PathSeg, Point, Vec2};
 
+use crate::curve::control_points;
 use crate::numeric::adaptive_integral;
+use crate::numeric::bernstein::Polynomial;
 
 /// The arc length of a segment, to a few units in the last place.
 #[must_use]
 pub fn length(segment: &PathSeg) -> f64 {
+    let points = control_points(segment);
+    let degree = (points.len() - 1) as f64;
+    let rates: Vec<Vec2> = points.windows(2).map(|p| degree * (p[1] - p[0])).collect();
     let speed = |t: f64| match segment {
         PathSeg::Line(line) => (line.p1 - line.p0).hypot(),
         PathSeg::Quad(quad) => quad.deriv().eval(t).to_vec2().hypot(),
         PathSeg::Cubic(cubic) => cubic.deriv().eval(t).to_vec2().hypot(),
     };
-    adaptive_integral(&speed, 0.0, 1.0, 0.0)
+    // Where a hairpin turns the speed has a corner, nearly, which quadrature may overlook unless it is an end.
+    let turns = slowest(&rates).sign_changes();
+    let pieces = turns.pieces();
+    pieces.fold(0.0, |sum, (from, to)| {
+        sum + adaptive_integral(&speed, from, to, 0.0)
+    })
+}
+
+/// Half the derivative of the square of a speed, whose roots are where it is least or most.
+fn slowest(rates: &[Vec2]) -> Polynomial {
+    match *rates {
+        [a, b] => Polynomial::new(&[a.dot(b - a), b.dot(b - a)]),
+        [a, b, c] => {
+            let (u, v) = (b - a, c - b);
+            // (a, b, c) by (u, v), of degrees 2 and 1.
+            Polynomial::new(&[
+                a.dot(u),
+                (a.dot(v) + 2.0 * b.dot(u)) / 3.0,
+                (2.0 * b.dot(v) + c.dot(u)) / 3.0,
+                c.dot(v),
+            ])
+        }
+        _ => Polynomial::new(&[1.0]),
+    }
 }
 
 /// The area that the segment and the radii to its ends enclose, positive where the segment runs from +x towards +y about the centre.

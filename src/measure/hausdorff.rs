@@ -18,12 +18,13 @@ use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2}
 use super::unit_for;
 use crate::curve::{control_points, largest_coordinate};
 use crate::numeric::bernstein::Polynomial;
-pub(crate) use along::product;
-
 use along::along;
 
 /// How far where the tolerance lies between the distance found and its bound.
 const CLOSE_GOAL: f64 = 1e-9;
+
+/// How far the bound may lie above a distance of which only the tolerance is asked.
+const DECIDED: f64 = 1.0;
 
 /// How many parts are halved, beside some for each segment: where the distance is the same all along, it takes many.
 const MOST_PARTS: usize = 20_000;
@@ -58,6 +59,17 @@ pub(crate) fn hausdorff(chains: [&[PathSeg]; 2], tolerance: f64, goal: f64) -> A
         place: place.map(|(point, segment)| ((point.to_vec2() * unit).to_point(), segment)),
         on_second,
     }
+}
+
+/// Whether two chains lie within a tolerance of each other.
+pub(crate) fn are_within(chains: [&[PathSeg]; 2], tolerance: f64) -> bool {
+    let (unit, [a, b]) = in_unit(chains);
+    let aim = Aim {
+        tolerance: tolerance / unit,
+        goal: DECIDED,
+    };
+    let is_within = |from: &Chain, to: &Chain| from.farthest_from(to, aim).at_most <= aim.tolerance;
+    is_within(&a, &b) && is_within(&b, &a)
 }
 
 /// Two chains in a unit that suits their coordinates.

@@ -23,6 +23,7 @@ mod tangents;
 mod twins;
 
 pub(crate) use known::Known;
+pub(crate) use search::visit_between;
 
 use core::iter;
 
@@ -178,7 +179,7 @@ impl Profile {
     }
 
     fn is_circle(&self) -> bool {
-        self.radii.x == self.radii.y && !self.exact.is_conic
+        self.radii.x == self.radii.y
     }
 
     fn larger_radius(&self) -> f64 {

@@ -14,7 +14,6 @@ mod chen_rounds;
 mod chen_uneven;
 mod cli;
 mod conic;
-mod conic_truth;
 mod convert;
 mod convert_cli;
 mod convert_meaning;
