@@ -29,11 +29,24 @@ function people(x, digits) {
   return x.toFixed(Math.max(0, digits - 1 - exponent)).replace("-", "−");
 }
 
+/** The sum of two decimals as a person would write it. */
+function decimalSum(a, b) {
+  const digits = Math.max(...[a, b].map(x => (plain(x).split(".")[1] ?? "").length));
+  return digits <= 15 ? Number((a + b).toFixed(digits)) : a + b;
+}
+
+/** A third of a decimal: that of 8.244 is 2.748. */
+function decimalThird(x) {
+  const third = x / 3, digits = (plain(x).split(".")[1] ?? "").length;
+  const rounded = digits <= 15 ? Number(third.toFixed(digits)) : third;
+  return decimalSum(rounded, decimalSum(rounded, rounded)) === x ? rounded : third;
+}
+
 /** A quadratic as the cubic that it is. */
 function raise(points) {
   if (points.length !== 3) return points;
-  const [p, q, r] = points, part = 2 / 3;
-  const toward = (a, b) => [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
+  const [p, q, r] = points;
+  const toward = (a, b) => [0, 1].map(i => decimalThird(decimalSum(a[i], decimalSum(b[i], b[i]))));
   return [p, toward(p, q), toward(r, q), r];
 }
 
