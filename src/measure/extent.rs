@@ -10,8 +10,7 @@ use crate::numeric::bernstein::Polynomial;
 #[must_use]
 pub fn length(segment: &PathSeg) -> f64 {
     let points = control_points(segment);
-    let degree = (points.len() - 1) as f64;
-    let rates: Vec<Vec2> = points.windows(2).map(|p| degree * (p[1] - p[0])).collect();
+    let rates: Vec<Vec2> = points.windows(2).map(|p| p[1] - p[0]).collect();
     let speed = |t: f64| match segment {
         PathSeg::Line(line) => (line.p1 - line.p0).hypot(),
         PathSeg::Quad(quad) => quad.deriv().eval(t).to_vec2().hypot(),
@@ -25,7 +24,7 @@ pub fn length(segment: &PathSeg) -> f64 {
     })
 }
 
-/// Half the derivative of the square of a speed, whose roots are where it is least or most.
+/// The derivative of the square of a speed but for a factor: its roots are where the speed is least or most.
 fn slowest(rates: &[Vec2]) -> Polynomial {
     match *rates {
         [a, b] => Polynomial::new(&[a.dot(b - a), b.dot(b - a)]),

@@ -29,15 +29,18 @@ function people(x, digits) {
   return x.toFixed(Math.max(0, digits - 1 - exponent)).replace("-", "−");
 }
 
+/** How many decimals a number has in plain notation. */
+const decimalsOf = x => (plain(x).split(".")[1] ?? "").length;
+
 /** The sum of two decimals as a person would write it. */
 function decimalSum(a, b) {
-  const digits = Math.max(...[a, b].map(x => (plain(x).split(".")[1] ?? "").length));
+  const digits = Math.max(decimalsOf(a), decimalsOf(b));
   return digits <= 15 ? Number((a + b).toFixed(digits)) : a + b;
 }
 
 /** A third of a decimal: that of 8.244 is 2.748. */
 function decimalThird(x) {
-  const third = x / 3, digits = (plain(x).split(".")[1] ?? "").length;
+  const third = x / 3, digits = decimalsOf(x);
   const rounded = digits <= 15 ? Number(third.toFixed(digits)) : third;
   return decimalSum(rounded, decimalSum(rounded, rounded)) === x ? rounded : third;
 }
