@@ -20,7 +20,7 @@ use crate::path;
 use crate::radial_error::RadialError;
 use crate::shape::Shape;
 
-use equation::{Term, equations};
+use equation::{Term, equation_of};
 #[cfg(feature = "batch")]
 pub(crate) use line::push_drawing;
 
@@ -237,7 +237,7 @@ pub fn shape_document(shape: &Shape, transform: Affine) -> ShapeDocument {
 #[must_use]
 pub fn segment_document(segment: &PathSeg, angles: Option<[f64; 2]>) -> SegmentDocument {
     let points = control_points(segment);
-    let [x, y] = equations(&points);
+    let [x, y] = [equation_of(&points, |p| p.x), equation_of(&points, |p| p.y)];
     SegmentDocument {
         power: PowerDocument {
             x: x.power.map(Term::value),

@@ -33,36 +33,48 @@ impl Twins {
         if !exact.is_about_center() {
             return false;
         }
-        let apart = |seen| apart(seen, segment, exact);
-        let nearest = self.seen.iter().map(apart).fold(f64::INFINITY, f64::min);
-        let is_spared = nearest <= APART * found;
-        if is_spared {
-            self.apart = self.apart.max(nearest);
+        let nearest = {
+            let mut images = self
+                .seen
+                .iter()
+                .flat_map(|seen| apart(seen, segment, exact));
+            images.find(|&apart| apart <= APART * found)
+        };
+        if let Some(apart) = nearest {
+            self.apart = self.apart.max(apart);
         } else if self.seen.len() < MOST_SEEN {
             self.seen.push(*segment);
         }
-        is_spared
+        nearest.is_some()
     }
 }
 
-/// How far the control points of one segment lie from the mirror images of another's at most, in the user's unit; infinite where they are
-/// no such images.
-fn apart(one: &FramedPoints, other: &FramedPoints, exact: &Exact) -> f64 {
-    let mut back = *other.points();
-    back.reverse();
-    let in_center = between(one.points(), other.points(), [-1.0, -1.0], exact);
+/// How far the control points of one segment lie from the mirror images of another's in the centre and in both axes at most, in the user's
+/// unit; infinite where they are no such images.
+fn apart<'a>(
+    one: &'a FramedPoints,
+    other: &'a FramedPoints,
+    exact: &'a Exact,
+) -> impl Iterator<Item = f64> + 'a {
     // Under a map the axes of the frame are not those of the shape.
-    if exact.is_mapped() {
-        return in_center;
-    }
-    let in_axes =
-        [[1.0, -1.0], [-1.0, 1.0]].map(|signs| between(one.points(), &back, signs, exact));
-    in_axes.into_iter().fold(in_center, f64::min)
+    let count = if exact.is_mapped() { 1 } else { 3 };
+    let images = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0]];
+    images.into_iter().take(count).map(move |signs| {
+        let is_reversed = signs != [-1.0, -1.0];
+        let image = |i: usize| other.points()[if is_reversed { 3 - i } else { i }];
+        between(one.points(), image, signs, exact)
+    })
 }
 
-fn between(one: &[Twice; 4], other: &[Twice; 4], signs: [f64; 2], exact: &Exact) -> f64 {
+fn between(
+    one: &[Twice; 4],
+    image: impl Fn(usize) -> Twice,
+    signs: [f64; 2],
+    exact: &Exact,
+) -> f64 {
     let mut most = 0.0_f64;
-    for (p, q) in one.iter().zip(other) {
+    for (i, p) in one.iter().enumerate() {
+        let q = image(i);
         let part = |i: usize| q[i].plus(p[i].scaled(-signs[i])).value();
         let off = Vec2::new(part(0), part(1));
         if off.x.abs() + off.y.abs() > FAR {

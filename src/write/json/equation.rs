@@ -29,16 +29,15 @@ pub(super) struct Equation {
     pub(super) slopes: [Term; 2],
 }
 
-/// Those of x and of y.
-pub(super) fn equations(points: &[Point]) -> [Equation; 2] {
-    [|p: &Point| p.x, |p: &Point| p.y].map(|coordinate| {
-        let mut coordinates = [0.0; 4];
-        let coordinates = &mut coordinates[..points.len()];
-        for (own, point) in coordinates.iter_mut().zip(points) {
-            *own = coordinate(point);
-        }
-        equation_in_units(coordinates).unwrap_or_else(|| equation(coordinates))
-    })
+/// That of one coordinate of the control points.
+#[inline]
+pub(super) fn equation_of(points: &[Point], coordinate: impl Fn(&Point) -> f64) -> Equation {
+    let mut coordinates = [0.0; 4];
+    let coordinates = &mut coordinates[..points.len()];
+    for (own, point) in coordinates.iter_mut().zip(points) {
+        *own = coordinate(point);
+    }
+    equation_in_units(coordinates).unwrap_or_else(|| equation(coordinates))
 }
 
 /// The equation of a cubic whose coordinates have few digits, in whole units of the last of them.

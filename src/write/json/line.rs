@@ -2,10 +2,10 @@
 
 use kurbo::PathSeg;
 
-use super::equation::{Term, equations};
+use super::equation::{Term, equation_of};
 use super::{DrawingDocument, RoundDocument, ShapeDocument, push_line, shape_document};
 use crate::approximate::Drawing;
-use crate::curve::{Curve, control_points};
+use crate::curve::{Curve, points_of};
 use crate::error::Result;
 use crate::method::Rule;
 use crate::number::decimal::{After, Form};
@@ -130,8 +130,8 @@ impl Line<'_> {
     }
 
     fn segment(&mut self, segment: &PathSeg, angles: Option<&[f64]>) {
-        let points = control_points(segment);
-        let [x, y] = equations(&points);
+        let (points, count) = points_of(segment);
+        let points = &points[..count];
         self.text("{\"points\":");
         for (i, p) in points.iter().enumerate() {
             self.out.push(if i == 0 { b'[' } else { b',' });
@@ -142,6 +142,7 @@ impl Line<'_> {
             self.text(",\"angles\":");
             self.numbers(angles);
         }
+        let [x, y] = [equation_of(points, |p| p.x), equation_of(points, |p| p.y)];
         self.text(",\"power\":{\"x\":");
         self.terms(&x.power);
         self.text(",\"y\":");
