@@ -235,7 +235,7 @@ impl Joints {
     }
 
     /// Joints this many degrees after the start, ascending, both ends included.
-    fn after(arc: &UnitArc, ways: &[f64]) -> Self {
+    pub(crate) fn after(arc: &UnitArc, ways: &[f64]) -> Self {
         let sign = 1.0_f64.copysign(arc.sweep.degrees());
         let angles: Vec<f64> = ways
             .iter()

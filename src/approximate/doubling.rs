@@ -17,7 +17,7 @@ impl Request<'_> {
         first: usize,
         tolerance: f64,
     ) -> Option<Sketch> {
-        if self.too_few_decimals(tolerance).is_some() {
+        if self.too_few_decimals(tolerance).is_some() || first > MOST_DOUBLED {
             return None;
         }
         let truth = &self.outline.truth;

@@ -15,9 +15,10 @@ use crate::number::Precision;
 use crate::numeric::functions::power;
 use crate::place::Placed;
 use crate::shape::Shape;
+use equal::fewest_equal;
 
-/// From this many segments on, counts are halved and not tried one by one.
-const MANY: usize = 1000;
+/// From this part of a tolerance on rounding tells which count serves.
+const COARSE: f64 = 0.05;
 
 /// How many counts beyond the estimate are tried.
 const MOST_TRIES: usize = 64;
@@ -105,6 +106,9 @@ impl Request<'_> {
         let tolerance = tolerance.for_radius(truth.larger_radius());
         self.check_tolerance(tolerance)?;
         self.check_ends(tolerance)?;
+        if self.is_hopeless(tolerance) {
+            return Err(self.refusal(tolerance, None));
+        }
         let balance = Balance::new(&self.outline, self.options.rule);
         if let Some(balance) = &balance
             && let Some(sketch) = self.fewest_adaptive(balance, tolerance)
@@ -112,46 +116,34 @@ impl Request<'_> {
             return Ok(sketch);
         }
         let counts = self.counts(tolerance);
-        let beyond = || self.fewest_by_doubling(balance.as_ref(), *counts.start(), tolerance);
-        if *counts.start() > MANY {
-            let found = self.fewest_of_many(counts.clone(), tolerance)?;
-            return found
-                .or_else(beyond)
-                .ok_or_else(|| self.refusal(tolerance, None));
-        }
+        let first = *counts.start();
         let (mut serves, mut last_refusal) = (false, None);
-        for count in counts.clone() {
-            match self.within(Joints::equal(&self.outline.unit, count)?, None, tolerance) {
-                Ok(Some(sketch)) => return Ok(sketch),
-                Ok(None) => serves = true,
-                Err(refusal) => last_refusal = Some(refusal),
+        let at = |count| {
+            let joints = Joints::equal(&self.outline.unit, count);
+            match joints.and_then(|joints| self.within(joints, None, tolerance)) {
+                Ok(found) => {
+                    serves = true;
+                    found
+                }
+                Err(refusal) => {
+                    last_refusal = Some(refusal);
+                    None
+                }
             }
-        }
-        let found = serves.then(beyond).flatten();
+        };
+        let found = fewest_equal(counts, self.is_uneven(tolerance), at);
+        let found = found.or_else(|| {
+            let beyond = || self.fewest_by_doubling(balance.as_ref(), first, tolerance);
+            serves.then(beyond).flatten()
+        });
         found.ok_or_else(|| self.refusal(tolerance, last_refusal.filter(|_| !serves)))
     }
 
-    /// The fewest of many: halving, since trying one after the other would take as long as the square of their number.
-    fn fewest_of_many(
-        &self,
-        counts: RangeInclusive<usize>,
-        tolerance: f64,
-    ) -> Result<Option<Sketch>> {
-        let equal = |count| Joints::equal(&self.outline.unit, count);
-        let within = |count| self.within(equal(count)?, None, tolerance);
-        let (mut low, mut high) = counts.into_inner();
-        if low > high {
-            return Ok(None);
-        }
-        let mut found = within(high)?;
-        while found.is_some() && low < high {
-            let middle = usize::midpoint(low, high);
-            match within(middle)? {
-                Some(fewer) => (found, high) = (Some(fewer), middle),
-                None => low = middle + 1,
-            }
-        }
-        Ok(found)
+    /// Whether more segments may err more: those of a literal handle, and where rounding tells.
+    fn is_uneven(&self, tolerance: f64) -> bool {
+        let is_coarse = self.rounding(tolerance) > COARSE * tolerance;
+        let is_fixed = matches!(self.options.precision, Some(Precision::Fixed(_)));
+        matches!(self.options.rule, Rule::Handle(_)) || is_fixed && is_coarse
     }
 
     /// The curve through these joints, where it is within the tolerance as it is written; `told` as in [`Request::cut`].
@@ -250,7 +242,7 @@ impl Request<'_> {
             first = first.saturating_sub(BELOW).max(1);
         }
         let mut begun = least.map(|least| least.level);
-        (first..=MOST_SEGMENTS)
+        let found = (first..=MOST_SEGMENTS)
             .take(BELOW + MOST_BEYOND)
             .find_map(|count| {
                 let adaptive = balance.joints_from(count, begun.take(), LUCK * allowed);
@@ -267,7 +259,12 @@ impl Request<'_> {
                 };
                 let adaptive = adaptive.and_then(|(joints, told)| within_if_told(joints, told));
                 adaptive.or_else(equal).or_else(greedy)
-            })
+            })?;
+        let count = found.curve.segments.len();
+        let fewer = balance
+            .may_be_beaten(allowed, first, count)
+            .then(|| self.fewer_truly(balance, count, tolerance));
+        Some(fewer.flatten().unwrap_or(found))
     }
 
     /// The counts that may be the fewest, ascending.
@@ -351,6 +348,10 @@ impl Request<'_> {
         }
     }
 }
+
+mod equal;
+mod hopeless;
+mod truly;
 
 #[cfg(test)]
 mod checks;

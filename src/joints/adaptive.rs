@@ -86,9 +86,21 @@ impl Balance {
         self.errors.is_sharp()
     }
 
+    /// The largest angle of a segment, in degrees.
+    pub(crate) const fn largest_angle(&self) -> f64 {
+        self.largest_angle
+    }
+
     /// Whether fewer segments than marching takes may be within an error, over the larger radius: where the first order does not tell it.
     pub(crate) fn may_take_fewer(&self, allowed: f64) -> bool {
         !self.errors.is_quick() && self.errors.is_rough(allowed)
+    }
+
+    /// Whether fewer than `count` segments may be within an error, over the larger radius, though estimates found none: samples do not tell it
+    /// where the first order is too rough. Lobes take too little for what they do not tell, so that none below their `least` count are.
+    pub(crate) fn may_be_beaten(&self, allowed: f64, least: usize, count: usize) -> bool {
+        let is_missed = count > least && self.lobes.is_rough(allowed);
+        is_missed && self.errors.is_quick() || self.may_take_fewer(allowed)
     }
 
     /// This many degrees after the start, counted upwards from the short axis: that leaves every distance as it is.

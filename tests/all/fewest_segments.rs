@@ -248,6 +248,9 @@ fn coarse_tolerances_of_flat_ellipses_take_what_equal_angles_need() {
         (Method::MinimaxEllipse, 0.05, 0.1, 3),
         (Method::MinimaxEllipse, 0.067, 0.086, 3),
         (Method::QuadraticMidpoint, 0.02, 0.371_438_076_722_039_7, 3),
+        (Method::Minimax, 0.007_082, 0.01, 3),
+        (Method::Minimax, 0.0147, 0.01, 3),
+        (Method::MinimaxG0, 0.02, 0.014, 3),
     ] {
         let count = within(&ellipse(flatness, 0.0), method, tolerance)
             .curve
@@ -298,8 +301,9 @@ fn elliptic_arc(radii: (f64, f64), start: f64, sweep: f64) -> Shape {
 }
 
 /// How far one segment strays from an arc.
-fn strays(radii: (f64, f64), start: f64, sweep: f64) -> f64 {
+fn strays(method: Method, radii: (f64, f64), start: f64, sweep: f64) -> f64 {
     let options = Options {
+        rule: method.into(),
         cut: Cut::Count(1),
         precision: Some(Precision::Full),
         ..Options::default()
@@ -308,27 +312,38 @@ fn strays(radii: (f64, f64), start: f64, sweep: f64) -> f64 {
         .map_or(f64::INFINITY, |drawing| drawing.error.peak())
 }
 
-/// The fewest segments with joints anywhere: each as long as the true error lets it be.
-fn fewest_by_force(radii: (f64, f64), start: f64, sweep: f64, tolerance: f64) -> usize {
+/// The fewest segments with joints anywhere: each as long as the true error lets it be, looked for from above, since a joint on an axis, or
+/// anywhere beside the sharp end of a flat ellipse, may make a longer one err less.
+fn fewest_by_force(
+    method: Method,
+    radii: (f64, f64),
+    start: f64,
+    sweep: f64,
+    tolerance: f64,
+) -> usize {
     let mut way = 0.0;
     for count in 1..200 {
         let left = sweep - way;
-        if left <= 180.0 && strays(radii, start + way, left) <= tolerance {
+        let is_within = |size: f64| strays(method, radii, start + way, size) <= tolerance;
+        let mut high = left.min(180.0);
+        let mut low = high;
+        while !is_within(low) {
+            (low, high) = (low / 1.07, low);
+        }
+        if low == left {
             return count;
         }
-        let (mut low, mut high) = (0.0, left.min(180.0));
-        for _ in 0..13 {
+        for _ in 0..10 {
             let middle = f64::midpoint(low, high);
-            if strays(radii, start + way, middle) <= tolerance {
+            if is_within(middle) {
                 low = middle;
             } else {
                 high = middle;
             }
         }
-        // A joint on an axis may hide the sharp end of a flat ellipse.
         let next_axis = 90.0 - (start + way).rem_euclid(90.0);
         for longer in [next_axis, next_axis + 90.0] {
-            if longer > low && longer < left && strays(radii, start + way, longer) <= tolerance {
+            if longer > low && longer < left && is_within(longer) {
                 low = longer;
             }
         }
@@ -337,39 +352,58 @@ fn fewest_by_force(radii: (f64, f64), start: f64, sweep: f64, tolerance: f64) ->
     usize::MAX
 }
 
-#[test]
-fn no_joints_anywhere_need_fewer_segments() {
+/// Requests of which a method takes more segments than by force, of so many random ones.
+fn beaten(method: Method, requests: usize, tolerances: [f64; 2]) -> Vec<String> {
     let mut seed = 5;
-    let mut worse = Vec::new();
-    for i in 0..1000 {
+    let mut beaten = Vec::new();
+    for i in 0..requests {
         let flat = 10_f64.powf(-2.5 * uniform(&mut seed));
         let radii = (100.0, 100.0 * flat);
         let closed = i % 3 == 0;
-        let start = 360.0 * uniform(&mut seed);
+        let start = if i % 6 == 0 {
+            0.0
+        } else {
+            360.0 * uniform(&mut seed)
+        };
         let sweep = if closed {
             360.0
         } else {
             20.0 + 330.0 * uniform(&mut seed)
         };
-        let tolerance = 10_f64.powf(1.0 - 6.0 * uniform(&mut seed));
+        let [most, least] = tolerances.map(f64::log10);
+        let tolerance = 10_f64.powf(most + (least - most) * uniform(&mut seed));
         let shape = elliptic_arc(radii, start, sweep);
-        let options = Options {
-            cut: Cut::Tolerance(curveto::Tolerance::Absolute(tolerance)),
-            ..Options::default()
-        };
-        let ours = approximate(&shape, &options).unwrap().curve.segments.len();
-        // Rounding for output takes up to a tenth, and the sharp ends of flat ellipses leave some cuts untried.
-        let least = fewest_by_force(radii, start, sweep, 0.85 * tolerance);
+        let ours = within(&shape, method, tolerance).curve.segments.len();
+        // Rounding for output takes up to a tenth.
+        let least = fewest_by_force(method, radii, start, sweep, 0.9 * tolerance);
         if ours > least {
-            worse.push(format!(
-                "{radii:?} {start} {sweep} -t {tolerance}: {ours}, not {least}"
+            beaten.push(format!(
+                "{method:?} {radii:?} {start} {sweep} -t {tolerance}: {ours}, not {least}"
             ));
         }
     }
+    beaten
+}
+
+fn assert_unbeaten(method: Method, requests: usize, tolerances: [f64; 2]) {
+    let beaten = beaten(method, requests, tolerances);
     assert!(
-        worse.is_empty(),
-        "{} of 1000:\n{}",
-        worse.len(),
-        worse.join("\n")
+        beaten.is_empty(),
+        "{}:\n{}",
+        beaten.len(),
+        beaten.join("\n")
     );
+}
+
+#[test]
+fn no_joints_anywhere_need_fewer_segments() {
+    assert_unbeaten(Method::Minimax, 1000, [10.0, 1e-5]);
+}
+
+#[test]
+fn no_joints_anywhere_need_fewer_segments_by_other_methods() {
+    assert_unbeaten(Method::Chen3, 60, [1.0, 1e-3]);
+    assert_unbeaten(Method::MinimaxG0, 60, [1.0, 1e-3]);
+    assert_unbeaten(Method::Rms, 60, [1.0, 1e-3]);
+    assert_unbeaten(Method::Chen2, 15, [1.0, 1e-2]);
 }

@@ -156,7 +156,6 @@ fn the_least_count_ends_with_the_most_segments() {
     assert_eq!(request.least_count(exact(0.999 * last)), MOST_SEGMENTS + 1);
     let counts = request.counts(exact(0.999 * last));
     assert!(counts.is_empty());
-    assert!(request.fewest_of_many(counts, 1.0).unwrap().is_none());
 }
 
 #[test]

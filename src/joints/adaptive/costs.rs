@@ -57,8 +57,8 @@ fn joints_for_a_count_cost_little() {
     for (method, flat, shapes, most, gain) in [
         (Method::Minimax, [0.2, 0.95], 30, 485, 9.457),
         (Method::Midpoint, [0.05, 0.2], 20, 1825, 18.924),
-        (Method::Curvature, [0.01, 0.05], 12, 5320, 19.236),
-        (Method::Minimax, [0.003, 0.01], 8, 7970, 16.946),
+        (Method::Curvature, [0.01, 0.05], 12, 4630, 19.235),
+        (Method::Minimax, [0.003, 0.01], 8, 7750, 16.939),
         (Method::MinimaxG0, [0.1, 0.95], 15, 5730, 6.951),
         (Method::QuadraticMinimax, [0.1, 0.95], 15, 3945, 6.215),
     ] {

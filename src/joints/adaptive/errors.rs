@@ -1,9 +1,12 @@
 //! How far a method's segments stray from an ellipse: quickly, and right to first order at least.
 
+use core::cell::RefCell;
+
 use kurbo::{ParamCurve, Point};
 
 use crate::angle::Angle;
 use crate::method::{Method, Rule, Span, ellipse};
+use crate::numeric::functions::power;
 use crate::numeric::{self, root};
 
 /// The parts into which a segment is cut to look for its peak; the peak between two samples follows from a parabola.
@@ -26,10 +29,20 @@ thread_local! {
     pub(crate) static LOOKS: core::cell::Cell<usize> = const { core::cell::Cell::new(0) };
 }
 
+/// The ratio of the lengths of short segments whose errors are computed: between them a power tells them, but for a part of the square of
+/// such a length.
+const STEP: f64 = 1.1;
+
 /// A method on an ellipse. Angles count from an end of its short axis.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) struct Errors {
     rule: Rule,
+    /// The leading term of its error on the circle.
+    leading: f64,
+    order: i32,
+    /// The logarithms of the errors of short segments on the circle, by the power of [`STEP`] that is their length in degrees: with some methods
+    /// they would cost most of a search.
+    short_ones: RefCell<Vec<(i32, f64)>>,
     /// The smaller radius over the larger one.
     short: f64,
     /// w(θ)^-2 = 1 + swing cos² θ, over the larger radius.
@@ -40,8 +53,12 @@ pub(super) struct Errors {
 
 impl Errors {
     pub(super) fn new(rule: Rule, short: f64) -> Self {
+        let card = rule.method().map(Method::card);
         Self {
             rule,
+            leading: card.map_or(0.0, |card| card.leading_constant),
+            order: card.map_or(0, |card| i32::from(card.order)),
+            short_ones: RefCell::default(),
             short,
             swing: (1.0 - short) * (1.0 + short) / (short * short),
             is_quick: matches!(
@@ -75,6 +92,24 @@ impl Errors {
         error.map_or(f64::INFINITY, |error| error.peak())
     }
 
+    /// The same of a short one, nearly.
+    fn of_short(&self, size: f64) -> f64 {
+        let place = libm::log(size) / libm::log(STEP);
+        let before = place.floor();
+        let [low, high] = [0, 1].map(|i| self.logarithm_at(before as i32 + i));
+        libm::exp(low + (high - low) * (place - before))
+    }
+
+    fn logarithm_at(&self, place: i32) -> f64 {
+        let mut known = self.short_ones.borrow_mut();
+        if let Some((_, error)) = known.iter().find(|(own, _)| *own == place) {
+            return *error;
+        }
+        let error = libm::log(self.on_circle(power(STEP, place)));
+        known.push((place, error));
+        error
+    }
+
     /// The error of a segment of `size` degrees that begins `from` degrees after the short axis, over the larger radius.
     pub(super) fn of(&self, from: f64, size: f64) -> f64 {
         #[cfg(test)]
@@ -83,13 +118,13 @@ impl Errors {
             return ellipse::peak(self.short, from, size).unwrap_or(f64::INFINITY);
         }
         let span = Span::from_degrees(size);
-        let (Ok(piece), Ok(error)) = (self.rule.piece(&span), self.rule.radial_error(&span)) else {
+        if self.leading * power(span.a, self.order) < NOISE {
+            let weight = |part: f64| self.weight(from + part * size);
+            return self.of_short(size) * LOBES.map(weight).into_iter().fold(0.0, f64::max);
+        }
+        let Ok(piece) = self.rule.piece(&span) else {
             return f64::INFINITY;
         };
-        if error.peak() < NOISE {
-            let weight = |part: f64| self.weight(from + part * size);
-            return error.peak() * LOBES.map(weight).into_iter().fold(0.0, f64::max);
-        }
         let ends = [from, from + size].map(|degrees| Angle::from_degrees(degrees).direction());
         let segment = piece.between(ends);
         let mut errors = [0.0; SAMPLES + 1];

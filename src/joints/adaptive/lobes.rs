@@ -63,7 +63,7 @@ pub(super) struct Lobes {
     rule: Rule,
     order: f64,
     /// The smaller radius over the larger one, and the square of its reciprocal.
-    short: f64,
+    pub(super) short: f64,
     flat: f64,
 }
 
@@ -105,6 +105,11 @@ impl Lobes {
             size: lobe.distance,
             slopes: slopes.map(f64::to_radians),
         })
+    }
+
+    /// Whether errors of this size are beyond what lobes tell well, beside the sharp ends at least.
+    pub(super) fn is_rough(&self, error: f64) -> bool {
+        error * self.flat > ROUGHEST
     }
 
     /// The largest distance of such a segment, however long it is.

@@ -18,8 +18,11 @@ const STUB: f64 = 0.1;
 const WIDE: f64 = 1000.0;
 const NARROW: f64 = 1.02;
 
-/// How many lengths are tried where a longer segment may err less, evenly by their ratio.
-const LONGER: u32 = 12;
+/// The ratio of the lengths that are tried where a longer segment may err less.
+const LONGER: f64 = 1.1;
+
+/// How closely the length of a segment on the circle is found, as a part of its error.
+const ROUGHLY: f64 = 0.05;
 
 /// How well the longest of them is known then, as a part of it.
 const SETTLED: f64 = 3e-4;
@@ -58,9 +61,16 @@ impl Bracket {
 
 impl Balance {
     /// The longest segment from `way`, up to `most`, whose error is `allowed`, starting the search from `guess`; where a longer
-    /// segment may err less, one of `safe` degrees is within it anywhere.
-    fn longest(&self, way: f64, allowed: f64, guess: f64, most: f64, safe: Option<f64>) -> f64 {
-        let largest = if safe.is_some() {
+    /// segment may err less, one of the first of `sizes` is within it anywhere and one of the other nowhere.
+    fn longest(
+        &self,
+        way: f64,
+        allowed: f64,
+        guess: f64,
+        most: f64,
+        sizes: Option<[f64; 2]>,
+    ) -> f64 {
+        let largest = if sizes.is_some() {
             most
         } else {
             self.largest_angle
@@ -68,13 +78,13 @@ impl Balance {
         if let Some(size) = self.longest_by_lobes(way, allowed, guess, largest) {
             return size;
         }
-        let Some(safe) = safe else {
+        let Some([safe, beyond]) = sizes else {
             return self.settled(way, allowed, guess);
         };
         // The sharp ends of a flat ellipse are harmless at a joint, so that a longer segment may err less than a shorter one.
         let from = self.past_axis(way);
+        let most = most.min(beyond);
         let least = safe.min(most);
-        let step = libm::pow(most / least, 1.0 / f64::from(LONGER));
         // How far beyond what is allowed, by its logarithm.
         let beyond = |size: f64| {
             let reached = self.lobes.size_up_to(from, size, allowed);
@@ -86,12 +96,9 @@ impl Balance {
             below: beyond(most),
             above: 0.0,
         };
-        for _ in 0..LONGER {
-            if bracket.below <= 0.0 {
-                break;
-            }
+        while bracket.below > 0.0 && bracket.low > least {
             (bracket.high, bracket.above) = (bracket.low, bracket.below);
-            bracket.low = (bracket.low / step).max(least);
+            bracket.low = (bracket.low / LONGER).max(least);
             bracket.below = beyond(bracket.low);
         }
         // A sharp end where the curve crosses the ellipse is harmless too.
@@ -101,9 +108,9 @@ impl Balance {
                 if below <= 0.0 {
                     bracket = Bracket {
                         low: size,
-                        high: (size * step).min(most),
+                        high: (size * LONGER).min(most),
                         below,
-                        above: self.order * (step - 1.0),
+                        above: self.order * (LONGER - 1.0),
                     };
                 }
             }
@@ -116,15 +123,26 @@ impl Balance {
         axes.filter(|&size| within(size)).fold(low, f64::max)
     }
 
-    /// The length of a segment whose error is `allowed` on the circle, and so no larger anywhere.
-    fn safe(&self, allowed: f64) -> f64 {
-        let mut size = 45.0_f64.min(self.largest_angle);
+    /// The lengths of a segment that is within an error anywhere, and of one that is nowhere: the affine map scales a distance from the
+    /// circle by no more than one and no less than the ratio of the radii.
+    fn sizes(&self, allowed: f64) -> [f64; 2] {
+        let safe = self.on_circle((1.0 - ROUGHLY) * allowed, 45.0);
+        let least = allowed / self.lobes.short;
+        let most = self.resized(safe, least / allowed);
+        let most = self.on_circle((1.0 + ROUGHLY) * least, most);
+        let is_beyond = self.errors.on_circle(most) >= least;
+        [safe, if is_beyond { most } else { self.largest_angle }]
+    }
+
+    /// The length of a segment of such an error on the circle.
+    fn on_circle(&self, aim: f64, guess: f64) -> f64 {
+        let mut size = guess.min(self.largest_angle);
         for _ in 0..MOST_STEPS {
             let error = self.errors.on_circle(size);
-            if error <= allowed && error > 0.9 * allowed {
+            if (error / aim - 1.0).abs() < ROUGHLY {
                 break;
             }
-            let next = self.resized(size, 0.95 * allowed / error);
+            let next = self.resized(size, aim / error);
             if next == size {
                 break;
             }
@@ -175,7 +193,7 @@ impl Balance {
         joints.push(0.0);
         let (mut way, mut size) = (0.0, whole.min(30.0));
         let is_rough = self.errors.is_worth_a_look(allowed);
-        let safe = is_rough.then(|| self.safe(allowed));
+        let sizes = is_rough.then(|| self.sizes(allowed));
         loop {
             size = self
                 .longest(
@@ -183,7 +201,7 @@ impl Balance {
                     allowed,
                     size,
                     self.largest_angle.min(whole - way),
-                    safe,
+                    sizes,
                 )
                 .max(whole / (4 * MOST) as f64);
             let left = whole - way;
@@ -371,6 +389,7 @@ impl Balance {
                 sweep: Angle::from_degrees(-sweep),
                 ..self.arc
             },
+            errors: self.errors.clone(),
             ..*self
         }
     }

@@ -54,7 +54,9 @@ fn the_formula_tells_errors_that_drown_in_samples() {
             // The best of both lobes and the middle.
             let lobes = LOBES.map(|part| errors.weight(from + part * size));
             let most = lobes.into_iter().fold(0.0, f64::max);
-            assert!((errors.of(from, size) / (radial * most) - 1.0).abs() < 1e-12);
+            // The error itself is told between those of two lengths nearby.
+            let off = errors.of(from, size) / (radial * most) - 1.0;
+            assert!(off.abs() < 1e-6, "{off}");
         }
     }
     let errors = errors(Method::Minimax, 0.25);

@@ -66,16 +66,24 @@ fn a_bracket_narrows_to_the_longest_within() {
 }
 
 #[test]
-fn a_safe_segment_errs_as_much_on_the_circle() {
-    let balance = balance(Method::Minimax, 0.1, 0.0, 360.0);
+fn the_circle_tells_what_is_within_an_error_anywhere_and_nowhere() {
+    let flatness = 0.1;
+    let balance = balance(Method::Minimax, flatness, 0.0, 360.0);
     for allowed in [1e-2, 1e-3, 1e-5, 1e-8] {
-        let error = balance.errors.on_circle(balance.safe(allowed));
+        let [safe, beyond] = balance.sizes(allowed);
+        let error = balance.errors.on_circle(safe);
         assert!(
             error <= allowed && error > 0.9 * allowed,
             "{allowed}: {error}"
         );
+        let part = flatness * balance.errors.on_circle(beyond) / allowed;
+        assert!(beyond == 180.0 || (1.0..1.11).contains(&part), "{part}");
+        for from in (0..36).map(|i| 5.0 * f64::from(i)) {
+            assert!(balance.lobes.size(from, safe) <= allowed);
+            assert!(beyond == 180.0 || balance.lobes.size(from, beyond) > allowed);
+        }
     }
-    assert_eq!(balance.safe(1.0), 180.0);
+    assert_eq!(balance.sizes(1.0), [180.0; 2]);
     // The sixth root of 64 is 2.
     assert!((balance.resized(10.0, 64.0) - 20.0).abs() < 1e-12);
     assert!((balance.resized(10.0, 1.0 / 64.0) - 5.0).abs() < 1e-12);
@@ -117,10 +125,10 @@ fn where_longer_segments_may_err_less_the_longest_is_looked_for() {
         for exponent in 0..5 {
             let allowed = flatness * flatness * libm::pow(10.0, -0.7 * f64::from(exponent) - 0.5);
             assert!(balance.errors.is_worth_a_look(allowed));
-            let safe = balance.safe(allowed);
+            let sizes = balance.sizes(allowed);
             for way in (0..35).map(|i| f64::from(i) * 9.7) {
                 let most = f64::min(180.0, 350.0 - way);
-                let size = balance.longest(way, allowed, 30.0, most, Some(safe));
+                let size = balance.longest(way, allowed, 30.0, most, Some(sizes));
                 let from = balance.past_axis(way);
                 assert!(size <= most * (1.0 + 1e-12));
                 let error = balance.lobes.size(from, size);
@@ -168,8 +176,8 @@ fn a_segment_may_end_at_an_axis() {
                 if is_tame || size > most || !balance.errors.is_worth_a_look(allowed) {
                     continue;
                 }
-                let safe = balance.safe(allowed);
-                let found = balance.longest(way, allowed, 30.0, most.min(180.0), Some(safe));
+                let sizes = balance.sizes(allowed);
+                let found = balance.longest(way, allowed, 30.0, most.min(180.0), Some(sizes));
                 all += 1;
                 assert!(
                     found >= size * (1.0 - 1e-12),
