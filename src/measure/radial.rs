@@ -64,10 +64,9 @@ pub(crate) fn error_within<'a>(
     let (mut known, mut twins) = (Known::default(), Twins::default());
     let exact = truth.frame.exact(truth.radii);
     for segment in segments {
-        let framed = FramedPoints::of_truth(segment, truth, &exact);
-        if !truth.is_circle() && twins.spare(&framed, &exact, range.smaller()) {
+        let Some(framed) = twins.to_measure(segment, truth, &exact, range.smaller()) else {
             continue;
-        }
+        };
         let profile = Profile::framed(segment, truth, &exact, framed);
         profile.visit_bounds(&mut known, |_, bounds| range.take_in_all(bounds));
         if range.peak() > limit {

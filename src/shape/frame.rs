@@ -338,6 +338,13 @@ impl Exact {
         matches!(self.level, Level::Radius(_))
     }
 
+    /// How far a point lies from the image of another in the centre, where the frame is about that and without a map.
+    #[inline]
+    pub(crate) fn off_image_in_center(&self, p: Point, q: Point) -> Vec2 {
+        let [a, b] = [p, q].map(|point| differences(point, self.origin));
+        Vec2::new(a[0].plus(b[0]).value(), a[1].plus(b[1]).value())
+    }
+
     /// A vector of the frame in the plane, along the axes that the shape has without a map.
     pub(crate) fn image(&self, q: Vec2) -> Vec2 {
         let v = self

@@ -3,50 +3,90 @@
 //! The distance of a point changes by no more than the point moves. So a segment strays no farther than its mirror image and the largest
 //! distance between their control points.
 
-use kurbo::Vec2;
+use kurbo::{PathSeg, Point, Vec2};
 
 use super::NOISE;
 use super::framed::FramedPoints;
+use crate::curve::points_of;
 use crate::numeric::double::Twice;
-use crate::shape::Exact;
+use crate::shape::{Exact, Truth};
 
-/// How many measured segments others are compared with.
+/// How many segments others are compared with.
 const MOST_SEEN: usize = 16;
 
 /// How far apart control points may lie, as a part of the distances that were found: the statement grows by no more.
 const APART: f64 = 4e-10;
 
-/// Points of the frame farther apart are no mirror images.
+/// Points of the frame, and of the plane over the larger radius, farther apart are no mirror images.
 const FAR: f64 = 1e-9;
 
 /// What was measured, and how far what was left out lies from its mirror images at most.
 #[derive(Default)]
 pub(super) struct Twins {
-    seen: Vec<FramedPoints>,
+    measured: Vec<FramedPoints>,
+    /// The control points of all, and how far they lie from images of what was measured.
+    seen: Vec<(([Point; 4], usize), f64)>,
     pub(super) apart: f64,
 }
 
 impl Twins {
-    /// Whether a segment need not be measured, since one that was is its mirror image, nearly; `found` is the smaller distance on either
-    /// side so far. Else it is kept for those to come.
-    pub(super) fn spare(&mut self, segment: &FramedPoints, exact: &Exact, found: f64) -> bool {
-        if !exact.is_about_center() {
-            return false;
+    /// A segment in the frame of an ellipse; `None` where it need not be measured, since one that was is its mirror image, nearly. `found` is
+    /// the smaller distance on either side so far.
+    pub(super) fn to_measure(
+        &mut self,
+        segment: &PathSeg,
+        truth: &Truth,
+        exact: &Exact,
+        found: f64,
+    ) -> Option<FramedPoints> {
+        let framed = || FramedPoints::of_truth(segment, truth, exact);
+        if truth.is_circle() || !exact.is_about_center() {
+            return Some(framed());
         }
-        let nearest = {
-            let mut images = self
-                .seen
-                .iter()
-                .flat_map(|seen| apart(seen, segment, exact));
-            images.find(|&apart| apart <= APART * found)
+        let limit = APART * found;
+        let own = points_of(segment);
+        // What the centre mirrors is seen before points are brought into the frame, which costs more.
+        let in_center = (self.seen.iter())
+            .map(|(other, apart)| apart + from_image_in_center(&own, other, truth, exact))
+            .find(|&apart| apart <= limit);
+        let (framed, apart) = if in_center.is_some() {
+            (None, in_center)
+        } else {
+            let framed = framed();
+            let mut images = (self.measured.iter()).flat_map(|one| apart(one, &framed, exact));
+            let apart = images.find(|&apart| apart <= limit);
+            (apart.is_none().then_some(framed), apart)
         };
-        if let Some(apart) = nearest {
-            self.apart = self.apart.max(apart);
-        } else if self.seen.len() < MOST_SEEN {
-            self.seen.push(*segment);
+        self.apart = self.apart.max(apart.unwrap_or(0.0));
+        if self.seen.len() < MOST_SEEN {
+            self.seen.push((own, apart.unwrap_or(0.0)));
+            self.measured.extend(framed);
         }
-        nearest.is_some()
+        framed
     }
+}
+
+/// How far the control points of one segment lie from the images of another's in the centre at most; infinite where they are no such images,
+/// and under a map.
+fn from_image_in_center(
+    (one, count): &([Point; 4], usize),
+    (other, as_many): &([Point; 4], usize),
+    truth: &Truth,
+    exact: &Exact,
+) -> f64 {
+    if exact.is_mapped() || count != as_many {
+        return f64::INFINITY;
+    }
+    let radius = truth.larger_radius();
+    let mut most = 0.0_f64;
+    for (p, q) in one.iter().zip(other) {
+        let off = exact.off_image_in_center(*p, *q);
+        if off.x.abs() + off.y.abs() > FAR * radius {
+            return f64::INFINITY;
+        }
+        most = most.max(off.hypot());
+    }
+    with_rounding(most, exact)
 }
 
 /// How far the control points of one segment lie from the mirror images of another's in the centre and in both axes at most, in the user's
@@ -56,10 +96,13 @@ fn apart<'a>(
     other: &'a FramedPoints,
     exact: &'a Exact,
 ) -> impl Iterator<Item = f64> + 'a {
-    // Under a map the axes of the frame are not those of the shape.
-    let count = if exact.is_mapped() { 1 } else { 3 };
-    let images = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0]];
-    images.into_iter().take(count).map(move |signs| {
+    // Under a map the axes of the frame are not those of the shape, and without one the centre was looked at.
+    let images: &[[f64; 2]] = if exact.is_mapped() {
+        &[[-1.0, -1.0]]
+    } else {
+        &[[1.0, -1.0], [-1.0, 1.0]]
+    };
+    images.iter().map(|&signs| {
         let is_reversed = signs != [-1.0, -1.0];
         let image = |i: usize| other.points()[if is_reversed { 3 - i } else { i }];
         between(one.points(), image, signs, exact)
@@ -82,10 +125,15 @@ fn between(
         }
         most = most.max(exact.image(off).hypot());
     }
-    if most == 0.0 {
+    with_rounding(most, exact)
+}
+
+/// A distance with what its rounding, and that of both points, may have left out.
+fn with_rounding(distance: f64, exact: &Exact) -> f64 {
+    if distance == 0.0 {
         0.0
     } else {
-        (1.0 + FAR) * most + NOISE * exact.image(Vec2::new(1.0, 1.0)).hypot()
+        (1.0 + FAR) * distance + NOISE * exact.image(Vec2::new(1.0, 1.0)).hypot()
     }
 }
 
@@ -111,9 +159,10 @@ mod tests {
         let (truth, segments) = (drawing.outline.unwrap().truth, &drawing.curve.segments);
         let exact = truth.frame.exact(truth.radii);
         let mut twins = Twins::default();
+        let mut measured = 0;
         for segment in segments {
-            let framed = FramedPoints::of_truth(segment, &truth, &exact);
-            twins.spare(&framed, &exact, drawing.error.smaller());
+            let framed = twins.to_measure(segment, &truth, &exact, drawing.error.smaller());
+            measured += usize::from(framed.is_some());
         }
         let singly = segments.iter().map(|segment| error([segment], &truth));
         let all = singly.reduce(crate::RadialError::with).unwrap();
@@ -124,8 +173,8 @@ mod tests {
             let [least, most] = [-1e-11, 9e-10].map(|part| (1.0 + part) * all);
             assert!(stated >= least && stated <= most, "{stated} for {all}");
         }
-        assert!(twins.apart > 0.0 || twins.seen.len() == segments.len());
-        twins.seen.len()
+        assert!(twins.apart > 0.0 || measured == segments.len());
+        measured
     }
 
     #[test]
@@ -154,8 +203,8 @@ mod tests {
         let exact = truth.frame.exact(truth.radii);
         let mut twins = Twins::default();
         for segment in &drawing.curve.segments {
-            let framed = FramedPoints::of_truth(segment, &truth, &exact);
-            assert!(!twins.spare(&framed, &exact, drawing.error.smaller()));
+            let framed = twins.to_measure(segment, &truth, &exact, drawing.error.smaller());
+            assert!(framed.is_some());
         }
     }
 }
