@@ -35,7 +35,7 @@ pub(super) fn run(args: &DiffArgs) -> Outcome {
     }
     let old = read::drawing(&args.old).map_err(trouble)?;
     let new = read::drawing(&args.new).map_err(trouble)?;
-    let difference = compare(&old, &new, args.tolerance);
+    let difference = compare(&old, &new, args.tolerance)?;
     let report = match args.format {
         _ if args.quiet => String::new(),
         DiffFormat::Json => json::to_string(&DifferenceDocument::from(&difference))? + "\n",
