@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use anyhow::Context;
+use curveto::document;
 use flate2::bufread::GzDecoder;
 
 use super::failure::Failure;
@@ -203,8 +204,11 @@ fn bytes_up_to(most: u64, bytes: &mut Vec<u8>, input: impl Read, name: &str) -> 
 ///
 /// # Errors
 ///
-/// Where they are no UTF-8.
+/// Where they are no UTF-8; what is UTF-16 is called so, as in SVG.
 pub(crate) fn in_utf8(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
+    if let Err(error @ document::Error::Encoding { .. }) = document::decode(&bytes) {
+        return Err(anyhow::anyhow!("{name}:{error}").into());
+    }
     let text = String::from_utf8(bytes).map_err(|error| {
         let byte = error.utf8_error().valid_up_to() + 1;
         anyhow::anyhow!("cannot read {name}: it is no text in UTF-8, from byte {byte} on")

@@ -116,8 +116,8 @@ pub(super) fn run(
             Node::Instruction(text) if facts.is_none() && text.starts_with("xml-stylesheet") => {
                 return Ok(Pass::NeedsFacts);
             }
-            Node::Reference(super::xml::doctype::Resolved::Text(_, false)) => {}
-            Node::Reference(_) if facts.is_none() => return Ok(Pass::NeedsFacts),
+            Node::Reference(_, super::xml::doctype::Resolved::Text(_, false)) => {}
+            Node::Reference(..) if facts.is_none() => return Ok(Pass::NeedsFacts),
             Node::Done => break,
             _ => {}
         }

@@ -937,7 +937,7 @@ fn a_declaration_that_does_not_fit_is_named() {
             "{why}"
         );
         assert!(
-            why.ends_with("have its declaration say encoding=\"UTF-8\""),
+            why.ends_with("have its declaration, if there is one, say encoding=\"UTF-8\""),
             "{why}"
         );
     }

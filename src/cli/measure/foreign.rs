@@ -112,6 +112,12 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Sourc
         let why = "<use> is not followed; what it draws is measured where it is defined";
         note(report, &format!("{name}: {why}"));
     }
+    if let Some(why) = document::unread_entity(&svg) {
+        note(
+            report,
+            &format!("{name}: {why}: what it holds is not measured"),
+        );
+    }
     let source = |path: document::SvgPath| {
         let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
         Source {

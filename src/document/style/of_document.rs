@@ -104,7 +104,7 @@ impl Facts {
                         collecting.css.push_str(text);
                     }
                 }
-                Node::Reference(resolved) => {
+                Node::Reference(_, resolved) => {
                     let collecting = within(&mut collecting, &scanner);
                     facts.reference(resolved, collecting, &scanner.doctype);
                 }
