@@ -8,7 +8,7 @@ use kurbo::{CubicBez, ParamCurve as _, Point};
 
 use super::near::{MARGIN, MORE_DECIMALS, Rules, handles_are_like, joins_smoothly, size, strays};
 use super::recognize::{Found, is_enlarged, is_of_an_arc, near_enough, run};
-use super::turn::Turn;
+use super::turn::UprightEllipse;
 use crate::measure::fit::nearest_circle;
 use crate::number::{decimals_of, round};
 
@@ -240,8 +240,8 @@ impl Points {
 
     /// The circle of a radius on which the run lies, and the rules for its arcs: where it lies there as near as it does to any, or where its joints
     /// do up to rounding. The constant of the handles may then be a rough one, such as 0.55, by which files without a tolerance stray.
-    fn explain(&self, radius: f64, rules: &Rules) -> Option<(Turn, Rules)> {
-        let turn = |center| Turn {
+    fn explain(&self, radius: f64, rules: &Rules) -> Option<(UprightEllipse, Rules)> {
+        let turn = |center| UprightEllipse {
             center,
             radii: kurbo::Vec2::splat(radius),
         };
@@ -265,7 +265,7 @@ impl Points {
 }
 
 /// Whether cubics are drawn as arcs of a circle near their joints.
-fn turns(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> bool {
+fn turns(cubics: &[CubicBez], turn: &UprightEllipse, rules: &Rules) -> bool {
     turn.arc(cubics).is_some_and(|arc| {
         let room = rules.room(size(cubics, arc.radii.x));
         strays(cubics, &arc) <= room && handles_are_like(cubics, &arc, rules)
@@ -287,7 +287,7 @@ fn least(cubics: &[CubicBez]) -> usize {
 /// The arcs of a circle that the cubics are, no more than so many: between the joints of those that are known, or the fewest.
 fn split(
     cubics: &[CubicBez],
-    turn: &Turn,
+    turn: &UprightEllipse,
     rules: &Rules,
     (known, few): (&[Found], usize),
 ) -> Option<Vec<Found>> {

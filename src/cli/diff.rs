@@ -14,7 +14,7 @@ use super::Outcome;
 use super::args::diff::{DiffArgs, DiffFormat};
 use super::failure::Failure;
 use super::input::Source;
-use super::output::Target;
+use super::output::OutputTarget;
 
 /// Compares two drawings; 0 within the tolerance, 1 beyond it, 2 where that cannot be said.
 pub(super) fn run(args: &DiffArgs) -> Outcome {
@@ -41,7 +41,9 @@ pub(super) fn run(args: &DiffArgs) -> Outcome {
         DiffFormat::Json => json::to_string(&DifferenceDocument::from(&difference))? + "\n",
         DiffFormat::Text => text(&difference, args),
     };
-    Target::Stdout.write(report.as_bytes()).map_err(trouble)?;
+    OutputTarget::Stdout
+        .write(report.as_bytes())
+        .map_err(trouble)?;
     Ok(ExitCode::from(u8::from(!difference.is_within())))
 }
 

@@ -11,7 +11,7 @@ use super::args::explore::{ExploreArgs, Explored, ExploredShape, PageFormat};
 use super::args::shape::{Direction, ShapeWords};
 use super::compare::check_segments;
 use super::formats::choose;
-use super::output::Target;
+use super::output::OutputTarget;
 
 /// The numbers of segments to choose from where none were named: of a closed shape, of an open one.
 const COUNTS: [&[usize]; 2] = [&[2, 3, 4, 5, 6, 8], &[1, 2, 3, 4, 6, 8]];
@@ -47,6 +47,6 @@ fn explore<S: ShapeWords + clap::Args>(args: &Explored<S>) -> Outcome {
         PageFormat::Html => html(&document)?,
         PageFormat::Json => json::to_string(&document)? + "\n",
     };
-    Target::new(args.output.as_deref()).write(text.as_bytes())?;
+    OutputTarget::new(args.output.as_deref()).write(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }

@@ -6,7 +6,7 @@ use kurbo::Rect;
 
 use super::{Difference, Distance, Pair, Place, Side, Track};
 use crate::error::{Error, Result, UnmeasurableError};
-use crate::measure::hausdorff::{Steps, hausdorff_in};
+use crate::measure::hausdorff::{Effort, hausdorff_in};
 
 /// How far the bound may lie above the distance, as a part of it.
 const GOAL: f64 = 1e-4;
@@ -25,7 +25,7 @@ struct Matcher<'a> {
     new: &'a [Track],
     boxes: [Vec<Rect>; 2],
     difference: &'a mut Difference,
-    steps: Steps,
+    steps: Effort,
     /// The pairs that were measured and do not fit.
     measured: HashMap<(usize, usize), Pair>,
 }
@@ -43,7 +43,7 @@ pub(super) fn find(
         new,
         boxes,
         difference,
-        steps: Steps(steps),
+        steps: Effort(steps),
         measured: HashMap::new(),
     };
     let mut rest: [Vec<usize>; 2] = [(0..old.len()).collect(), (0..new.len()).collect()];
@@ -148,7 +148,7 @@ impl Matcher<'_> {
 }
 
 /// The distance of two subpaths, the larger of both ways.
-fn distance(old: &Track, new: &Track, tolerance: f64, steps: &mut Steps) -> Distance {
+fn distance(old: &Track, new: &Track, tolerance: f64, steps: &mut Effort) -> Distance {
     let are_equal = old.segments == new.segments && old.closed == new.closed;
     if are_equal || old.segments.is_empty() || new.segments.is_empty() {
         return Distance::default();

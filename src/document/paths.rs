@@ -7,12 +7,12 @@ use std::borrow::Cow;
 
 use kurbo::Affine;
 
-use self::placing::Place;
+use self::placing::Coordinates;
 use self::tag::{Tag, entity_error};
-use super::shape::element::{Shape, shape};
+use super::shape::element::{UsedShape, shape};
 use super::shape::length::Length;
 use super::style::css;
-use super::style::property::Kind;
+use super::style::property::ElementKind;
 use super::xml::doctype::UNDECLARED;
 use super::xml::namespace::Namespace;
 use super::xml::node::{Element, Node};
@@ -122,7 +122,7 @@ fn nodes(file: &[u8], mut visit: impl FnMut(&Node<'_>, &Scanner<'_>)) -> Result<
 }
 
 fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
-    let (mut found, mut places) = (Vec::new(), vec![Place::OUTSIDE]);
+    let (mut found, mut places) = (Vec::new(), vec![Coordinates::OUTSIDE]);
     let (mut counted, mut line) = (0, 1);
     nodes(file, |node, scanner| {
         let element = match node {
@@ -133,7 +133,7 @@ fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
             }
             _ => return,
         };
-        let outer = places.last().unwrap_or(&Place::OUTSIDE);
+        let outer = places.last().unwrap_or(&Coordinates::OUTSIDE);
         let tag = Tag::new(element.local, scanner);
         let place = if element.namespace == Namespace::Svg {
             outer.within(&tag)
@@ -157,13 +157,13 @@ fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
     Ok(found)
 }
 
-fn contours(tag: &Tag<'_>, place: &Place) -> crate::Result<(Vec<Contour>, Affine)> {
+fn contours(tag: &Tag<'_>, place: &Coordinates) -> crate::Result<(Vec<Contour>, Affine)> {
     let map = place.map.clone()?;
     Ok((path::contours(&data(tag, place)?)?, map))
 }
 
 /// The path data of an element, as SVG 2 gives those of shapes.
-fn data(tag: &Tag<'_>, place: &Place) -> crate::Result<String> {
+fn data(tag: &Tag<'_>, place: &Coordinates) -> crate::Result<String> {
     let points = || Ok(tag.attribute("points")?.unwrap_or_default());
     let given = |name| place.length(tag, name, Some(0.0));
     Ok(match tag.name {
@@ -174,7 +174,7 @@ fn data(tag: &Tag<'_>, place: &Place) -> crate::Result<String> {
         "polyline" | "polygon" if points()?.trim().is_empty() => String::new(),
         "polyline" => format!("M{}", points()?),
         "polygon" => format!("M{}Z", points()?),
-        name => match Kind::named(name).filter(|kind| *kind != Kind::Path) {
+        name => match ElementKind::named(name).filter(|kind| *kind != ElementKind::Path) {
             Some(kind) => round(kind, tag, place)?,
             None => tag.property("d")?.unwrap_or_default(),
         },
@@ -182,16 +182,16 @@ fn data(tag: &Tag<'_>, place: &Place) -> crate::Result<String> {
 }
 
 /// The path data of a circle, an ellipse or a rectangle.
-fn round(kind: Kind, tag: &Tag<'_>, place: &Place) -> crate::Result<String> {
+fn round(kind: ElementKind, tag: &Tag<'_>, place: &Coordinates) -> crate::Result<String> {
     let given = |name| place.length(tag, name, Some(0.0));
     let values = |lengths: [Length; 2]| lengths.map(|length| length.value);
     let get = |name| Ok(place.optional_length(tag, name)?.map(Length::computed));
     Ok(match shape(kind, get) {
-        Ok(Shape::Ellipse(center, radii)) => ellipse(values(center), values(radii)),
-        Ok(Shape::Rect(corner, size, radii)) => {
+        Ok(UsedShape::Ellipse(center, radii)) => ellipse(values(center), values(radii)),
+        Ok(UsedShape::Rect(corner, size, radii)) => {
             round_rect(values(corner), values(size), values(radii))
         }
-        Ok(Shape::Square) => square(
+        Ok(UsedShape::Square) => square(
             [given("x")?, given("y")?],
             [given("width")?, given("height")?],
         ),

@@ -18,7 +18,7 @@ use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point};
 
 use super::unit_for;
 use crate::curve::largest_coordinate;
-use chain::{Chain, Foot, STEPS_OF_A_CUBIC};
+use chain::{ChainFoot, CubicChain, STEPS_OF_A_CUBIC};
 
 /// How far where the tolerance lies between the distance found and its bound.
 const CLOSE_GOAL: f64 = 1e-9;
@@ -48,12 +48,12 @@ pub(crate) struct Apart {
 /// The distance of two chains that have segments, the larger of both ways. The bound lies by `goal` above it at most, as a part of it, but in
 /// hard cases, and decides on a tolerance that lies between.
 pub(crate) fn hausdorff(chains: [&[PathSeg]; 2], tolerance: f64, goal: f64) -> Apart {
-    hausdorff_in(&mut Steps::unlimited(), chains, tolerance, goal)
+    hausdorff_in(&mut Effort::unlimited(), chains, tolerance, goal)
 }
 
 /// The same in a limited number of steps; where they do not suffice, the bound is infinite.
 pub(crate) fn hausdorff_in(
-    steps: &mut Steps,
+    steps: &mut Effort,
     chains: [&[PathSeg]; 2],
     tolerance: f64,
     goal: f64,
@@ -84,18 +84,18 @@ pub(crate) fn are_within(chains: [&[PathSeg]; 2], tolerance: f64) -> bool {
         goal: DECIDED,
         found: 0.0,
     };
-    let is_within = |from: &Chain, to: &Chain| {
-        let steps = &mut Steps::unlimited();
+    let is_within = |from: &CubicChain, to: &CubicChain| {
+        let steps = &mut Effort::unlimited();
         from.farthest_from(to, aim, steps).at_most <= aim.tolerance
     };
     is_within(&a, &b) && is_within(&b, &a)
 }
 
 /// Two chains in a unit that suits their coordinates.
-fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [Chain; 2]) {
+fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [CubicChain; 2]) {
     let largest = chains.map(largest_coordinate).into_iter();
     let unit = unit_for(largest.fold(f64::MIN_POSITIVE, f64::max));
-    (unit, chains.map(|chain| Chain::new(chain, unit)))
+    (unit, chains.map(|chain| CubicChain::new(chain, unit)))
 }
 
 /// What is to be known of a distance.
@@ -108,9 +108,9 @@ struct Aim {
 }
 
 /// How much may still be done, in boxes that are looked at.
-pub(crate) struct Steps(pub(crate) u64);
+pub(crate) struct Effort(pub(crate) u64);
 
-impl Steps {
+impl Effort {
     const fn unlimited() -> Self {
         Self(u64::MAX)
     }
@@ -131,13 +131,13 @@ struct Farthest {
 struct Part {
     segment: usize,
     cubic: CubicBez,
-    feet: [Foot; 2],
+    feet: [ChainFoot; 2],
     at_most: f64,
 }
 
-impl Chain {
+impl CubicChain {
     /// One way.
-    fn farthest_from(&self, other: &Self, aim: Aim, steps: &mut Steps) -> Farthest {
+    fn farthest_from(&self, other: &Self, aim: Aim, steps: &mut Effort) -> Farthest {
         let theirs: HashSet<&[u64]> = other.keys.iter().map(Vec::as_slice).collect();
         let mut search = Search::new(other, aim.found, steps);
         for (segment, cubic) in self.cubics.iter().enumerate() {
@@ -168,8 +168,8 @@ impl Chain {
 
 /// What the branch and bound has found.
 struct Search<'a> {
-    other: &'a Chain,
-    steps: &'a mut Steps,
+    other: &'a CubicChain,
+    steps: &'a mut Effort,
     parts: BinaryHeap<Part>,
     at_least: f64,
     at_most: f64,
@@ -178,7 +178,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(other: &'a Chain, at_least: f64, steps: &'a mut Steps) -> Self {
+    fn new(other: &'a CubicChain, at_least: f64, steps: &'a mut Effort) -> Self {
         Self {
             other,
             steps,
@@ -191,7 +191,7 @@ impl<'a> Search<'a> {
     }
 
     /// A near point, looked for on this piece first: the nearest one, but where it is clear that others lie much farther away.
-    fn look(&mut self, p: Point, segment: usize, first: usize) -> Foot {
+    fn look(&mut self, p: Point, segment: usize, first: usize) -> ChainFoot {
         let enough = NEAR_ENOUGH * self.at_least;
         let foot = self.other.nearest(p, first, enough, self.steps);
         self.last = foot.piece;
@@ -202,7 +202,7 @@ impl<'a> Search<'a> {
         foot
     }
 
-    fn push(&mut self, segment: usize, cubic: CubicBez, feet: [Foot; 2]) {
+    fn push(&mut self, segment: usize, cubic: CubicBez, feet: [ChainFoot; 2]) {
         self.steps.take(STEPS_OF_A_CUBIC);
         self.parts.push(Part {
             segment,
@@ -314,7 +314,7 @@ mod tests {
     fn tangles_take_steps_that_grow_less_than_the_square() {
         let taken = |count| {
             let [a, b] = [1, 2].map(|seed| tangle(count, seed));
-            let mut steps = Steps::unlimited();
+            let mut steps = Effort::unlimited();
             let apart = hausdorff_in(&mut steps, [&a, &b], 0.0, 1e-4);
             assert!(apart.at_most.is_finite());
             (u64::MAX - steps.0) as f64

@@ -87,7 +87,7 @@ fn check_short(x: f64, decimals: u8, text: &str) {
     };
     for after in [After::Letter, After::Whole, After::Point] {
         let mut out = b"#".to_vec();
-        let has_point = number.write(&mut out, after, Form::Short);
+        let has_point = number.write(&mut out, after, BelowOne::Short);
         let parted = match (after, short.as_bytes()[0]) {
             (After::Letter, _) | (_, b'-') | (After::Point, b'.') => short.clone(),
             _ => format!(" {short}"),

@@ -998,7 +998,7 @@ fn path_data_of_android_stay_where_they_may_not_change() {
         &[],
     );
     let only = Options {
-        only: document::Only::of(&[document::Kind::Circle]),
+        only: document::Only::of(&[document::ElementKind::Circle]),
         ..Options::default()
     };
     let arc = drawable(ARC);

@@ -11,7 +11,7 @@ use super::picture::PictureArgs;
 use super::{TalkArgs, values};
 use crate::cli::failure::Failure;
 use crate::cli::formats;
-use crate::cli::output::Target;
+use crate::cli::output::OutputTarget;
 
 /// The forms of a line, for `--help` and the manual page.
 const GRAMMAR: &str = "\
@@ -85,7 +85,7 @@ impl BatchArgs {
         self.picture.check(format)?;
         Ok(write::Options {
             style: self.picture.style(),
-            glyph: Target::new(self.output.as_deref()).glyph(),
+            glyph: OutputTarget::new(self.output.as_deref()).glyph(),
             ..write::Options::default()
         })
     }

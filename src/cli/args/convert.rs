@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args, ValueEnum};
-use curveto::document::{self, Doubt, Kind, Only, Target, Trust};
+use curveto::document::{self, Doubt, ElementKind, Only, Target, Trust};
 
 use super::each::EachArgs;
 use super::{TalkArgs, values};
@@ -38,7 +38,7 @@ pub(crate) struct ConvertArgs {
     ///
     /// Without it, what was left.
     #[arg(long, value_enum, value_name = "FORMAT")]
-    pub(crate) report: Option<Report>,
+    pub(crate) report: Option<ReportForm>,
     #[command(flatten)]
     pub(crate) talk: TalkArgs,
     #[command(flatten)]
@@ -78,7 +78,7 @@ pub(crate) struct DestinationArgs {
 
 /// The form of the report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Report {
+pub(crate) enum ReportForm {
     /// A line for everything left, and the counts
     Text,
     /// One JSON object
@@ -98,7 +98,7 @@ enum KindArg {
     Path,
 }
 
-impl From<KindArg> for Kind {
+impl From<KindArg> for ElementKind {
     fn from(kind: KindArg) -> Self {
         match kind {
             KindArg::Circle => Self::Circle,
@@ -118,7 +118,7 @@ fn doubts() -> impl TypedValueParser<Value = Doubt> {
 impl ConvertArgs {
     /// The options of the conversion; refuses what no file could meet.
     pub(crate) fn options(&self) -> Result<document::Options, Failure> {
-        let kinds: Vec<Kind> = self.only.iter().map(|&kind| kind.into()).collect();
+        let kinds: Vec<ElementKind> = self.only.iter().map(|&kind| kind.into()).collect();
         let only = if kinds.is_empty() {
             Only::ALL
         } else {

@@ -12,7 +12,7 @@ use super::picture::PictureArgs;
 use super::values::{self, PrecisionWord};
 use crate::cli::failure::Failure;
 use crate::cli::formats;
-use crate::cli::output::Target;
+use crate::cli::output::OutputTarget;
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Output")]
@@ -45,8 +45,8 @@ pub(crate) struct OutputArgs {
 
 impl OutputArgs {
     /// Where output goes.
-    pub(crate) fn target(&self) -> Target {
-        Target::new(self.output.as_deref())
+    pub(crate) fn target(&self) -> OutputTarget {
+        OutputTarget::new(self.output.as_deref())
     }
 
     /// The format that was asked for, or that the extension of the output file tells.

@@ -27,9 +27,9 @@ pub(crate) struct CircleShape {
     #[arg(long, value_name = "D", value_parser = values::number, allow_hyphen_values = true, conflicts_with = "radius")]
     diameter: Option<f64>,
     #[command(flatten)]
-    place: Place,
+    place: PlaceArgs,
     #[command(flatten)]
-    course: Course,
+    course: CourseArgs,
 }
 
 #[derive(Debug, Args)]
@@ -44,9 +44,9 @@ pub(crate) struct EllipseShape {
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true)]
     rotation: Option<Angle>,
     #[command(flatten)]
-    place: Place,
+    place: PlaceArgs,
     #[command(flatten)]
-    course: Course,
+    course: CourseArgs,
 }
 
 #[derive(Debug, Args)]
@@ -116,14 +116,14 @@ pub(crate) struct ArcShape {
 }
 
 #[derive(Debug, Args)]
-struct Place {
+struct PlaceArgs {
     /// The centre
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, default_value = "0,0")]
     center: Point,
 }
 
 #[derive(Debug, Args)]
-struct Course {
+struct CourseArgs {
     /// Where the first joint lies [default: 0; 180 in ps and eps]
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true)]
     start: Option<Angle>,
@@ -135,7 +135,7 @@ struct Course {
     open: bool,
 }
 
-impl Course {
+impl CourseArgs {
     fn resolve(&self, default: Direction) -> Direction {
         Direction {
             start: self.start.unwrap_or(default.start),

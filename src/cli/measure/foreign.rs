@@ -11,17 +11,20 @@ use kurbo::Affine;
 use super::super::args::measure::{ForeignArgs, ReportArgs};
 use super::super::failure::{self, Failure};
 use super::super::input;
-use super::{Subject, check_segments};
+use super::{MeasuredSubject, check_segments};
 
 /// The curves of one element, or of a path that stands alone.
-struct Source {
+struct ForeignPath {
     /// What messages call it.
     name: String,
     contours: curveto::Result<(Vec<Contour>, Affine)>,
 }
 
 /// Measures every subpath that can be measured, and notes the others.
-pub(super) fn measured(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Failure> {
+pub(super) fn measured(
+    args: &ForeignArgs,
+    report: &ReportArgs,
+) -> Result<Vec<MeasuredSubject>, Failure> {
     let (name, sources) = sources(args, report)?;
     let readable = sources
         .iter()
@@ -83,10 +86,10 @@ fn empty() -> Failure {
     Failure::request("there is nothing to measure: the path is empty, or a single point")
 }
 
-fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Source>), Failure> {
+fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<ForeignPath>), Failure> {
     if let Some(data) = &args.path {
         let (data, name) = input::path_data(data)?;
-        let source = Source {
+        let source = ForeignPath {
             name: "path".to_owned(),
             contours: Ok((
                 path::contours(&data).map_err(|error| input::named(&name, error))?,
@@ -120,7 +123,7 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Sourc
     }
     let source = |path: document::SvgPath| {
         let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
-        Source {
+        ForeignPath {
             name: format!("{name}:{}{id}", path.line),
             contours: path.contours,
         }
@@ -136,7 +139,7 @@ fn subject(
     map: Affine,
     args: &ForeignArgs,
     report_args: &ReportArgs,
-) -> Result<Subject, Failure> {
+) -> Result<MeasuredSubject, Failure> {
     let curve = path::curve(contour).ok_or_else(empty)??.transformed(map);
     let (curve, left_out) = curve.without_empty_segments();
     if curve.segments.is_empty() {
@@ -154,7 +157,7 @@ fn subject(
         let left_out = format!("{name}: {left_out} of no length left out");
         note(report_args, &left_out);
     }
-    Ok(Subject {
+    Ok(MeasuredSubject {
         name: name.to_owned(),
         curve,
         reference,

@@ -17,7 +17,7 @@ use curveto::write::measurement::Measurement;
 const MOST_JOINTS: usize = 16;
 
 /// A name, a figure and what is to be said of it.
-type Line = [String; 3];
+type TableLine = [String; 3];
 
 /// The report on one curve.
 pub(super) fn render(measurement: &Measurement) -> String {
@@ -49,11 +49,11 @@ pub(super) fn render(measurement: &Measurement) -> String {
     out
 }
 
-fn line(name: &str, value: String, note: String) -> Line {
+fn line(name: &str, value: String, note: String) -> TableLine {
     [name.to_owned(), value, note]
 }
 
-fn error(error: &ErrorReport) -> [Line; 6] {
+fn error(error: &ErrorReport) -> [TableLine; 6] {
     let share = format!(
         "{} of the larger radius",
         compact(rounded_up(error.relative_peak, 6), 6)
@@ -68,7 +68,7 @@ fn error(error: &ErrorReport) -> [Line; 6] {
     ]
 }
 
-fn extents(report: &Report) -> [Line; 2] {
+fn extents(report: &Report) -> [TableLine; 2] {
     [
         line(
             "length",
@@ -79,7 +79,7 @@ fn extents(report: &Report) -> [Line; 2] {
     ]
 }
 
-fn curvature(k: &CurvatureReport) -> [Line; 3] {
+fn curvature(k: &CurvatureReport) -> [TableLine; 3] {
     let value =
         |extreme: Option<Extreme>| extreme.map_or_else(|| "none".to_owned(), |e| number(e.value));
     [
@@ -97,7 +97,7 @@ fn curvature(k: &CurvatureReport) -> [Line; 3] {
     ]
 }
 
-fn continuity(c: &ContinuityReport) -> [Line; 2] {
+fn continuity(c: &ContinuityReport) -> [TableLine; 2] {
     let order = c
         .order
         .map_or_else(|| "-".to_owned(), |order| order.to_string());

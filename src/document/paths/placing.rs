@@ -9,7 +9,7 @@ use crate::path::{self, shortened};
 
 /// Where the coordinates of an element lie.
 #[derive(Debug, Clone)]
-pub(in crate::document) struct Place {
+pub(in crate::document) struct Coordinates {
     /// The map to the coordinates of the outermost element, or why it is not known.
     pub(in crate::document) map: Result<Affine>,
     /// The size of the viewport, where it is known.
@@ -18,7 +18,7 @@ pub(in crate::document) struct Place {
     nested: bool,
 }
 
-impl Place {
+impl Coordinates {
     /// Outside of everything.
     pub(in crate::document) const OUTSIDE: Self = Self {
         map: Ok(Affine::IDENTITY),

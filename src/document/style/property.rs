@@ -153,7 +153,7 @@ impl Effect {
 
 /// The kinds of elements that are replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Kind {
+pub enum ElementKind {
     /// `<circle>`
     Circle,
     /// `<ellipse>`
@@ -164,7 +164,7 @@ pub enum Kind {
     Path,
 }
 
-impl Kind {
+impl ElementKind {
     /// All kinds, in the order in which they are reported.
     pub const ALL: [Self; 4] = [Self::Circle, Self::Ellipse, Self::Rect, Self::Path];
 
@@ -223,11 +223,23 @@ mod tests {
 
     #[test]
     fn each_kind_minds_its_own_geometry() {
-        assert!(Kind::Circle.sensitive().meets(Properties::named("r")));
-        assert!(!Kind::Circle.sensitive().meets(Properties::named("rx")));
-        assert!(Kind::Path.sensitive().meets(Properties::named("all")));
+        assert!(
+            ElementKind::Circle
+                .sensitive()
+                .meets(Properties::named("r"))
+        );
+        assert!(
+            !ElementKind::Circle
+                .sensitive()
+                .meets(Properties::named("rx"))
+        );
+        assert!(
+            ElementKind::Path
+                .sensitive()
+                .meets(Properties::named("all"))
+        );
         assert_eq!(
-            Kind::Rect
+            ElementKind::Rect
                 .sensitive()
                 .and(Properties::named("rx"))
                 .first_name(),

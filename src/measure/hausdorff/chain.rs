@@ -5,7 +5,7 @@
 
 use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2};
 
-use super::{Steps, along::along};
+use super::{Effort, along::along};
 use crate::curve::control_points;
 use crate::numeric::bernstein::Polynomial;
 
@@ -18,19 +18,19 @@ const MOST_IN_ALL: f64 = 1_048_576.0;
 /// What the nearest point of a cubic takes, or a bound, in boxes that are looked at.
 pub(super) const STEPS_OF_A_CUBIC: u64 = 32;
 
-pub(super) struct Chain {
+pub(super) struct CubicChain {
     pub(super) cubics: Vec<CubicBez>,
     /// What says that a segment is the same as another.
     pub(super) keys: Vec<Vec<u64>>,
     /// Those segments that are straight.
     lines: Vec<Option<Line>>,
-    pieces: Vec<Piece>,
+    pieces: Vec<CubicPiece>,
     /// Node i holds the nodes 2i and 2i + 1, and piece k is node n + k.
     boxes: Vec<Rect>,
 }
 
 /// A part of a segment, between two parameters.
-struct Piece {
+struct CubicPiece {
     segment: usize,
     from: f64,
     to: f64,
@@ -39,14 +39,14 @@ struct Piece {
 
 /// A near point of a chain.
 #[derive(Clone, Copy)]
-pub(super) struct Foot {
+pub(super) struct ChainFoot {
     pub(super) piece: usize,
     pub(super) distance: f64,
     segment: usize,
     u: f64,
 }
 
-impl Chain {
+impl CubicChain {
     pub(super) fn new(segments: &[PathSeg], unit: f64) -> Self {
         let map = Affine::scale(1.0 / unit);
         let segments: Vec<PathSeg> = segments.iter().map(|&s| map * s).collect();
@@ -71,7 +71,13 @@ impl Chain {
 
     /// The nearest point, looked for on the piece of this number first, or one that is near enough. Without steps
     /// it is any.
-    pub(super) fn nearest(&self, p: Point, first: usize, enough: f64, steps: &mut Steps) -> Foot {
+    pub(super) fn nearest(
+        &self,
+        p: Point,
+        first: usize,
+        enough: f64,
+        steps: &mut Effort,
+    ) -> ChainFoot {
         let count = self.pieces.len();
         let mut best = self.foot(first.min(count - 1), p);
         let mut stack = vec![1];
@@ -102,9 +108,9 @@ impl Chain {
     }
 
     /// The nearest point of a piece: an end, or where (b - p)b' changes its sign. Of a line it is that of all of it.
-    fn foot(&self, number: usize, p: Point) -> Foot {
+    fn foot(&self, number: usize, p: Point) -> ChainFoot {
         let piece = &self.pieces[number];
-        let at = |v: f64| Foot {
+        let at = |v: f64| ChainFoot {
             piece: number,
             segment: piece.segment,
             u: piece.from + v * (piece.to - piece.from),
@@ -115,7 +121,7 @@ impl Chain {
             // A line without length has its start alone.
             let u = if u > 0.0 { u.min(1.0) } else { 0.0 };
             let distance = self.cubics[piece.segment].eval(u).distance(p);
-            return Foot {
+            return ChainFoot {
                 u,
                 distance,
                 ..at(0.0)
@@ -128,15 +134,15 @@ impl Chain {
             value.times(&value.differences())
         };
         let slope = part(|v| v.x).minus(&part(|v| v.y).scaled(-1.0));
-        let nearer = |a: Foot, b: Foot| if b.distance < a.distance { b } else { a };
+        let nearer = |a: ChainFoot, b: ChainFoot| if b.distance < a.distance { b } else { a };
         let ends = nearer(at(0.0), at(1.0));
         slope.sign_changes().iter().map(at).fold(ends, nearer)
     }
 
     /// How far a part lies from here at most, by points near its ends.
-    pub(super) fn bound(&self, part: &CubicBez, [start, end]: [Foot; 2]) -> f64 {
+    pub(super) fn bound(&self, part: &CubicBez, [start, end]: [ChainFoot; 2]) -> f64 {
         let points = [part.p0, part.p1, part.p2, part.p3];
-        let reach = |foot: &Foot, from: Point| {
+        let reach = |foot: &ChainFoot, from: Point| {
             let far = points.map(|p| p.distance(from)).into_iter();
             foot.distance + far.fold(0.0, f64::max)
         };
@@ -149,7 +155,7 @@ impl Chain {
 }
 
 /// The pieces of all segments: of n that fill a square, each is about as large as a cell of a grid of n cells.
-fn pieces(cubics: &[CubicBez]) -> Vec<Piece> {
+fn pieces(cubics: &[CubicBez]) -> Vec<CubicPiece> {
     let boxes: Vec<Rect> = cubics.iter().map(kurbo::Shape::bounding_box).collect();
     let all = boxes.iter().copied().reduce(|a, b| a.union(b));
     let all = all.unwrap_or(Rect::ZERO);
@@ -168,7 +174,7 @@ fn pieces(cubics: &[CubicBez]) -> Vec<Piece> {
             } else {
                 cubic.subsegment(from..to)
             };
-            pieces.push(Piece {
+            pieces.push(CubicPiece {
                 segment,
                 from,
                 to,
@@ -237,7 +243,7 @@ mod tests {
     #[test]
     fn the_nearest_point_of_a_line_is_exact() {
         for (x, y) in [(1.0, 0.0), (0.5, 0.75), (-0.25, 1.0)] {
-            let chain = Chain::new(&[PathSeg::Line(Line::new((0.0, 0.0), (x, y)))], 1.0);
+            let chain = CubicChain::new(&[PathSeg::Line(Line::new((0.0, 0.0), (x, y)))], 1.0);
             for k in 0..=64 {
                 let u = f64::from(k) / 64.0;
                 let foot = chain.foot(0, Point::new(u * x - y, u * y + x));
@@ -250,11 +256,14 @@ mod tests {
     fn the_nearest_piece_is_that_of_the_nearest_segment() {
         let segments = tangle(64, 3);
         let unit = 4_294_967_296.0;
-        let chain = Chain::new(&segments, unit);
-        let alone: Vec<Chain> = segments.iter().map(|&s| Chain::new(&[s], unit)).collect();
+        let chain = CubicChain::new(&segments, unit);
+        let alone: Vec<CubicChain> = segments
+            .iter()
+            .map(|&s| CubicChain::new(&[s], unit))
+            .collect();
         for p in tangle(8, 4).iter().flat_map(control_points) {
             let p = (p.to_vec2() / unit).to_point();
-            let steps = &mut Steps(1_000_000);
+            let steps = &mut Effort(1_000_000);
             let found = chain.nearest(p, 0, 0.0, steps).distance;
             let distances = alone.iter().map(|segment| segment.foot(0, p).distance);
             let nearest = distances.fold(f64::INFINITY, f64::min);
