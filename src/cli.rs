@@ -25,6 +25,7 @@ mod shell;
 mod signals;
 mod sphere;
 mod spline;
+mod table;
 mod usage;
 
 use std::process::ExitCode;

@@ -16,8 +16,8 @@ use super::super::failure::Failure;
 use super::super::formats::choose;
 use super::super::output::OutputTarget;
 use super::Outcome;
-use super::table::{close_up, lines, plain};
 use super::{draw_panels, samples, words, written};
+use crate::cli::table::{close_up, lines, plain};
 
 /// A drawing, and the number of its panel in a plot.
 struct ConicSubject {
@@ -140,5 +140,5 @@ fn table(found: &ConicMeasurement) -> String {
         ["continuity", &order, &joints],
     ]);
     close_up(&mut table, 2, &[]);
-    format!("{}\n\n{}", found.title, lines(&table))
+    format!("{}\n\n{}", found.title, lines(&table, ""))
 }

@@ -9,8 +9,8 @@ use curveto::write::measurement::{Samples, samples_csv};
 
 use super::super::args::measure::ReportFormat;
 use super::super::failure::Failure;
-use super::table::{close_up, lines, plain};
 use super::{MeasuredSubject, written};
+use crate::cli::table::{close_up, lines, plain};
 
 /// The points of every subject.
 pub(super) fn text(
@@ -76,7 +76,7 @@ fn captioned(title: &str, table: &mut Table, errors: impl Iterator<Item = f64>) 
     });
     format!(
         "{title}\n\n{}\nof {count} points: peak {}, average {}\n",
-        lines(table),
+        lines(table, ""),
         compact(peak, 6),
         compact(sum / f64::from(count), 6),
     )
