@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use curveto::batch::{OnError, Options};
 use curveto::write::{self, Format};
 
@@ -62,21 +62,10 @@ pub(crate) struct BatchArgs {
     #[command(flatten)]
     each: EachArgs,
     /// What becomes of a line that cannot be drawn
-    ///
-    /// It ends the run, has no answer, a blank one, or with -f json an object that says why.
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
-    on_error: OnErrorArg,
+    on_error: OnError,
     #[command(flatten)]
     picture: PictureArgs,
-}
-
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum OnErrorArg {
-    #[default]
-    Stop,
-    Skip,
-    Blank,
-    Report,
 }
 
 impl BatchArgs {
@@ -103,23 +92,18 @@ impl BatchArgs {
                 "'curveto circle', 'arc' and 'path --to arcs' write it, one path at a time; batch -f dxf keeps circular arcs",
             ));
         }
+        if self.on_error == OnError::Report && format != Format::Json {
+            return Err(Failure::request_with_hint(
+                "--on-error report answers with JSON objects",
+                "add -f json, or take --on-error blank",
+            ));
+        }
         Ok(Options {
             format,
             rule: self.each.rule(),
             cut: self.each.cut()?,
             precision: values::rounding(self.each.precision, format),
-            on_error: match self.on_error {
-                OnErrorArg::Stop => OnError::Stop,
-                OnErrorArg::Skip => OnError::Skip,
-                OnErrorArg::Blank => OnError::Blank,
-                OnErrorArg::Report if format != Format::Json => {
-                    return Err(Failure::request_with_hint(
-                        "--on-error report answers with JSON objects",
-                        "add -f json, or take --on-error blank",
-                    ));
-                }
-                OnErrorArg::Report => OnError::Report,
-            },
+            on_error: self.on_error,
             jobs,
             measure: self.talk.verbose,
         })

@@ -30,7 +30,7 @@ pub(crate) struct ConvertArgs {
     pub(crate) hidden: bool,
     /// Replace only these
     #[arg(long, value_enum, value_name = "KIND,...", value_delimiter = ',', action = ArgAction::Set)]
-    only: Vec<KindArg>,
+    only: Vec<ElementKind>,
     /// Convert although notes of these codes would hold back: for who knows better
     #[arg(long, value_name = "CODE,...", hide_short_help = true, value_delimiter = ',', value_parser = doubts(), action = ArgAction::Set)]
     trust: Vec<Doubt>,
@@ -85,30 +85,6 @@ pub(crate) enum ReportForm {
     Json,
 }
 
-/// What is replaced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum KindArg {
-    /// <circle>
-    Circle,
-    /// <ellipse>
-    Ellipse,
-    /// <rect> with round corners
-    Rect,
-    /// Arc commands of <path>
-    Path,
-}
-
-impl From<KindArg> for ElementKind {
-    fn from(kind: KindArg) -> Self {
-        match kind {
-            KindArg::Circle => Self::Circle,
-            KindArg::Ellipse => Self::Ellipse,
-            KindArg::Rect => Self::Rect,
-            KindArg::Path => Self::Path,
-        }
-    }
-}
-
 /// The codes that `--trust` takes.
 fn doubts() -> impl TypedValueParser<Value = Doubt> {
     PossibleValuesParser::new(Doubt::ALL.map(Doubt::code))
@@ -118,11 +94,10 @@ fn doubts() -> impl TypedValueParser<Value = Doubt> {
 impl ConvertArgs {
     /// The options of the conversion; refuses what no file could meet.
     pub(crate) fn options(&self) -> Result<document::Options, Failure> {
-        let kinds: Vec<ElementKind> = self.only.iter().map(|&kind| kind.into()).collect();
-        let only = if kinds.is_empty() {
+        let only = if self.only.is_empty() {
             Only::ALL
         } else {
-            Only::of(&kinds)
+            Only::of(&self.only)
         };
         let mut options = document::Options {
             to: self.target()?,

@@ -153,14 +153,19 @@ impl Effect {
 
 /// The kinds of elements that are replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum ElementKind {
     /// `<circle>`
+    #[cfg_attr(feature = "cli", value(help = "<circle>"))]
     Circle,
     /// `<ellipse>`
+    #[cfg_attr(feature = "cli", value(help = "<ellipse>"))]
     Ellipse,
     /// `<rect>` with round corners
+    #[cfg_attr(feature = "cli", value(help = "<rect> with round corners"))]
     Rect,
     /// The arc commands of `<path>`
+    #[cfg_attr(feature = "cli", value(help = "Arc commands of <path>"))]
     Path,
 }
 
