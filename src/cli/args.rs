@@ -30,13 +30,13 @@ pub(crate) use deferred::Deferred;
 pub(crate) use explore::ExploreArgs;
 pub(crate) use measure::MeasureArgs;
 pub(crate) use methods::MethodsArgs;
-pub(crate) use output::OutputArgs;
+pub(crate) use output::{FileArgs, OutputArgs};
 pub(crate) use path::{PathArgs, PathKind};
 pub(crate) use procset::ProcsetArgs;
 pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
 pub(crate) use sphere::SphereArgs;
 pub(crate) use spline::{SplineArgs, SplineSource};
-pub(crate) use talk::TalkArgs;
+pub(crate) use talk::{QuietArgs, TalkArgs};
 pub(crate) use values::{PrecisionWord, hint_of_number};
 
 use std::path::PathBuf;

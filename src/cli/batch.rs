@@ -79,7 +79,7 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
     let looks = args.picture(options.format)?;
     let source = args.file.as_deref().map_or(Source::Stdin, Source::of);
     let (input, name) = (source.open()?, source.name());
-    let target = OutputTarget::new(args.output.as_deref());
+    let target = args.output.target();
     let complain = |line: u64, error: &curveto::Error| {
         let hint = remedies::hint(error).map(|hint| format!("hint: {hint}\n"));
         let message = remedies::message(error);

@@ -37,8 +37,8 @@ pub(super) fn check_segments(counts: &[usize]) -> Result<(), Failure> {
 
 pub(super) fn run(args: &CompareArgs) -> Outcome {
     check_segments(&args.segments)?;
-    let target = OutputTarget::new(args.output.as_deref());
-    let format = choose(args.format, args.output.as_deref())?;
+    let target = args.output.target();
+    let format = choose(args.format, args.output.path())?;
     if format == ComparisonFormat::Html {
         target.write(page(args)?.as_bytes())?;
         return Ok(ExitCode::SUCCESS);

@@ -132,12 +132,12 @@ fn tell(subjects: &[MeasuredSubject], args: &ReportArgs, always_array: bool) -> 
     if let Some(file) = &args.plot {
         draw_plot(subjects, file, args)?;
     }
-    let format = choose(args.format, args.output.as_deref())?;
+    let format = choose(args.format, args.output.path())?;
     let text = match args.samples {
         Some(count) => samples::text(subjects, count, format, always_array)?,
         None => report_text(subjects, format, always_array)?,
     };
-    OutputTarget::new(args.output.as_deref()).write(text.as_bytes())?;
+    args.output.target().write(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -8,10 +8,9 @@ use curveto::write::{self, Format};
 
 use super::each::EachArgs;
 use super::picture::PictureArgs;
-use super::{TalkArgs, values};
+use super::{FileArgs, TalkArgs, values};
 use crate::cli::failure::Failure;
 use crate::cli::formats;
-use crate::cli::output::OutputTarget;
 
 /// The forms of a line, for `--help` and the manual page.
 const GRAMMAR: &str = "\
@@ -54,9 +53,8 @@ pub(crate) struct BatchArgs {
     /// path, json and ps answer each line with a line; the others are one picture of all lines.
     #[arg(short, long, value_name = "F", value_parser = values::format_but_gcode(), ignore_case = true)]
     format: Option<Format>,
-    /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) output: FileArgs,
     #[command(flatten)]
     pub(crate) talk: TalkArgs,
     #[command(flatten)]
@@ -74,7 +72,7 @@ impl BatchArgs {
         self.picture.check(format)?;
         Ok(write::Options {
             style: self.picture.style(),
-            glyph: OutputTarget::new(self.output.as_deref()).glyph(),
+            glyph: self.output.target().glyph(),
             ..write::Options::default()
         })
     }
@@ -84,8 +82,7 @@ impl BatchArgs {
             || std::thread::available_parallelism().map_or(1, usize::from),
             |jobs| jobs.get().min(256),
         );
-        let format =
-            formats::choose_but(Format::Gcode.name(), self.format, self.output.as_deref())?;
+        let format = formats::choose_but(Format::Gcode.name(), self.format, self.output.path())?;
         if format == Format::Gcode {
             return Err(Failure::request_with_hint(
                 "a batch has no G-code",

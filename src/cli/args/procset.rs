@@ -1,12 +1,10 @@
 //! The words of `procset`.
 
-use std::path::PathBuf;
-
 use clap::{ArgAction, Args};
 use curveto::Method;
 use curveto::write::postscript::Procedures;
 
-use super::{TalkArgs, values};
+use super::{FileArgs, TalkArgs, values};
 
 #[derive(Debug, Args)]
 pub(crate) struct ProcsetArgs {
@@ -16,9 +14,8 @@ pub(crate) struct ProcsetArgs {
     /// More of his procedures
     #[arg(long, value_enum, value_name = "WHAT,...", value_delimiter = ',', action = ArgAction::Set)]
     with: Vec<Procedures>,
-    /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) output: FileArgs,
     #[command(flatten)]
     pub(crate) talk: TalkArgs,
 }

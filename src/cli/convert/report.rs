@@ -95,7 +95,7 @@ pub(super) fn tell(reports: &[FileReport], form: Option<ReportForm>, talk: TalkA
     } else {
         let counts = (form.is_some() || talk.verbose).then_some(back);
         let mut out = BufWriter::new(anstream::stderr().lock());
-        text(reports, counts, !talk.quiet, &mut out)
+        text(reports, counts, !talk.notes.quiet, &mut out)
     };
 }
 

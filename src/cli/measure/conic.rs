@@ -45,7 +45,7 @@ pub(super) fn run(conic: &Conic, args: &Measured<ConicShape>) -> Outcome {
     if let Some(file) = &report.plot {
         draw_panels(&subjects, |subject| subject.panel, file, report, chart)?;
     }
-    let output = report.output.as_deref();
+    let output = report.output.path();
     let format = choose(report.format, output)?;
     let drawings: Vec<&Drawing> = subjects.iter().map(|subject| &subject.drawing).collect();
     let text = match report.samples {

@@ -9,7 +9,7 @@ use curveto::{document, path};
 use kurbo::Affine;
 
 use super::super::args::measure::{ForeignArgs, ReportArgs};
-use super::super::failure::{self, Failure};
+use super::super::failure::Failure;
 use super::super::input;
 use super::{MeasuredSubject, check_segments};
 
@@ -62,7 +62,9 @@ pub(super) fn measured(
     for (place, failure) in refused {
         match failure {
             Failure::Request { message, .. } => {
-                note(report, &format!("{place}: not measured: {message}"));
+                report
+                    .quiet
+                    .note(&format!("{place}: not measured: {message}"));
             }
             other => return Err(other),
         }
@@ -74,12 +76,6 @@ pub(super) fn measured(
         ));
     }
     Ok(found)
-}
-
-fn note(report: &ReportArgs, text: &str) {
-    if !report.quiet {
-        failure::tell(&format!("note: {text}\n"));
-    }
 }
 
 fn empty() -> Failure {
@@ -109,17 +105,16 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Forei
         document::svg_paths(&svg).map_err(|error| Failure::request(format!("{name}:{error}")))?;
     if document::has_transforms_elsewhere(&svg) {
         let why = "a style sheet mentions transform; style sheets are not applied";
-        note(report, &format!("{name}: {why}"));
+        report.quiet.note(&format!("{name}: {why}"));
     }
     if document::has_uses(&svg) {
         let why = "<use> is not followed; what it draws is measured where it is defined";
-        note(report, &format!("{name}: {why}"));
+        report.quiet.note(&format!("{name}: {why}"));
     }
     if let Some(why) = document::unread_entity(&svg) {
-        note(
-            report,
-            &format!("{name}: {why}: what it holds is not measured"),
-        );
+        report
+            .quiet
+            .note(&format!("{name}: {why}: what it holds is not measured"));
     }
     let source = |path: document::SvgPath| {
         let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
@@ -155,7 +150,7 @@ fn subject(
     if left_out > 0 {
         let left_out = counted(left_out, "segment");
         let left_out = format!("{name}: {left_out} of no length left out");
-        note(report_args, &left_out);
+        report_args.quiet.note(&left_out);
     }
     Ok(MeasuredSubject {
         name: name.to_owned(),
