@@ -255,6 +255,7 @@ mod tests {
 
     use super::*;
     use crate::diff::Track;
+    use crate::numeric::random::uniform;
     use crate::path::contours;
 
     fn distance(old: &str, new: &str) -> f64 {
@@ -299,13 +300,8 @@ mod tests {
     }
 
     /// Cubics that cross one another all over a square.
-    pub(super) fn tangle(count: usize, seed: u64) -> Vec<PathSeg> {
-        let mut state = seed;
-        let mut number = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005) + 1;
-            (state >> 32) as f64
-        };
-        let mut point = || Point::new(number(), number());
+    pub(super) fn tangle(count: usize, mut seed: u64) -> Vec<PathSeg> {
+        let mut point = || Point::new(uniform(&mut seed), uniform(&mut seed));
         let mut cubic = || CubicBez::new(point(), point(), point(), point());
         (0..count).map(|_| PathSeg::Cubic(cubic())).collect()
     }

@@ -122,8 +122,8 @@ impl CubicChain {
             let u = if u > 0.0 { u.min(1.0) } else { 0.0 };
             let distance = self.cubics[piece.segment].eval(u).distance(p);
             return ChainFoot {
-                u,
                 distance,
+                u,
                 ..at(0.0)
             };
         }
@@ -255,14 +255,12 @@ mod tests {
     #[test]
     fn the_nearest_piece_is_that_of_the_nearest_segment() {
         let segments = tangle(64, 3);
-        let unit = 4_294_967_296.0;
-        let chain = CubicChain::new(&segments, unit);
+        let chain = CubicChain::new(&segments, 1.0);
         let alone: Vec<CubicChain> = segments
             .iter()
-            .map(|&s| CubicChain::new(&[s], unit))
+            .map(|&s| CubicChain::new(&[s], 1.0))
             .collect();
         for p in tangle(8, 4).iter().flat_map(control_points) {
-            let p = (p.to_vec2() / unit).to_point();
             let steps = &mut Effort(1_000_000);
             let found = chain.nearest(p, 0, 0.0, steps).distance;
             let distances = alone.iter().map(|segment| segment.foot(0, p).distance);
