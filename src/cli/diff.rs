@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use curveto::diff::{Difference, Pair, Side, compare};
-use curveto::number::{compact, rounded_up, significant};
+use curveto::number::{compact, counted, rounded_up, significant};
 use curveto::write::difference::DifferenceDocument;
 use curveto::write::json;
 
@@ -79,11 +79,7 @@ fn text(difference: &Difference, args: &DiffArgs) -> String {
             );
         }
     }
-    let count = difference.pairs.len();
-    let subpaths = match count {
-        1 => "1 subpath".to_owned(),
-        _ => format!("{count} subpaths"),
-    };
+    let subpaths = counted(difference.pairs.len(), "subpath");
     let distance = difference.distance();
     if distance > 0.0 {
         let bound = bound(distance, difference.noise);

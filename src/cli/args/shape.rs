@@ -123,7 +123,7 @@ struct PlaceArgs {
 }
 
 #[derive(Debug, Args)]
-struct CourseArgs {
+pub(crate) struct CourseArgs {
     /// Where the first joint lies [default: 0; 180 in ps and eps]
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true)]
     start: Option<Angle>,
@@ -149,11 +149,20 @@ pub(crate) trait ShapeWords {
     /// The shape; a closed one starts and runs as `default` says where nothing was asked for.
     fn shape(&self, default: Direction) -> Result<Shape, Failure>;
 
+    /// How a closed shape was asked to run.
+    fn course(&self) -> Option<&CourseArgs> {
+        None
+    }
+
     /// Whether the closing operator is to be left out.
-    fn open(&self) -> bool;
+    fn open(&self) -> bool {
+        self.course().is_some_and(|course| course.open)
+    }
 
     /// Where the first joint was asked to lie.
-    fn start(&self) -> Option<Angle>;
+    fn start(&self) -> Option<Angle> {
+        self.course()?.start
+    }
 }
 
 impl ShapeWords for CircleShape {
@@ -170,12 +179,8 @@ impl ShapeWords for CircleShape {
         }))
     }
 
-    fn open(&self) -> bool {
-        self.course.open
-    }
-
-    fn start(&self) -> Option<Angle> {
-        self.course.start
+    fn course(&self) -> Option<&CourseArgs> {
+        Some(&self.course)
     }
 }
 
@@ -195,12 +200,8 @@ impl ShapeWords for EllipseShape {
         }))
     }
 
-    fn open(&self) -> bool {
-        self.course.open
-    }
-
-    fn start(&self) -> Option<Angle> {
-        self.course.start
+    fn course(&self) -> Option<&CourseArgs> {
+        Some(&self.course)
     }
 }
 
@@ -220,10 +221,6 @@ impl ShapeWords for ArcShape {
 
     fn open(&self) -> bool {
         self.open
-    }
-
-    fn start(&self) -> Option<Angle> {
-        None
     }
 }
 
