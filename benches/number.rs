@@ -3,8 +3,12 @@
 // A benchmark may ask the platform's functions.
 #![allow(clippy::disallowed_methods)]
 
+#[path = "common/numbers.rs"]
+mod numbers;
+
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use curveto::number::{push_fixed, push_shortest, round};
+use numbers::Numbers;
 use std::hint::black_box;
 use std::io::Write as _;
 
@@ -12,13 +16,8 @@ const COUNT: usize = 4096;
 
 /// Coordinates of circles: the handles and joints of random centres and radii.
 fn coordinates() -> Vec<f64> {
-    let mut state = 1_u64;
-    let mut uniform = move || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / 2f64.powi(53)
-    };
+    let mut numbers = Numbers(1);
+    let mut uniform = || numbers.uniform(0.0, 1.0);
     let mut out = Vec::with_capacity(COUNT);
     while out.len() < COUNT {
         let (center, radius) = (2000.0 * uniform() - 1000.0, 100.0 * uniform());

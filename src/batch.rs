@@ -65,6 +65,7 @@ impl Default for Options {
 
 /// What becomes of a line that cannot be drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum OnError {
     /// It ends the run; the answers to all lines before it are written.
     #[default]
@@ -73,7 +74,7 @@ pub enum OnError {
     Skip,
     /// Its answer is a blank line, so that the lines of output and input correspond.
     Blank,
-    /// Its answer is a JSON object with the line's `id` where it has one, its number `line` and the `error`.
+    /// Its answer is a JSON object with the line's id where it has one, its number and the error.
     Report,
 }
 

@@ -25,6 +25,7 @@ mod shell;
 mod signals;
 mod sphere;
 mod spline;
+mod table;
 mod usage;
 
 use std::process::ExitCode;
@@ -54,9 +55,9 @@ pub(crate) fn main() -> ExitCode {
 
 fn run(command: Command) -> Outcome {
     match command {
-        Command::Circle(args) => draw::circle(&args.0),
-        Command::Ellipse(args) => draw::ellipse(&args.0),
-        Command::Arc(args) => draw::arc(&args.0),
+        Command::Circle(args) => draw::run(&args.0),
+        Command::Ellipse(args) => draw::run(&args.0),
+        Command::Arc(args) => draw::run(&args.0),
         Command::Conic(args) => conic::run(&args.0),
         Command::Batch(args) => batch::run(&args.0),
         Command::Path(args) => path::run(&args.0),

@@ -6,7 +6,7 @@ use core::str::FromStr;
 use crate::angle::Angle;
 use crate::approximate::{Options, approximate};
 use crate::curve::Curve;
-use crate::error::{Error, Result, ShapeError};
+use crate::error::{Error, Result, ShapeError, one_of};
 use crate::joints::Cut;
 use crate::joints::cutting::EqualPieces;
 use crate::measure::extent;
@@ -144,15 +144,7 @@ impl FromStr for Criterion {
     type Err = Error;
 
     fn from_str(name: &str) -> Result<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|c| c.name() == name)
-            .ok_or_else(|| Error::Syntax {
-                what: "the criterion",
-                text: name.to_owned(),
-                column: 1,
-                why: format!("the criteria are {}", Self::ALL.map(Self::name).join(", ")),
-            })
+        one_of(&Self::ALL, name, ["the criterion", "the criteria"])
     }
 }
 

@@ -168,6 +168,10 @@ impl Difference {
 
 /// Compares two drawings. Subpaths are matched in their order where they lie within the tolerance, else with the nearest ones.
 ///
+/// # Errors
+///
+/// Where it would take more than some ten seconds: thousands of curves that cross one another everywhere.
+///
 /// ```
 /// use curveto::diff::{Track, compare};
 /// use curveto::path::contours;
@@ -176,12 +180,11 @@ impl Difference {
 /// };
 /// let arc = tracks("M50 0A50 50 0 0 1 0 50")?;
 /// let cubic = tracks("M50 0C50 27.614 27.614 50 0 50")?;
-/// let difference = compare(&arc, &cubic, 0.02);
+/// let difference = compare(&arc, &cubic, 0.02)?;
 /// assert!(difference.is_within() && (0.013..0.014).contains(&difference.distance()));
 /// # Ok::<(), curveto::Error>(())
 /// ```
-#[must_use]
-pub fn compare(old: &[Track], new: &[Track], tolerance: f64) -> Difference {
+pub fn compare(old: &[Track], new: &[Track], tolerance: f64) -> Result<Difference> {
     let largest = old.iter().chain(new).map(Track::largest);
     let noise = 4.0 * f64::EPSILON * largest.fold(0.0, f64::max);
     let mut difference = Difference {
@@ -189,6 +192,6 @@ pub fn compare(old: &[Track], new: &[Track], tolerance: f64) -> Difference {
         noise,
         ..Difference::default()
     };
-    pairs::find(old, new, &mut difference);
-    difference
+    pairs::find(old, new, &mut difference, pairs::MOST_STEPS)?;
+    Ok(difference)
 }

@@ -24,11 +24,13 @@ use crate::method::{Ends, Rule, Span};
 pub use doubt::{Doubt, Trust};
 pub use failure::Error;
 pub use note::Note;
-pub use paths::{SvgPath, has_transforms_elsewhere, has_uses, svg_paths, svg_shapes};
+pub use paths::{
+    SvgPath, has_transforms_elsewhere, has_uses, svg_paths, svg_shapes, unread_entity,
+};
 pub use reason::Reason;
-pub use style::property::Kind;
+pub use style::property::ElementKind;
 
-use rewrite::{Done, Pass};
+use rewrite::{Pass, Rewritten};
 use style::of_document::Facts;
 use xml::encoding::Source;
 use xml::fault::{Fault, FaultKind};
@@ -43,13 +45,13 @@ impl Only {
 
     /// The kinds given.
     #[must_use]
-    pub fn of(kinds: &[Kind]) -> Self {
-        Self(Kind::ALL.map(|kind| kinds.contains(&kind)))
+    pub fn of(kinds: &[ElementKind]) -> Self {
+        Self(ElementKind::ALL.map(|kind| kinds.contains(&kind)))
     }
 
     /// Whether this kind is to be replaced.
     #[must_use]
-    pub const fn contains(&self, kind: Kind) -> bool {
+    pub const fn contains(&self, kind: ElementKind) -> bool {
         self.0[kind as usize]
     }
 }
@@ -120,7 +122,7 @@ impl Options {
             }
             return Ok(());
         }
-        let open = self.only.contains(Kind::Path) || self.only.contains(Kind::Rect);
+        let open = self.only.contains(ElementKind::Path) || self.only.contains(ElementKind::Rect);
         if open
             && self
                 .rule
@@ -150,23 +152,23 @@ pub struct Counts {
 }
 
 impl Counts {
-    fn count(&mut self, kind: Kind, count: usize) {
+    fn count(&mut self, kind: ElementKind, count: usize) {
         *match kind {
-            Kind::Circle => &mut self.circle,
-            Kind::Ellipse => &mut self.ellipse,
-            Kind::Rect => &mut self.rect,
-            Kind::Path => &mut self.path,
+            ElementKind::Circle => &mut self.circle,
+            ElementKind::Ellipse => &mut self.ellipse,
+            ElementKind::Rect => &mut self.rect,
+            ElementKind::Path => &mut self.path,
         } += count;
     }
 
     /// The replacements of one kind; arc commands for paths.
     #[must_use]
-    pub const fn of(&self, kind: Kind) -> usize {
+    pub const fn of(&self, kind: ElementKind) -> usize {
         match kind {
-            Kind::Circle => self.circle,
-            Kind::Ellipse => self.ellipse,
-            Kind::Rect => self.rect,
-            Kind::Path => self.path,
+            ElementKind::Circle => self.circle,
+            ElementKind::Ellipse => self.ellipse,
+            ElementKind::Rect => self.rect,
+            ElementKind::Path => self.path,
         }
     }
 
@@ -294,7 +296,7 @@ fn read_bytes<T>(
 }
 
 /// The new text, if anything was replaced, with what was and what was not.
-fn pass(source: Source<'_>, options: &Options) -> Result<Done, Error> {
+fn pass(source: Source<'_>, options: &Options) -> Result<Rewritten, Error> {
     let pass = path::scratch::with_scratch(options, |scratch| {
         match rewrite::run(source, options, None, scratch, MOST_BYTES)? {
             Pass::NeedsFacts => {
@@ -306,7 +308,7 @@ fn pass(source: Source<'_>, options: &Options) -> Result<Done, Error> {
     });
     match pass.map_err(|fault| Error::new(source.text, fault))? {
         Pass::Done(done) => Ok(done),
-        Pass::NeedsFacts => Ok(Done::default()),
+        Pass::NeedsFacts => Ok(Rewritten::default()),
     }
 }
 

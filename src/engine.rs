@@ -91,13 +91,13 @@ impl FusedIterator for Cubics {}
 
 /// A point of an ellipse with its radius vector and the derivative by the parametric angle.
 #[derive(Debug, Clone, Copy)]
-struct Frame {
+struct EllipsePoint {
     point: Point,
     radius: Vec2,
     tangent: Vec2,
 }
 
-impl Frame {
+impl EllipsePoint {
     /// At this direction on the unit circle. Without a branch.
     #[inline(always)]
     fn at(truth: &Truth, direction: Vec2) -> Self {
@@ -111,20 +111,20 @@ impl Frame {
 }
 
 /// How an arc runs: all that the steps start from.
-struct Course {
-    start: Frame,
+struct ArcRun {
+    start: EllipsePoint,
     /// Where it is known without a sum.
-    end: Option<Frame>,
+    end: Option<EllipsePoint>,
 }
 
-impl Course {
+impl ArcRun {
     #[inline(always)]
     fn of_arc(arc: &Arc) -> Self {
         let truth = arc.truth();
-        let start = Frame::at(&truth, arc.start.direction());
+        let start = EllipsePoint::at(&truth, arc.start.direction());
         let end = match End::of(arc) {
             End::Start => Some(start),
-            End::Angle(angle) => Some(Frame::at(&truth, angle.direction())),
+            End::Angle(angle) => Some(EllipsePoint::at(&truth, angle.direction())),
             End::Unknown => None,
         };
         Self { start, end }.through(arc.ends)
@@ -133,7 +133,7 @@ impl Course {
     #[inline(always)]
     fn of_chord(arc: &SvgArc, chord: &Chord) -> Self {
         let truth = chord.truth();
-        let [start, end] = chord.directions().map(|end| Frame::at(&truth, end));
+        let [start, end] = chord.directions().map(|end| EllipsePoint::at(&truth, end));
         let end = Some(end);
         Self { start, end }.through(Some([arc.from, arc.to]))
     }
@@ -212,7 +212,7 @@ impl Arc {
     #[must_use]
     pub fn cubics(&self, tolerance: f64) -> Cubics {
         let tolerance = relative(tolerance, self.radii);
-        Course::of_arc(self).cubics(&Steps::within(self.sweep.degrees(), tolerance))
+        ArcRun::of_arc(self).cubics(&Steps::within(self.sweep.degrees(), tolerance))
     }
 
     /// `count` cubics of equal parametric angle by a rule.
@@ -228,7 +228,7 @@ impl Arc {
             self.sweep.degrees(),
             self.radii.x == self.radii.y,
         )?;
-        Ok(Course::of_arc(self).cubics(&steps))
+        Ok(ArcRun::of_arc(self).cubics(&steps))
     }
 }
 
@@ -240,7 +240,7 @@ impl SvgArc {
     pub fn cubics(&self, tolerance: f64) -> Option<Cubics> {
         let chord = self.chord().ok().flatten()?;
         let steps = Steps::within(chord.sweep, relative(tolerance, chord.radii));
-        Some(Course::of_chord(self, &chord).cubics(&steps))
+        Some(ArcRun::of_chord(self, &chord).cubics(&steps))
     }
 
     /// `count` cubics of equal parametric angle by a rule; `None` where the arc is a line or nothing.
@@ -253,6 +253,6 @@ impl SvgArc {
             return Ok(None);
         };
         let steps = Steps::by(rule, count, chord.sweep, chord.truth().is_circle())?;
-        Ok(Some(Course::of_chord(self, &chord).cubics(&steps)))
+        Ok(Some(ArcRun::of_chord(self, &chord).cubics(&steps)))
     }
 }

@@ -11,6 +11,8 @@ mod unmeasurable;
 #[cfg(feature = "serde")]
 pub(crate) mod json;
 
+use core::fmt::Display;
+
 use thiserror::Error;
 
 use plain::{plain, short};
@@ -220,6 +222,24 @@ pub enum Error {
     /// What was to be written cannot be JSON.
     #[error("this cannot be written as JSON: {0}")]
     Json(String),
+}
+
+/// The one of some values that is displayed by this name; `what` they are called, one and all.
+pub(crate) fn one_of<T: Copy + Display>(
+    all: &[T],
+    name: &str,
+    what: [&'static str; 2],
+) -> Result<T> {
+    let found = all.iter().find(|value| value.to_string() == name);
+    found.copied().ok_or_else(|| {
+        let names: Vec<String> = all.iter().map(T::to_string).collect();
+        Error::Syntax {
+            what: what[0],
+            text: name.to_owned(),
+            column: 1,
+            why: format!("{} are {}", what[1], names.join(", ")),
+        }
+    })
 }
 
 /// `value` if it is positive and finite, and neither it nor its square leaves the range of `f64`.

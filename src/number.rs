@@ -21,7 +21,7 @@ pub use people::{compact, counted, round_one_two_five, rounded_up, significant};
 use crate::numeric::functions;
 use std::io::Write as _;
 
-use decimal::{After, Decimal, Form};
+use decimal::{After, BelowOne, Decimal};
 use digits::{EXACT_POWERS, ZEROS, digits};
 
 /// How many decimals a number is printed with.
@@ -90,7 +90,7 @@ impl Precision {
 /// has to refuse such a number where a user can still be informed.
 pub fn push_fixed(out: &mut Vec<u8>, x: f64, decimals: u8) {
     if let Some(number) = Decimal::nearest(x, decimals) {
-        number.write(out, After::Letter, Form::Plain);
+        number.write(out, After::Letter, BelowOne::Plain);
     } else if let Some((whole, fraction)) = power(decimals).and_then(|power| split(x, power)) {
         let negative = x.is_sign_negative() && (whole | fraction) != 0;
         push_long(out, negative, whole, fraction, decimals);
@@ -106,7 +106,7 @@ pub fn push_fixed(out: &mut Vec<u8>, x: f64, decimals: u8) {
 /// A float that is not finite prints as `0`; see [`push_fixed`].
 pub fn push_shortest(out: &mut Vec<u8>, x: f64) {
     if let Some(number) = Decimal::of_few_digits(x) {
-        number.write(out, After::Letter, Form::Plain);
+        number.write(out, After::Letter, BelowOne::Plain);
         return;
     }
     if !x.is_finite() {

@@ -8,6 +8,8 @@ pub(crate) mod functions;
 pub(crate) mod instructions;
 pub(crate) mod lanes;
 pub(crate) mod linear;
+#[cfg(test)]
+pub(crate) mod random;
 pub(crate) mod tridiagonal;
 
 use core::cmp::Ordering;

@@ -63,7 +63,7 @@ pub struct Options {
 
 /// What a line on the sphere is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Line {
+pub enum SphereLine {
     /// The circle of this latitude.
     Parallel(Angle),
     /// The half circle of this longitude, and where meridians come in opposite pairs the other half too.
@@ -76,7 +76,7 @@ pub enum Line {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
     /// The line.
-    pub line: Line,
+    pub line: SphereLine,
     /// The projected curve, closed where it is a whole circle.
     pub curve: Curve,
 }
@@ -161,7 +161,7 @@ impl Sphere {
             front: Vec::new(),
             back: Vec::new(),
             outline: Part {
-                line: Line::Outline,
+                line: SphereLine::Outline,
                 curve: units.circle.curve.transformed(space.outline()),
             },
             error: units.error().times(self.radius),
@@ -179,9 +179,9 @@ impl Sphere {
     }
 
     /// The lines on the sphere and where they lie.
-    fn lines(&self, space: &Space) -> impl Iterator<Item = (Line, Ring)> {
-        let parallel = |latitude| (Line::Parallel(latitude), space.parallel(latitude));
-        let meridian = |longitude| (Line::Meridian(longitude), space.meridian(longitude));
+    fn lines(&self, space: &Space) -> impl Iterator<Item = (SphereLine, Ring)> {
+        let parallel = |latitude| (SphereLine::Parallel(latitude), space.parallel(latitude));
+        let meridian = |longitude| (SphereLine::Meridian(longitude), space.meridian(longitude));
         let parallels = self.latitudes().map(parallel);
         parallels.chain(self.longitudes().map(meridian))
     }
@@ -292,10 +292,10 @@ impl Units {
     }
 
     /// The curve in the plane of a line.
-    fn curve(&self, line: Line) -> &Curve {
+    fn curve(&self, line: SphereLine) -> &Curve {
         match (line, &self.half) {
-            (Line::Parallel(_), _) => &self.parallel.curve,
-            (Line::Meridian(_), Some(half)) => &half.curve,
+            (SphereLine::Parallel(_), _) => &self.parallel.curve,
+            (SphereLine::Meridian(_), Some(half)) => &half.curve,
             _ => &self.circle.curve,
         }
     }

@@ -13,7 +13,7 @@ use crate::curve::{Curve, with_handles};
 use crate::error::{Error, Result, finite, positive};
 pub use crate::method::Quadrature;
 use crate::method::nodal;
-pub use crate::method::nodal::Ends;
+pub use crate::method::nodal::SplineEnds;
 use crate::number::Precision;
 
 /// The arc lengths have settled when none changes by more than this part of itself, where nothing else is asked for.
@@ -101,7 +101,7 @@ pub struct Options {
     /// How far the parameter runs along each segment.
     pub parametrization: Parametrization,
     /// What holds at the ends.
-    pub ends: Ends,
+    pub ends: SplineEnds,
     /// Whether the nodal derivatives are made unit vectors: the curve is then G¹ and no longer C². A derivative that is zero, as
     /// that of a free end, stays zero.
     pub unit_tangents: bool,
@@ -113,7 +113,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             parametrization: Parametrization::default(),
-            ends: Ends::default(),
+            ends: SplineEnds::default(),
             unit_tangents: false,
             stop: SETTLED,
         }
@@ -146,10 +146,10 @@ impl Spline {
     /// all but do, [`Error::NotFinite`] and [`Error::TooLarge`] for a coordinate, and [`Error::Unsettled`] where the arc lengths do not settle.
     ///
     /// ```
-    /// use curveto::spline::{Ends, Options, Spline};
+    /// use curveto::spline::{SplineEnds, Options, Spline};
     /// // Chen's Figure 5: Formulation I through four points of the unit circle.
     /// let square = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
-    /// let options = Options { ends: Ends::Cyclic, ..Options::default() };
+    /// let options = Options { ends: SplineEnds::Cyclic, ..Options::default() };
     /// let spline = Spline::new(square.map(kurbo::Point::from).to_vec(), options)?;
     /// assert_eq!(spline.derivatives[0], kurbo::Vec2::new(0.0, 1.5));
     /// assert_eq!(spline.segment(0).p1, kurbo::Point::new(1.0, 0.5));
@@ -219,7 +219,7 @@ impl Spline {
         };
         Ok(Curve {
             segments: self.segments().map(place).collect::<Result<_>>()?,
-            closed: self.options.ends == Ends::Cyclic,
+            closed: self.options.ends == SplineEnds::Cyclic,
         })
     }
 
@@ -286,20 +286,20 @@ impl Spline {
 }
 
 /// Refuses points that no curve with these ends runs through.
-fn check(points: &[Point], ends: Ends) -> Result<()> {
+fn check(points: &[Point], ends: SplineEnds) -> Result<()> {
     let least = ends.least_points();
     if points.len() < least {
         return Err(Error::TooFewPoints {
             count: points.len(),
             least,
-            cyclic: ends == Ends::Cyclic,
+            cyclic: ends == SplineEnds::Cyclic,
         });
     }
     for p in points {
         finite("x coordinate of a point", p.x)?;
         finite("y coordinate of a point", p.y)?;
     }
-    if let Ends::Fixed(derivatives) = ends {
+    if let SplineEnds::Fixed(derivatives) = ends {
         for d in derivatives {
             finite("end derivative", d.x)?;
             finite("end derivative", d.y)?;

@@ -7,6 +7,8 @@
 #![allow(clippy::disallowed_methods, clippy::expect_used)]
 
 mod documents;
+#[path = "../common/numbers.rs"]
+mod numbers;
 mod text;
 
 use std::hint::black_box;
@@ -19,6 +21,7 @@ use curveto::shape::endpoint::SvgArc;
 use curveto::{Angle, Arc, Tolerance};
 use kurbo::{CubicBez, PathEl, PathSeg, Point, Vec2};
 use lyon_geom::{Angle as LyonAngle, ArcFlags, point, vector};
+use numbers::Numbers;
 
 /// How many arcs; `CURVETO_BENCH_ARCS` overrides it.
 const ARCS: usize = 1_000_000;
@@ -27,19 +30,6 @@ const ROUNDS: usize = 15;
 const LINES: usize = 20_000;
 /// Every so many arcs one is measured.
 const SAMPLE: usize = 997;
-
-/// Random numbers, the same in every run.
-struct Numbers(u64);
-
-impl Numbers {
-    fn uniform(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        low + (high - low) * ((self.0 >> 11) as f64 / 2f64.powi(53))
-    }
-}
 
 /// One arc in the form of each peer.
 struct Input {

@@ -10,7 +10,7 @@ use curveto::write::Format;
 use curveto::{Cut, Tolerance};
 use kurbo::{Arc, Circle, Ellipse, Shape, Vec2};
 
-use super::Numbers;
+use super::numbers::Numbers;
 
 /// Lines of one kind and what is asked of them.
 pub(crate) struct Case {

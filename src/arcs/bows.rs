@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
-use super::builder::{Builder, Span, half_turn};
+use super::builder::{Builder, Stretch, half_turn};
 use super::chain::runs_on;
 use super::fit::Search;
 use super::from_chord::Above;
@@ -227,13 +227,13 @@ impl Builder<'_> {
 
 /// What smooth cubics become: those that were drawn as arcs such, unless that makes more of them; arcs of ellipses, unless circular ones
 /// are fewer.
-fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
+fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Stretch<'a>> {
     let spans = spans_alike(chain, rules, room);
     if !is_one_shape(&spans)
         && let Some([a, b]) = turn::whole(chain, rules)
     {
         let (first, second) = chain.split_at(a.count);
-        return vec![Span::Found(first, a), Span::Found(second, b)];
+        return vec![Stretch::Found(first, a), Stretch::Found(second, b)];
     }
     if rules.elliptic && spans.len() > 1 {
         let rules = Rules {
@@ -249,19 +249,19 @@ fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
 }
 
 /// Whether all that was found are arcs of one circle, or two of one ellipse.
-fn is_one_shape(spans: &[Span<'_>]) -> bool {
-    let radii = |span: &Span<'_>| match span {
-        Span::Found(_, found) => Some(found.given.radii),
+fn is_one_shape(spans: &[Stretch<'_>]) -> bool {
+    let radii = |span: &Stretch<'_>| match span {
+        Stretch::Found(_, found) => Some(found.given.radii),
         _ => None,
     };
-    let is_like_first = |span: &Span<'_>| {
+    let is_like_first = |span: &Stretch<'_>| {
         let (first, own) = (radii(&spans[0]), radii(span));
         own == first && own.is_some_and(|radii| radii.x == radii.y || spans.len() == 2)
     };
     spans.iter().all(is_like_first)
 }
 
-fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<'a>> {
+fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Stretch<'a>> {
     let mut search = Search::new(room, rules.elliptic);
     let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
     while at < chain.len() {
@@ -278,13 +278,13 @@ fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<
             continue;
         }
         let pieces = search.pieces(&chain[free..at], MOST_SEGMENTS);
-        spans.extend(pieces.into_iter().map(Span::Fitted));
+        spans.extend(pieces.into_iter().map(Stretch::Fitted));
         if straight {
-            spans.push(Span::Straight(&rest[0]));
+            spans.push(Stretch::Straight(&rest[0]));
         }
         let mut begin = 0;
         for found in found {
-            spans.push(Span::Found(&rest[begin..begin + found.count], found));
+            spans.push(Stretch::Found(&rest[begin..begin + found.count], found));
             begin += found.count;
         }
         drawn += 1;
@@ -292,11 +292,11 @@ fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Span<
         free = at;
     }
     let pieces = search.pieces(&chain[free..], MOST_SEGMENTS);
-    spans.extend(pieces.into_iter().map(Span::Fitted));
+    spans.extend(pieces.into_iter().map(Stretch::Fitted));
     if drawn > 0 && spans.len() > 1 && !is_one_shape(&spans) {
         let fewer = search.pieces(chain, spans.len());
         if fewer.len() < spans.len() {
-            spans = fewer.into_iter().map(Span::Fitted).collect();
+            spans = fewer.into_iter().map(Stretch::Fitted).collect();
         }
     }
     spans

@@ -8,7 +8,7 @@ use kurbo::{CubicBez, Point, Vec2};
 use super::bound::from_arc;
 use super::chords;
 use super::fit::Search;
-use super::form::Fit;
+use super::form::Fitted;
 use super::from_chord::from_chord;
 use super::piece::Piece;
 use super::recognize::{Found, Rules, is_enlarged};
@@ -41,13 +41,13 @@ const AGAIN_PART: f64 = 0.25;
 const FINER: [f64; 2] = [0.5, 0.2];
 
 /// What a stretch of a chain becomes.
-pub(super) enum Span<'a> {
+pub(super) enum Stretch<'a> {
     /// A line in place of a straight cubic.
     Straight(&'a CubicBez),
     /// An arc in place of cubics that were drawn as one.
     Found(&'a [CubicBez], Found),
     /// A piece of cubics that were not.
-    Fitted(Fit),
+    Fitted(Fitted),
 }
 
 /// Writes the course of a subpath, rounding as it goes.
@@ -82,15 +82,15 @@ impl Builder<'_> {
     }
 
     /// Appends what a stretch of cubics becomes, which stray this far from what was given.
-    pub(super) fn span(&mut self, span: &Span<'_>, strayed: f64) -> Result<()> {
+    pub(super) fn span(&mut self, span: &Stretch<'_>, strayed: f64) -> Result<()> {
         let cut = strayed + self.plan.cut();
         let (parts, ends_given) = match span {
-            Span::Straight(cubic) => {
+            Stretch::Straight(cubic) => {
                 let off = strayed + from_chord(core::slice::from_ref(cubic));
                 self.line(cubic.p0, cubic.p3, off, true);
                 return self.counted();
             }
-            Span::Found(cubics, found) => {
+            Stretch::Found(cubics, found) => {
                 // Half a turn whose radius is too small for its ends is drawn with theirs, which has many digits.
                 let is_enlarged = is_enlarged(&found.given, &found.arc);
                 let mut given = found.given;
@@ -108,7 +108,7 @@ impl Builder<'_> {
                 }
                 (*cubics, true)
             }
-            Span::Fitted(fit) => {
+            Stretch::Fitted(fit) => {
                 if self.fitted(fit, fit.ends_given, cut) {
                     return self.counted();
                 }
@@ -128,7 +128,7 @@ impl Builder<'_> {
     }
 
     /// Appends a piece, unless rounding takes it too far.
-    fn fitted(&mut self, fit: &Fit, ends_given: bool, strayed: f64) -> bool {
+    fn fitted(&mut self, fit: &Fitted, ends_given: bool, strayed: f64) -> bool {
         let (Some(first), Some(last)) = (fit.parts.first(), fit.parts.last()) else {
             return true;
         };

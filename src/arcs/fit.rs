@@ -11,7 +11,7 @@
 use kurbo::{CubicBez, Vec2};
 
 use super::chain::Chain;
-use super::form::{Fit, Form};
+use super::form::{Fitted, Replacement};
 use super::oval;
 
 /// How often points are exchanged.
@@ -92,7 +92,7 @@ impl Search {
     }
 
     /// The pieces of a chain, no more than one above `most`; with arcs of ellipses where these make fewer.
-    pub(super) fn pieces(&mut self, cubics: &[CubicBez], most: usize) -> Vec<Fit> {
+    pub(super) fn pieces(&mut self, cubics: &[CubicBez], most: usize) -> Vec<Fitted> {
         let circular = self.walk(cubics, most, false);
         if self.elliptic && circular.len() > 1 {
             let mixed = self.walk(cubics, circular.len() - 1, true);
@@ -104,7 +104,7 @@ impl Search {
     }
 
     /// The pieces of a chain, each as long as the tolerance lets it be, no more than one above `most`.
-    fn walk(&mut self, cubics: &[CubicBez], most: usize, elliptic: bool) -> Vec<Fit> {
+    fn walk(&mut self, cubics: &[CubicBez], most: usize, elliptic: bool) -> Vec<Fitted> {
         let chain = Chain::new(cubics);
         let (mut fits, mut from, mut guess) = (Vec::new(), 0.0, 1.0);
         while from < chain.end() && fits.len() <= most {
@@ -122,7 +122,7 @@ impl Search {
 
     /// The longest piece from here, one of about so many cubics at first: where a chain comes back to itself again and again all of it may
     /// seem near an arc, and be too much to look at for each piece.
-    fn longest(&mut self, chain: &Chain<'_>, from: f64, mut guess: f64) -> (f64, Fit) {
+    fn longest(&mut self, chain: &Chain<'_>, from: f64, mut guess: f64) -> (f64, Fitted) {
         loop {
             let most = MOST_LONGER * guess;
             let to = self.farthest(chain, from, guess, most);
@@ -135,7 +135,7 @@ impl Search {
     }
 
     /// A longer piece than one that was found, where the distance falls again beyond it, as it does where the curvature falls after a peak.
-    fn beyond(&mut self, chain: &Chain<'_>, from: f64, found: (f64, Fit)) -> (f64, Fit) {
+    fn beyond(&mut self, chain: &Chain<'_>, from: f64, found: (f64, Fitted)) -> (f64, Fitted) {
         let end = chain.end().min(from + chain.reach());
         let length = found.0 - from;
         let place = |i: u32| found.0 + length * f64::from(i) / BEYOND;
@@ -156,7 +156,7 @@ impl Search {
     }
 
     /// The piece up to where an arc of an ellipse reaches from here, or the one that there is.
-    fn farther(&self, chain: &Chain<'_>, from: f64, best: (f64, Fit)) -> (f64, Fit) {
+    fn farther(&self, chain: &Chain<'_>, from: f64, best: (f64, Fitted)) -> (f64, Fitted) {
         let end = chain.end().min(from + chain.reach());
         let ((mut to, mut fit), mut failed) = (best, f64::INFINITY);
         let mut step = FARTHER * (to - from);
@@ -179,11 +179,11 @@ impl Search {
     }
 
     /// The arc of an ellipse between two parameters, where it is near enough.
-    fn elliptical(&self, chain: &Chain<'_>, from: f64, to: f64) -> Option<Fit> {
+    fn elliptical(&self, chain: &Chain<'_>, from: f64, to: f64) -> Option<Fitted> {
         let (oval, off) = oval::nearest(chain, from, to)?;
-        let fit = || Fit {
+        let fit = || Fitted {
             parts: chain.between(from, to),
-            form: Form::Elliptical(oval),
+            form: Replacement::Elliptical(oval),
             ends_given: to.fract() == 0.0,
         };
         (off <= self.room)
@@ -226,7 +226,7 @@ impl Search {
     }
 
     /// The piece from here to at most there that the bound lets be.
-    fn piece(&mut self, chain: &Chain<'_>, from: f64, end: f64) -> (f64, Fit) {
+    fn piece(&mut self, chain: &Chain<'_>, from: f64, end: f64) -> (f64, Fitted) {
         let (mut to, mut failed, mut step) = (end, end, FIRST_STEP);
         for _ in 0..MOVES {
             match self.attempt(chain, from, to) {
@@ -240,9 +240,9 @@ impl Search {
             }
         }
         // Where not even the shortest fits, floats end: what is left is next to nothing.
-        let line = Fit {
+        let line = Fitted {
             parts: chain.between(from, failed),
-            form: Form::Line,
+            form: Replacement::Line,
             ends_given: failed.fract() == 0.0,
         };
         (failed, line)
@@ -253,9 +253,9 @@ impl Search {
         &mut self,
         chain: &Chain<'_>,
         from: f64,
-        best: (f64, Fit),
+        best: (f64, Fitted),
         mut failed: f64,
-    ) -> (f64, Fit) {
+    ) -> (f64, Fitted) {
         let (mut to, mut fit) = best;
         while failed - to > LEFT_OUT * (to - from) {
             let middle = 0.5 * (to + failed);
@@ -268,17 +268,17 @@ impl Search {
     }
 
     /// The piece between two parameters, or its bound where that is too far.
-    fn attempt(&mut self, chain: &Chain<'_>, from: f64, to: f64) -> Result<Fit, f64> {
+    fn attempt(&mut self, chain: &Chain<'_>, from: f64, to: f64) -> Result<Fitted, f64> {
         let parts = chain.between(from, to);
         let mut least = f64::INFINITY;
         for points in [POINTS, MANY_POINTS] {
             let nearest = self.nearest(chain, (from, to), points);
-            let mut fit = Fit {
+            let mut fit = Fitted {
                 parts: parts.clone(),
                 form: if nearest.off_line > NEARER * nearest.off {
-                    Form::Circular(nearest.half)
+                    Replacement::Circular(nearest.half)
                 } else {
-                    Form::Line
+                    Replacement::Line
                 },
                 ends_given: to.fract() == 0.0,
             };
@@ -288,7 +288,7 @@ impl Search {
             }
             least = least.min(bound);
             if nearest.off_line <= self.room {
-                fit.form = Form::Line;
+                fit.form = Replacement::Line;
                 if fit.bound() <= self.room {
                     return Ok(fit);
                 }

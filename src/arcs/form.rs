@@ -10,7 +10,7 @@ use crate::shape::endpoint::SvgArc;
 
 /// What stands in place of cubics.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Form {
+pub(super) enum Replacement {
     Line,
     /// An arc of a circle by half its sweep, in radians, positive to the left.
     Circular(f64),
@@ -20,9 +20,9 @@ pub(super) enum Form {
 
 /// A line or an arc, and the cubics that it replaces.
 #[derive(Debug, Clone)]
-pub(super) struct Fit {
+pub(super) struct Fitted {
     pub(super) parts: Vec<CubicBez>,
-    pub(super) form: Form,
+    pub(super) form: Replacement,
     /// Whether it ends where a cubic does.
     pub(super) ends_given: bool,
 }
@@ -39,13 +39,13 @@ fn arc_of(from: Point, to: Point, half: f64) -> SvgArc {
     }
 }
 
-impl Fit {
+impl Fitted {
     /// The arc between these ends, radii and rotation as they are before rounding; `None` of a line.
     pub(super) fn arc(&self, from: Point, to: Point) -> Option<SvgArc> {
         match self.form {
-            Form::Line => None,
-            Form::Circular(half) => Some(arc_of(from, to, half)),
-            Form::Elliptical(oval) => oval.arc(from, to),
+            Replacement::Line => None,
+            Replacement::Circular(half) => Some(arc_of(from, to, half)),
+            Replacement::Elliptical(oval) => oval.arc(from, to),
         }
     }
 

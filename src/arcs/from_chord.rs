@@ -211,15 +211,8 @@ pub(super) fn of_arc([a, b, c]: [f64; 3], half: f64, limit: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::random::signed;
     use kurbo::ParamCurve as _;
-
-    /// Numbers from -1 to 1.
-    fn random(state: &mut u64) -> f64 {
-        *state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
-        (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
 
     const SAMPLES: u32 = 4000;
 
@@ -241,7 +234,7 @@ mod tests {
         let (mut state, mut beyond) = (5, 0);
         for round in 0..1500 {
             let flat = [1.0, 0.1, 1e-3][round % 3];
-            let mut point = || Point::new(random(&mut state), flat * random(&mut state));
+            let mut point = || Point::new(signed(&mut state), flat * signed(&mut state));
             let cubic = CubicBez::new(point(), point(), point(), point());
             let ends = [cubic.p0, cubic.p3];
             let above = Above::new(&cubic, ends);
@@ -265,10 +258,10 @@ mod tests {
         let (mut state, mut beyond) = (9, 0);
         for round in 0..1500 {
             let flat = [1.0, 0.1, 1e-3][round % 3];
-            let (a, b) = (0.01 + random(&mut state).abs(), random(&mut state));
+            let (a, b) = (0.01 + signed(&mut state).abs(), signed(&mut state));
             let (c, half) = (
-                flat * random(&mut state),
-                1.48 * (1.01 + random(&mut state)),
+                flat * signed(&mut state),
+                1.48 * (1.01 + signed(&mut state)),
             );
             let at = |phi: f64| {
                 let rise = libm::cos(phi) - libm::cos(half);

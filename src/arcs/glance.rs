@@ -25,12 +25,12 @@ const BULGES: [f64; 2] = [0.0176, 0.91];
 
 /// The circle through three points.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Circle {
+pub(super) struct CircleThrough {
     pub(super) center: Point,
     pub(super) radius: f64,
 }
 
-impl Circle {
+impl CircleThrough {
     /// Not finite where the points lie on a line.
     #[inline]
     pub(super) fn through(from: Point, on: Point, to: Point) -> Self {
@@ -68,7 +68,7 @@ pub(super) fn glance(cubics: &[CubicBez], rules: &Rules) -> Glance {
     let [cubic, ..] = cubics else {
         return Glance::Nothing;
     };
-    let look = Look::new(cubic);
+    let look = CubicLook::new(cubic);
     let (room, noise) = (look.room(rules), NOISE * look.circle.radius);
     if look.off > room + noise {
         let ellipse = rules.elliptic.then(|| ellipse_of(cubic, rules)).flatten();
@@ -98,7 +98,7 @@ pub(super) fn is_askew(cubics: &[CubicBez], room: impl Fn(f64) -> f64) -> bool {
     let Some([from, on, to]) = ends_and_middle(cubics) else {
         return false;
     };
-    let circle = Circle::through(from, on, to);
+    let circle = CircleThrough::through(from, on, to);
     let room = room(size_of([from, on, to], circle.radius)) + NOISE * circle.radius;
     // Written so that what is not a number goes on to the closer look.
     let is_off = |p: Point| circle.off(p) > room;
@@ -110,7 +110,7 @@ pub(super) fn is_askew(cubics: &[CubicBez], room: impl Fn(f64) -> f64) -> bool {
 /// How far, at least, a few points of a cubic lie from an arc between its ends.
 pub(super) fn strays_from(cubic: &CubicBez, given: &SvgArc) -> f64 {
     // Where the radii are too small the closer look decides.
-    Ellipse::of(given).map_or(0.0, |ellipse| {
+    EllipseOfArc::of(given).map_or(0.0, |ellipse| {
         [0.25, 0.5, 0.75]
             .map(|t| ellipse.off(cubic.eval(t)))
             .into_iter()
@@ -124,14 +124,14 @@ pub(super) fn goes_on_along(cubics: &[CubicBez], given: &SvgArc, rules: &Rules) 
         return false;
     };
     let room = rules.room(given.radii.x.max(given.radii.y));
-    Ellipse::of(given).is_none_or(|ellipse| {
+    EllipseOfArc::of(given).is_none_or(|ellipse| {
         let is_near = |p: Point| ellipse.off(p) <= room;
         is_near(next.p3) && is_near(next.eval(0.5))
     })
 }
 
 /// The ellipse of an arc, seen from its start.
-struct Ellipse {
+struct EllipseOfArc {
     from: Point,
     axis: Vec2,
     radii: Vec2,
@@ -139,7 +139,7 @@ struct Ellipse {
     center: Vec2,
 }
 
-impl Ellipse {
+impl EllipseOfArc {
     /// `None` where the radii are too small for the ends.
     #[inline]
     fn of(given: &SvgArc) -> Option<Self> {
@@ -179,11 +179,11 @@ impl Ellipse {
 }
 
 /// A cubic and the circle through its ends and its middle.
-struct Look<'a> {
+struct CubicLook<'a> {
     cubic: &'a CubicBez,
     quarters: [Point; 2],
     on: Point,
-    circle: Circle,
+    circle: CircleThrough,
     /// How far the cubic lies from it.
     off: f64,
     /// The middle of the chord, and half of that.
@@ -191,11 +191,11 @@ struct Look<'a> {
     half: f64,
 }
 
-impl<'a> Look<'a> {
+impl<'a> CubicLook<'a> {
     #[inline]
     fn new(cubic: &'a CubicBez) -> Self {
         let on = cubic.eval(0.5);
-        let circle = Circle::through(cubic.p0, on, cubic.p3);
+        let circle = CircleThrough::through(cubic.p0, on, cubic.p3);
         let quarters = [cubic.eval(0.25), cubic.eval(0.75)];
         Self {
             cubic,
@@ -272,7 +272,7 @@ impl<'a> Look<'a> {
             return false;
         }
         let depth = (radius * radius - self.half * self.half).max(0.0).sqrt();
-        let circle = Circle {
+        let circle = CircleThrough {
             center: self.base + across * depth,
             radius: radius.max(self.half),
         };

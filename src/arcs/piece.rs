@@ -16,12 +16,12 @@ pub(super) enum Piece {
     Line(Line),
     /// A Bézier, raised to a cubic.
     Cubic(CubicBez),
-    Arc(Turn),
+    Arc(EllipseTurn),
 }
 
 /// An arc of an ellipse: the image of directions of the unit circle.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Turn {
+pub(super) struct EllipseTurn {
     placement: Affine,
     /// In radians.
     start: f64,
@@ -37,7 +37,7 @@ impl Piece {
                 PathSeg::Line(line) => Self::Line(line),
                 bezier => Self::Cubic(bezier.to_cubic()),
             },
-            Step::Arc(arc) => Self::Arc(Turn::new(&arc.outline().transformed(transform)?)),
+            Step::Arc(arc) => Self::Arc(EllipseTurn::new(&arc.outline().transformed(transform)?)),
         })
     }
 
@@ -122,7 +122,7 @@ fn above(cubic: &CubicBez, from: f64, to: f64) -> Above {
     Above::new(&part, [part.p0, part.p3])
 }
 
-impl Turn {
+impl EllipseTurn {
     fn new(outline: &Outline) -> Self {
         Self {
             placement: outline.placement,

@@ -7,34 +7,27 @@ use super::from_chord::from_chord;
 use super::glance::{Glance, glance, strays_from};
 use super::recognize::{Rules, closer, run};
 use crate::number::{Precision, round};
-
-/// Numbers from 0 to 1.
-fn random(state: &mut u64) -> f64 {
-    *state = state
-        .wrapping_mul(6_364_136_223_846_793_005)
-        .wrapping_add(1);
-    (*state >> 11) as f64 / (1_u64 << 53) as f64
-}
+use crate::numeric::random::uniform;
 
 /// A part of a circle or an ellipse as one cubic or two, spelled with few decimals, and often bent a bit.
 fn drawn(state: &mut u64, decimals: u8) -> Vec<CubicBez> {
-    let radius = libm::exp(6.0 * random(state) - 2.0);
-    let radius = round(radius, (3.0 * random(state)) as u8).max(0.1);
-    let flat = if random(state) < 0.5 {
+    let radius = libm::exp(6.0 * uniform(state) - 2.0);
+    let radius = round(radius, (3.0 * uniform(state)) as u8).max(0.1);
+    let flat = if uniform(state) < 0.5 {
         1.0
     } else {
-        0.3 + random(state)
+        0.3 + uniform(state)
     };
-    let step = 0.05 + 1.7 * random(state);
-    let handle = 4.0 / 3.0 * libm::tan(step / 4.0) * (1.0 + 0.02 * (random(state) - 0.5));
-    let (bend, start) = (0.02 * random(state) * random(state), 6.0 * random(state));
+    let step = 0.05 + 1.7 * uniform(state);
+    let handle = 4.0 / 3.0 * libm::tan(step / 4.0) * (1.0 + 0.02 * (uniform(state) - 0.5));
+    let (bend, start) = (0.02 * uniform(state) * uniform(state), 6.0 * uniform(state));
     let on = |angle: f64, along: f64| {
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));
         let p = Vec2::new(cos - along * sin, flat * (sin + along * cos)) * radius;
         Point::new(round(p.x + 3.0, decimals), round(p.y, decimals))
     };
     let mut cubic = |from: f64| {
-        let bent = 1.0 + bend * (random(state) - 0.5);
+        let bent = 1.0 + bend * (uniform(state) - 0.5);
         let [p0, p1] = [0.0, handle * bent].map(|along| on(from, along));
         let [p2, p3] = [-handle, 0.0].map(|along| on(from + step, along));
         CubicBez { p0, p1, p2, p3 }

@@ -8,7 +8,7 @@ use kurbo::{CubicBez, ParamCurve as _, Point};
 
 use super::near::{MARGIN, MORE_DECIMALS, Rules, handles_are_like, joins_smoothly, size, strays};
 use super::recognize::{Found, is_enlarged, is_of_an_arc, near_enough, run};
-use super::turn::Turn;
+use super::turn::UprightEllipse;
 use crate::measure::fit::nearest_circle;
 use crate::number::{decimals_of, round};
 
@@ -26,6 +26,9 @@ const SEEN: f64 = 4.0;
 
 /// The most joints between which arcs are sought.
 const MOST_JOINTS: usize = 24;
+
+/// How many joints determine a circle, and one more.
+const SAYING: usize = 4;
 
 /// The arcs at the beginning of a chain; of a whole turn its halves, where its joints let it.
 pub(crate) fn arcs(cubics: &[CubicBez], rules: &Rules) -> Vec<Found> {
@@ -143,7 +146,7 @@ fn together(cubics: &[CubicBez], arcs: &[Found], rules: &Rules) -> Option<Vec<Fo
     if is_even && arcs.len() <= least && round(first.radii.x, 0) == first.radii.x {
         return None;
     }
-    let points = Points::of(cubics, arcs)?;
+    let points = Points::of(cubics, arcs, rules)?;
     let known = is_even
         .then(|| points.explain(first.radii.x, rules))
         .flatten();
@@ -202,12 +205,14 @@ struct Points {
     off: f64,
     /// The radius of the circle nearest to the joints, and of that one.
     guesses: [f64; 2],
+    /// Whether the joints lie on their circle up to rounding, and say by that which one was meant.
+    joints_say: bool,
     /// How far some point lies, at least, from any circle that is larger by one.
     least: f64,
 }
 
 impl Points {
-    fn of(cubics: &[CubicBez], arcs: &[Found]) -> Option<Self> {
+    fn of(cubics: &[CubicBez], arcs: &[Found], rules: &Rules) -> Option<Self> {
         let closed = cubics.first()?.p0 == cubics.last()?.p3;
         let last = cubics.last().filter(|_| !closed).map(|cubic| cubic.p3);
         let joints: Vec<Point> = cubics.iter().map(|cubic| cubic.p0).chain(last).collect();
@@ -216,7 +221,9 @@ impl Points {
             .flat_map(|cubic| [0.25, 0.5, 0.75].map(|t| cubic.eval(t)));
         let all: Vec<Point> = joints.iter().copied().chain(others).collect();
         let (center, radius) = nearest_circle(&all, None)?;
-        let by_joints = nearest_circle(&joints, None).map_or(radius, |(_, radius)| radius);
+        let of_joints = nearest_circle(&joints, None);
+        let by_joints = of_joints.map_or(radius, |(_, radius)| radius);
+        let say = |(center, radius)| farthest(&joints, center, radius) <= MARGIN * rules.moved();
         // Of an arc of half the sweep h such a circle lies 1 - s cos a from it where its centre moves by s: by ±(1 - cos h)/(1 + cos h)
         // at its top and its ends if that is least, and from a quarter turn on by 1.
         let sweep: f64 = arcs.iter().map(|found| found.arc.sweep.degrees()).sum();
@@ -225,6 +232,7 @@ impl Points {
             least: (1.0 - cos) / (1.0 + cos),
             off: farthest(&all, center, radius),
             guesses: [by_joints, radius],
+            joints_say: joints.len() >= SAYING && of_joints.is_some_and(say),
             joints,
             all,
         })
@@ -232,8 +240,8 @@ impl Points {
 
     /// The circle of a radius on which the run lies, and the rules for its arcs: where it lies there as near as it does to any, or where its joints
     /// do up to rounding. The constant of the handles may then be a rough one, such as 0.55, by which files without a tolerance stray.
-    fn explain(&self, radius: f64, rules: &Rules) -> Option<(Turn, Rules)> {
-        let turn = |center| Turn {
+    fn explain(&self, radius: f64, rules: &Rules) -> Option<(UprightEllipse, Rules)> {
+        let turn = |center| UprightEllipse {
             center,
             radii: kurbo::Vec2::splat(radius),
         };
@@ -246,6 +254,9 @@ impl Points {
         if farthest(&self.joints, center, radius) <= MARGIN * rules.moved() {
             return Some((turn(center), rules.of_what_is_meant()));
         }
+        if self.joints_say {
+            return None;
+        }
         let (center, _) = nearest_circle(&self.all, Some(radius))?;
         let explained = MARGIN * self.off + rules.moved();
         let is_explained = farthest(&self.all, center, radius) <= explained;
@@ -254,7 +265,7 @@ impl Points {
 }
 
 /// Whether cubics are drawn as arcs of a circle near their joints.
-fn turns(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> bool {
+fn turns(cubics: &[CubicBez], turn: &UprightEllipse, rules: &Rules) -> bool {
     turn.arc(cubics).is_some_and(|arc| {
         let room = rules.room(size(cubics, arc.radii.x));
         strays(cubics, &arc) <= room && handles_are_like(cubics, &arc, rules)
@@ -276,7 +287,7 @@ fn least(cubics: &[CubicBez]) -> usize {
 /// The arcs of a circle that the cubics are, no more than so many: between the joints of those that are known, or the fewest.
 fn split(
     cubics: &[CubicBez],
-    turn: &Turn,
+    turn: &UprightEllipse,
     rules: &Rules,
     (known, few): (&[Found], usize),
 ) -> Option<Vec<Found>> {

@@ -14,12 +14,12 @@ use crate::shape::{Arc, Truth};
 
 /// An upright ellipse.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Turn {
+pub(crate) struct UprightEllipse {
     pub(crate) center: Point,
     pub(crate) radii: Vec2,
 }
 
-impl Turn {
+impl UprightEllipse {
     /// How far a point lies from it, in lengths of the larger radius where it is the unit circle.
     pub(crate) fn off(&self, p: Point) -> f64 {
         let Vec2 { x, y } = p - self.center;
@@ -56,7 +56,11 @@ impl Turn {
 
 /// How far cubics turn about the centre of an ellipse, in degrees, and a bound, both ways, of their distance from what they turn
 /// over there; `None` where they are not drawn like an arc of it.
-pub(crate) fn turned(cubics: &[CubicBez], turn: &Turn, rules: &Rules) -> Option<(f64, f64)> {
+pub(crate) fn turned(
+    cubics: &[CubicBez],
+    turn: &UprightEllipse,
+    rules: &Rules,
+) -> Option<(f64, f64)> {
     let arc = turn.arc(cubics)?;
     let fits = cubics.windows(2).all(joins_smoothly)
         && is_drawn_like(cubics, &arc, rules)
@@ -76,7 +80,7 @@ pub(super) fn whole(cubics: &[CubicBez], rules: &Rules) -> Option<[Found; 2]> {
     let most = rules.decimals.saturating_add(MORE_DECIMALS);
     (0..=most).find_map(|decimals| {
         let [x, y] = [bounds.width(), bounds.height()].map(|side| round(side / 2.0, decimals));
-        let turn = Turn {
+        let turn = UprightEllipse {
             center: bounds.center(),
             radii: Vec2::new(x, y),
         };

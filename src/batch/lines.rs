@@ -21,7 +21,7 @@ use crate::write::{Format, json, postscript};
 
 /// What an answer is.
 #[derive(Debug, Clone, Copy)]
-struct Form {
+struct AnswerForm {
     format: Format,
     /// Whether its error is measured where the format does not state it.
     measures: bool,
@@ -30,7 +30,7 @@ struct Form {
 /// Answers lines, one at a time.
 #[derive(Debug)]
 pub struct Worker {
-    form: Form,
+    form: AnswerForm,
     on_error: OnError,
     /// What holds where a line does not say otherwise.
     options: approximate::Options,
@@ -45,7 +45,7 @@ impl Worker {
     #[must_use]
     pub fn new(options: Options) -> Self {
         Self {
-            form: Form {
+            form: AnswerForm {
                 format: options.format,
                 measures: options.measure,
             },
@@ -158,7 +158,7 @@ pub(super) fn without_last_end(chunk: &[u8]) -> &[u8] {
 fn push_spec(
     out: &mut Vec<u8>,
     spec: &Spec,
-    form: Form,
+    form: AnswerForm,
     options: &approximate::Options,
     memo: &mut Memo,
 ) -> Result<Option<f64>> {
@@ -174,7 +174,7 @@ fn push_shape(
     out: &mut Vec<u8>,
     shape: &Shape,
     id: Option<&str>,
-    form: Form,
+    form: AnswerForm,
     options: &approximate::Options,
     memo: &mut Memo,
 ) -> Result<Option<f64>> {
@@ -243,7 +243,7 @@ fn push_operators(out: &mut Vec<u8>, curve: &Curve) {
 
 /// The answer to a line that cannot be drawn.
 #[derive(Serialize)]
-struct Report<'a> {
+struct LineFailure<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     id: Option<&'a RawValue>,
     line: u64,
@@ -262,7 +262,7 @@ fn push_report(answers: &mut Answers, line: &[u8]) {
     let Some((number, error)) = answers.failures.last() else {
         return;
     };
-    let report = Report {
+    let report = LineFailure {
         id: serde_json::from_slice(line).ok().and_then(|Id { id }| id),
         line: answers.before + number,
         error: error.to_string(),

@@ -53,7 +53,7 @@ impl Writable for Picture {
 
 impl Picture {
     /// Adds what the last line that was read draws; so many curves stand before it.
-    fn add(&mut self, found: Found, curves: &mut usize) {
+    fn add(&mut self, found: LineDrawing, curves: &mut usize) {
         let counted = |truth: Approximated| Approximated {
             curve: *curves + truth.curve,
             ..truth
@@ -166,7 +166,7 @@ fn describe(figure: &mut Figure, worst: f64) {
 }
 
 /// What a line draws.
-struct Found {
+struct LineDrawing {
     layer: Layer,
     peak: f64,
     /// The true shapes of its curves, counted among themselves.
@@ -176,7 +176,7 @@ struct Found {
 }
 
 /// Draws a line; `None` for a blank one.
-fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
+fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<LineDrawing>> {
     let Some(text) = text_of(line)? else {
         return Ok(None);
     };
@@ -217,7 +217,7 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<Found>> {
         look: spec.look,
         ..Layer::default()
     };
-    Ok(Some(Found {
+    Ok(Some(LineDrawing {
         layer,
         peak,
         truths,

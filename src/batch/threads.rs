@@ -29,7 +29,7 @@ struct Task {
 }
 
 /// The writer's end: the parts of the answers, and the way to say that a long one was written.
-struct Outcome {
+struct WriterEnd {
     parts: Receiver<Job>,
     written: Sender<()>,
 }
@@ -37,7 +37,7 @@ struct Outcome {
 /// Where the reader puts chunks: for the thread that is free first, and in their order for the writer.
 struct Queues {
     tasks: SyncSender<Task>,
-    outcomes: SyncSender<Outcome>,
+    outcomes: SyncSender<WriterEnd>,
 }
 
 /// As [`super::run`] on several threads.
@@ -101,7 +101,7 @@ fn hand_out(
         before += memchr::memchr_iter(b'\n', chunk).count() as u64;
         let (parts, answers) = sync_channel(1);
         let (written, was_written) = channel();
-        let outcome = Outcome {
+        let outcome = WriterEnd {
             parts: answers,
             written,
         };
@@ -118,7 +118,7 @@ fn hand_out(
 }
 
 /// Threads that answer chunks, as many as the system gives. A thread holds no more than one long part of its answers.
-fn start_threads(options: &Options) -> io::Result<(Queues, Receiver<Outcome>)> {
+fn start_threads(options: &Options) -> io::Result<(Queues, Receiver<WriterEnd>)> {
     let (tasks, waiting) = sync_channel::<Task>(QUEUE * options.jobs);
     let waiting = Arc::new(Mutex::new(waiting));
     let options = Arc::new(options.clone());

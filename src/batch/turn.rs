@@ -16,7 +16,7 @@ const FEW_SEGMENTS: usize = 1000;
 
 /// A drawing of the unit circle by equal pieces, each taken on its own.
 #[derive(Debug)]
-struct Turn {
+struct UnitDrawing {
     unit: UnitArc,
     rule: Rule,
     joints: Joints,
@@ -26,7 +26,7 @@ struct Turn {
     peak_of_fewer: f64,
 }
 
-impl Turn {
+impl UnitDrawing {
     /// `None` where the rule cannot do it.
     fn new(unit: UnitArc, rule: Rule, count: usize) -> Option<Self> {
         let joints = Joints::equal(&unit, count).ok()?;
@@ -52,7 +52,7 @@ impl Turn {
 /// The drawings of the unit circle that were met.
 #[derive(Debug, Default)]
 pub(super) struct Turns {
-    kept: Vec<Turn>,
+    kept: Vec<UnitDrawing>,
 }
 
 impl Turns {
@@ -61,14 +61,14 @@ impl Turns {
         &mut self,
         unit: UnitArc,
         rule: Rule,
-        serves: impl Fn(&Turn) -> bool,
+        serves: impl Fn(&UnitDrawing) -> bool,
         count: impl FnOnce() -> Option<usize>,
-    ) -> Option<&Turn> {
-        let serves = |turn: &Turn| turn.unit == unit && turn.rule == rule && serves(turn);
+    ) -> Option<&UnitDrawing> {
+        let serves = |turn: &UnitDrawing| turn.unit == unit && turn.rule == rule && serves(turn);
         if let Some(place) = self.kept.iter().position(serves) {
             return self.kept.get(place);
         }
-        let turn = Turn::new(unit, rule, count()?)?;
+        let turn = UnitDrawing::new(unit, rule, count()?)?;
         if self.kept.len() == MOST || turn.joints.count() > FEW_SEGMENTS {
             self.kept.clear();
         }
@@ -105,7 +105,7 @@ impl Turns {
             }
             _ => return None,
         };
-        let serves = |turn: &Turn| turn.joints.count() == count;
+        let serves = |turn: &UnitDrawing| turn.joints.count() == count;
         let turn = self.find(unit, rule, serves, || Some(count))?;
         let curve = turn.placed(&outline);
         let precision = options
@@ -131,7 +131,7 @@ impl Turns {
         let truth = &outline.truth;
         let radius = truth.larger_radius();
         let allowed = (tolerance + fewest::rounding(options.precision, tolerance)) / radius;
-        let serves = |turn: &Turn| turn.peak <= allowed && turn.peak_of_fewer > allowed;
+        let serves = |turn: &UnitDrawing| turn.peak <= allowed && turn.peak_of_fewer > allowed;
         let count = || fewest::least_count(circle, options, tolerance);
         let turn = self.find(outline.unit, options.rule, serves, count)?;
         let peak = turn.peak * radius;

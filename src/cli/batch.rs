@@ -13,7 +13,7 @@ use curveto::write::{Format, Image, write};
 use super::args::BatchArgs;
 use super::failure::{Failure, tell};
 use super::input::Source;
-use super::output::{Target, stream_file};
+use super::output::{OutputTarget, stream_file};
 use super::{Outcome, remedies};
 
 /// How often the progress of a run is shown.
@@ -21,13 +21,13 @@ const STEP: Duration = Duration::from_millis(200);
 
 /// Output that says when it failed, for an error alone does not tell whether reading or writing did; and that shows how far a
 /// run has come where somebody looks.
-struct Output<'a, W> {
+struct WatchedOutput<'a, W> {
     inner: W,
     failed: &'a Cell<bool>,
     progress: Option<Progress>,
 }
 
-impl<W: Write> Write for Output<'_, W> {
+impl<W: Write> Write for WatchedOutput<'_, W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let count = self
             .inner
@@ -79,7 +79,7 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
     let looks = args.picture(options.format)?;
     let source = args.file.as_deref().map_or(Source::Stdin, Source::of);
     let (input, name) = (source.open()?, source.name());
-    let target = Target::new(args.output.as_deref());
+    let target = args.output.target();
     let complain = |line: u64, error: &curveto::Error| {
         let hint = remedies::hint(error).map(|hint| format!("hint: {hint}\n"));
         let message = remedies::message(error);
@@ -114,7 +114,7 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
 fn lines(
     input: Box<dyn Read + Send>,
     options: &Options,
-    names: (&str, &Target),
+    names: (&str, &OutputTarget),
     complain: impl FnMut(u64, &curveto::Error),
 ) -> Result<Summary, Failure> {
     let mut summary = Summary::default();
@@ -123,8 +123,8 @@ fn lines(
         Ok(keeps(summary, options))
     };
     match names.1 {
-        Target::Stdout => whole(&mut io::stdout().lock(), None).map(drop)?,
-        Target::File(path) => stream_file(path, |file| whole(file, Progress::new()))?,
+        OutputTarget::Stdout => whole(&mut io::stdout().lock(), None).map(drop)?,
+        OutputTarget::File(path) => stream_file(path, |file| whole(file, Progress::new()))?,
     }
     Ok(summary)
 }
@@ -134,7 +134,7 @@ fn picture(
     input: Box<dyn Read + Send>,
     options: &Options,
     looks: &curveto::write::Options,
-    (name, target): (&str, &Target),
+    (name, target): (&str, &OutputTarget),
     complain: impl FnMut(u64, &curveto::Error),
 ) -> Result<Summary, Failure> {
     let format = options.format;
@@ -164,11 +164,11 @@ fn stream(
     output: &mut dyn Write,
     progress: Option<Progress>,
     options: &Options,
-    (name, target): (&str, &Target),
+    (name, target): (&str, &OutputTarget),
     complain: impl FnMut(u64, &curveto::Error),
 ) -> Result<Summary, Failure> {
     let failed = Cell::new(false);
-    let output = Output {
+    let output = WatchedOutput {
         inner: output,
         failed: &failed,
         progress,
@@ -176,7 +176,7 @@ fn stream(
     let summary = batch::run(input, output, options, complain);
     Ok(summary.with_context(|| match target {
         _ if !failed.get() => format!("cannot go on with {name}"),
-        Target::Stdout => "cannot write to standard output".to_owned(),
-        Target::File(path) => format!("cannot write {}", path.display()),
+        OutputTarget::Stdout => "cannot write to standard output".to_owned(),
+        OutputTarget::File(path) => format!("cannot write {}", path.display()),
     })?)
 }

@@ -16,7 +16,7 @@ use super::args::CompareArgs;
 use super::args::compare::ComparisonFormat;
 use super::failure::Failure;
 use super::formats::choose;
-use super::output::Target;
+use super::output::OutputTarget;
 
 /// The most segments of all circles together.
 const MOST_SEGMENTS: usize = 10_000;
@@ -37,8 +37,8 @@ pub(super) fn check_segments(counts: &[usize]) -> Result<(), Failure> {
 
 pub(super) fn run(args: &CompareArgs) -> Outcome {
     check_segments(&args.segments)?;
-    let target = Target::new(args.output.as_deref());
-    let format = choose(args.format, args.output.as_deref())?;
+    let target = args.output.target();
+    let format = choose(args.format, args.output.path())?;
     if format == ComparisonFormat::Html {
         target.write(page(args)?.as_bytes())?;
         return Ok(ExitCode::SUCCESS);
@@ -98,7 +98,7 @@ fn one_only(
     format: ComparisonFormat,
     comparison: &Comparison,
     args: &CompareArgs,
-    target: &Target,
+    target: &OutputTarget,
 ) -> Result<Vec<u8>, Failure> {
     let chart = |image| plot(&Chart::comparison(comparison), image, args.size);
     Ok(match format {

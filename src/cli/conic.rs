@@ -14,7 +14,7 @@ use super::output::write_drawn;
 pub(super) fn run(args: &Draw<ConicShape>) -> Outcome {
     let conic = args.shape.conic()?;
     if conic.arc()?.is_some() {
-        return draw::draw(&args.shape, &args.approximation, &args.output);
+        return draw::run(args);
     }
     let format = args.output.format()?;
     let (precision, transform) = (args.output.rounding(format), args.output.transform());

@@ -25,7 +25,7 @@ use super::Outcome;
 use super::args::{ConvertArgs, DestinationArgs};
 use super::failure::{Failure, tell};
 use super::input;
-use super::output::{Durability, Target, write_file, write_file_unless};
+use super::output::{Durability, OutputTarget, write_file, write_file_unless};
 #[cfg(unix)]
 use super::signals;
 
@@ -155,9 +155,9 @@ fn process(job: &Job, options: &Options) -> Result<Done, Trouble> {
     let target = match &job.destination {
         Destination::Nowhere => return Ok(done),
         Destination::InPlace(_) if !changed => return Ok(done),
-        Destination::InPlace(path) => Place::Input(path, seen),
-        Destination::OutDir(path) | Destination::File(path) => Place::New(path),
-        Destination::Stdout => Place::Stdout,
+        Destination::InPlace(path) => ResultPlace::Input(path, seen),
+        Destination::OutDir(path) | Destination::File(path) => ResultPlace::New(path),
+        Destination::Stdout => ResultPlace::Stdout,
     };
     let compress = match &job.destination {
         // The name tells: `-o icon.svgz`.
@@ -192,18 +192,18 @@ fn read(input: &Input) -> Result<Vec<u8>, Trouble> {
 }
 
 /// Where one result goes.
-enum Place<'a> {
+enum ResultPlace<'a> {
     Stdout,
     New(&'a Path),
     /// The input itself, and what it was like before it was read.
     Input(&'a Path, Option<Stamp>),
 }
 
-impl Place<'_> {
+impl ResultPlace<'_> {
     fn write(&self, bytes: &[u8]) -> Result<(), Trouble> {
         let named = |path: &Path| format!("cannot write {}", path.display());
         match self {
-            Self::Stdout => Ok(Target::Stdout.write(bytes)?),
+            Self::Stdout => Ok(OutputTarget::Stdout.write(bytes)?),
             Self::New(path) => {
                 if let Some(folder) = path.parent() {
                     std::fs::create_dir_all(folder)

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use curveto::diff::{Difference, Pair, Side, compare};
-use curveto::number::{compact, rounded_up, significant};
+use curveto::number::{compact, counted, rounded_up, significant};
 use curveto::write::difference::DifferenceDocument;
 use curveto::write::json;
 
@@ -14,7 +14,7 @@ use super::Outcome;
 use super::args::diff::{DiffArgs, DiffFormat};
 use super::failure::Failure;
 use super::input::Source;
-use super::output::Target;
+use super::output::OutputTarget;
 
 /// Compares two drawings; 0 within the tolerance, 1 beyond it, 2 where that cannot be said.
 pub(super) fn run(args: &DiffArgs) -> Outcome {
@@ -35,13 +35,15 @@ pub(super) fn run(args: &DiffArgs) -> Outcome {
     }
     let old = read::drawing(&args.old).map_err(trouble)?;
     let new = read::drawing(&args.new).map_err(trouble)?;
-    let difference = compare(&old, &new, args.tolerance);
+    let difference = compare(&old, &new, args.tolerance)?;
     let report = match args.format {
         _ if args.quiet => String::new(),
         DiffFormat::Json => json::to_string(&DifferenceDocument::from(&difference))? + "\n",
         DiffFormat::Text => text(&difference, args),
     };
-    Target::Stdout.write(report.as_bytes()).map_err(trouble)?;
+    OutputTarget::Stdout
+        .write(report.as_bytes())
+        .map_err(trouble)?;
     Ok(ExitCode::from(u8::from(!difference.is_within())))
 }
 
@@ -77,11 +79,7 @@ fn text(difference: &Difference, args: &DiffArgs) -> String {
             );
         }
     }
-    let count = difference.pairs.len();
-    let subpaths = match count {
-        1 => "1 subpath".to_owned(),
-        _ => format!("{count} subpaths"),
-    };
+    let subpaths = counted(difference.pairs.len(), "subpath");
     let distance = difference.distance();
     if distance > 0.0 {
         let bound = bound(distance, difference.noise);

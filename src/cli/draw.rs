@@ -2,33 +2,23 @@
 
 use std::process::ExitCode;
 
+use clap::Args;
 use curveto::approximate::{Drawing, Options, approximate, approximate_at_extremes};
 use curveto::write::Format;
 use curveto::{Angle, Cut, Rule, Shape};
 
 use super::Outcome;
+use super::args::Draw;
 use super::args::shape::{Direction, ShapeWords};
-use super::args::{ApproximationArgs, ArcShape, CircleShape, Draw, EllipseShape, OutputArgs};
 use super::failure::Failure;
 use super::output::write_drawn;
 
-pub(super) fn circle(args: &Draw<CircleShape>) -> Outcome {
-    draw(&args.shape, &args.approximation, &args.output)
-}
-
-pub(super) fn ellipse(args: &Draw<EllipseShape>) -> Outcome {
-    draw(&args.shape, &args.approximation, &args.output)
-}
-
-pub(super) fn arc(args: &Draw<ArcShape>) -> Outcome {
-    draw(&args.shape, &args.approximation, &args.output)
-}
-
-pub(super) fn draw(
-    shape: &impl ShapeWords,
-    approximation: &ApproximationArgs,
-    output: &OutputArgs,
-) -> Outcome {
+pub(super) fn run<S: ShapeWords + Args>(args: &Draw<S>) -> Outcome {
+    let Draw {
+        shape,
+        approximation,
+        output,
+    } = args;
     let format = output.format()?;
     let default = if format.runs_as_drawellipse() {
         Direction {

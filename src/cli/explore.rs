@@ -11,7 +11,6 @@ use super::args::explore::{ExploreArgs, Explored, ExploredShape, PageFormat};
 use super::args::shape::{Direction, ShapeWords};
 use super::compare::check_segments;
 use super::formats::choose;
-use super::output::Target;
 
 /// The numbers of segments to choose from where none were named: of a closed shape, of an open one.
 const COUNTS: [&[usize]; 2] = [&[2, 3, 4, 5, 6, 8], &[1, 2, 3, 4, 6, 8]];
@@ -43,10 +42,10 @@ fn explore<S: ShapeWords + clap::Args>(args: &Explored<S>) -> Outcome {
         by: Criterion::default(),
         words: None,
     })?;
-    let text = match choose(args.format, args.output.as_deref())? {
+    let text = match choose(args.format, args.output.path())? {
         PageFormat::Html => html(&document)?,
         PageFormat::Json => json::to_string(&document)? + "\n",
     };
-    Target::new(args.output.as_deref()).write(text.as_bytes())?;
+    args.output.target().write(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }

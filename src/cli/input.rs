@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use anyhow::Context;
+use curveto::document;
 use flate2::bufread::GzDecoder;
 
 use super::failure::Failure;
@@ -133,17 +134,11 @@ pub(crate) fn drawing(words: &str) -> Result<(Vec<u8>, String), Failure> {
     if is_data || trimmed.is_empty() {
         return Ok((words.as_bytes().to_owned(), THE_PATH.to_owned()));
     }
-    let source = Source::of(words);
-    if !source.is_stdin() && !Path::new(words).exists() {
-        return Err(Failure::request_with_hint(
-            format!(
-                "'{}' is neither path data nor a file",
-                curveto::path::shortened(words)
-            ),
-            "path data begins with a moveto, such as M0 0; - reads standard input",
-        ));
-    }
-    document(source)
+    document(existing(
+        words,
+        "path data",
+        "path data begins with a moveto, such as M0 0; - reads standard input",
+    )?)
 }
 
 /// Coefficients as JSON: what stands in `words` itself where that begins like JSON, else in the file of that name or on standard
@@ -152,17 +147,23 @@ pub(crate) fn coefficients(words: &str) -> Result<String, Failure> {
     if words.trim_start().starts_with(['{', '[']) && !Path::new(words).is_file() {
         return Ok(words.to_owned());
     }
-    let source = Source::of(words);
-    if !source.is_stdin() && !Path::new(words).exists() {
-        return Err(Failure::request_with_hint(
-            format!(
-                "'{}' is neither JSON nor a file",
-                curveto::path::shortened(words)
-            ),
-            r#"coefficients are {"x": [A,B,C,D], "y": [E,F,G,H]}, or what -f json prints; - reads standard input"#,
-        ));
-    }
+    let source = existing(
+        words,
+        "JSON",
+        r#"coefficients are {"x": [A,B,C,D], "y": [E,F,G,H]}, or what -f json prints; - reads standard input"#,
+    )?;
     Ok(text(source)?.0)
+}
+
+/// The input that words name which are none of this kind themselves.
+fn existing<'a>(words: &'a str, kind: &str, hint: &str) -> Result<Source<'a>, Failure> {
+    let source = Source::of(words);
+    if source.is_stdin() || Path::new(words).exists() {
+        return Ok(source);
+    }
+    let words = curveto::path::shortened(words);
+    let message = format!("'{words}' is neither {kind} nor a file");
+    Err(Failure::request_with_hint(message, hint))
 }
 
 /// All bytes of an input that messages call so.
@@ -203,8 +204,11 @@ fn bytes_up_to(most: u64, bytes: &mut Vec<u8>, input: impl Read, name: &str) -> 
 ///
 /// # Errors
 ///
-/// Where they are no UTF-8.
+/// Where they are no UTF-8; what is UTF-16 is called so, as in SVG.
 pub(crate) fn in_utf8(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
+    if let Err(error @ document::Error::Encoding { .. }) = document::decode(&bytes) {
+        return Err(anyhow::anyhow!("{name}:{error}").into());
+    }
     let text = String::from_utf8(bytes).map_err(|error| {
         let byte = error.utf8_error().valid_up_to() + 1;
         anyhow::anyhow!("cannot read {name}: it is no text in UTF-8, from byte {byte} on")

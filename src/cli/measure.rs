@@ -26,7 +26,7 @@ use super::args::shape::{Direction, ShapeWords};
 use super::draw;
 use super::failure::Failure;
 use super::formats::{choose, of_plot};
-use super::output::Target;
+use super::output::OutputTarget;
 
 /// The most segments that one run measures, all curves together.
 const MOST_SEGMENTS: usize = 100_000;
@@ -43,7 +43,7 @@ fn check_segments(segments: usize) -> Result<(), Failure> {
 }
 
 /// What was measured, with what a plot needs of it.
-struct Subject {
+struct MeasuredSubject {
     /// What a plot calls it.
     name: String,
     curve: Curve,
@@ -107,7 +107,7 @@ fn drawn_subject<S: ShapeWords + clap::Args>(
     options: &Options,
     panel: usize,
     segments: &mut usize,
-) -> Result<Subject, Failure> {
+) -> Result<MeasuredSubject, Failure> {
     let (default, extremes) = (Direction::default(), args.approximation.extremes);
     let drawing = draw::drawing(&args.shape, default, options, extremes)?;
     *segments += drawing.curve.segments.len();
@@ -118,7 +118,7 @@ fn drawn_subject<S: ShapeWords + clap::Args>(
             "there is nothing to measure: the shape is a straight line or nothing, and that is exact",
         ));
     };
-    Ok(Subject {
+    Ok(MeasuredSubject {
         name: options.rule.id().to_owned(),
         reference: Reference::from(outline),
         curve: drawing.curve,
@@ -128,22 +128,22 @@ fn drawn_subject<S: ShapeWords + clap::Args>(
 }
 
 /// Writes the report, and the plot where one was asked for.
-fn tell(subjects: &[Subject], args: &ReportArgs, always_array: bool) -> Outcome {
+fn tell(subjects: &[MeasuredSubject], args: &ReportArgs, always_array: bool) -> Outcome {
     if let Some(file) = &args.plot {
         draw_plot(subjects, file, args)?;
     }
-    let format = choose(args.format, args.output.as_deref())?;
+    let format = choose(args.format, args.output.path())?;
     let text = match args.samples {
         Some(count) => samples::text(subjects, count, format, always_array)?,
         None => report_text(subjects, format, always_array)?,
     };
-    Target::new(args.output.as_deref()).write(text.as_bytes())?;
+    args.output.target().write(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// Every figure of each subject.
 fn report_text(
-    subjects: &[Subject],
+    subjects: &[MeasuredSubject],
     format: ReportFormat,
     always_array: bool,
 ) -> Result<String, Failure> {
@@ -174,7 +174,7 @@ fn written<T: Serialize>(
 }
 
 /// Draws each quantity along every subject.
-fn draw_plot(subjects: &[Subject], file: &Path, args: &ReportArgs) -> Result<(), Failure> {
+fn draw_plot(subjects: &[MeasuredSubject], file: &Path, args: &ReportArgs) -> Result<(), Failure> {
     draw_panels(
         subjects,
         |subject| subject.panel,
@@ -216,7 +216,7 @@ fn draw_panels<T>(
     let Some(chart) = charts.into_iter().reduce(Chart::above) else {
         return Ok(());
     };
-    Target::new(Some(file)).write(&plot(&chart, image, args.size)?)
+    OutputTarget::new(Some(file)).write(&plot(&chart, image, args.size)?)
 }
 
 /// What a plot of it is called.
@@ -231,7 +231,7 @@ fn words(quantity: Quantity) -> &'static str {
     }
 }
 
-fn title(subjects: &[&Subject], quantity: Quantity) -> String {
+fn title(subjects: &[&MeasuredSubject], quantity: Quantity) -> String {
     let what = words(quantity);
     match subjects {
         [one] => format!("{what}: {}", one.measurement.subject.title),

@@ -12,7 +12,7 @@ use curveto::write::json;
 
 use super::Outcome;
 use super::args::methods::{CatalogueFormat, MethodsArgs};
-use super::output::Target;
+use super::output::OutputTarget;
 
 pub(super) fn run(args: &MethodsArgs) -> Outcome {
     let one = args.id;
@@ -33,6 +33,6 @@ pub(super) fn run(args: &MethodsArgs) -> Outcome {
         (CatalogueFormat::Table, None) => table::render(&entries),
         (CatalogueFormat::Table, Some(method)) => card::render(method, &entries[0])?,
     };
-    Target::Stdout.write(text.as_bytes())?;
+    OutputTarget::Stdout.write(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }

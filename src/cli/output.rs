@@ -15,7 +15,7 @@ use super::signals;
 
 /// Where output goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Target {
+pub(crate) enum OutputTarget {
     /// Standard output.
     Stdout,
     /// A file.
@@ -61,7 +61,7 @@ fn stated(work: &impl Writable, format: Format, options: &Options, bytes: &[u8])
     }
 }
 
-impl Target {
+impl OutputTarget {
     /// The target of `-o`: a file, or standard output for `-` and without it.
     pub(crate) fn new(output: Option<&Path>) -> Self {
         match output {

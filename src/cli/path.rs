@@ -8,7 +8,7 @@ use curveto::contour::{Contour, draw};
 use curveto::path::{contours, contours_of_power};
 use curveto::write::Format;
 
-use super::args::{PathArgs, PathKind as Kind};
+use super::args::{PathArgs, PathKind};
 use super::failure::Failure;
 use super::output::write_drawn;
 use super::{Outcome, input};
@@ -42,7 +42,7 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
     };
     let (precision, transform) = (args.output.rounding(format), args.output.transform());
     let mut drawing = match args.kind() {
-        Kind::Beziers(target) => {
+        PathKind::Beziers(target) => {
             let options = Options {
                 rule: args.rule()?,
                 cut: args.approximation.cut(),
@@ -51,7 +51,7 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
             };
             draw(&contours, target, &options)?
         }
-        kind @ (Kind::Lines | Kind::Arcs) => {
+        kind @ (PathKind::Lines | PathKind::Arcs) => {
             let options = arcs::Options {
                 tolerance: args.only_tolerance()?,
                 precision,
@@ -60,7 +60,7 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
                 rounds_again: format == Format::Gcode,
             };
             match kind {
-                Kind::Arcs => arcs::arcs(&contours, &options)?,
+                PathKind::Arcs => arcs::arcs(&contours, &options)?,
                 _ => arcs::lines(&contours, &options)?,
             }
         }

@@ -9,11 +9,10 @@ use curveto::{Result, Rule};
 
 use super::Outcome;
 use super::args::ProcsetArgs;
-use super::output::Target;
 
 pub(super) fn run(args: &ProcsetArgs) -> Outcome {
     let text = postscript::procset(Rule::Method(args.method), &args.with())?;
-    Target::new(args.output.as_deref()).write(text.as_bytes())?;
+    args.output.target().write(text.as_bytes())?;
     let stated = summary(Rule::Method(args.method))?;
     args.talk.state(|| stated);
     Ok(ExitCode::SUCCESS)

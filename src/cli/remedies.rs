@@ -1,7 +1,7 @@
 //! What the library refuses, in the words of the command line.
 
 use curveto::Error;
-use curveto::error::{JointsError, Remedy, RuleName, ShapeError};
+use curveto::error::{JointsError, Remedy, RuleName, ShapeError, UnmeasurableError};
 use curveto::number::text;
 
 /// The message of an error.
@@ -43,6 +43,9 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
         }
         Error::TooManySegments { .. } => "take a larger tolerance",
         Error::Collapsed { .. } => "give more decimals",
+        Error::Unmeasurable(UnmeasurableError::Entangled) => {
+            "compare parts of them: every subpath is compared with one other"
+        }
         Error::Rounding { .. } => "give more decimals or a larger tolerance",
         Error::TooFewPoints { cyclic: true, .. } => "--ends free takes two points and more",
         Error::RepeatedPoint { second: 0, .. } => {

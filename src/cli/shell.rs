@@ -9,12 +9,12 @@ use clap::{Command, CommandFactory};
 
 use super::args::{Cli, CompletionsArgs, ManArgs};
 use super::failure::Failure;
-use super::output::{Target, write_file};
+use super::output::{OutputTarget, write_file};
 use super::{Outcome, examples};
 
 pub(super) fn completions(args: &CompletionsArgs) -> Outcome {
     let script = super::completions::script(args.shell);
-    Target::Stdout.write(script.as_bytes())?;
+    OutputTarget::Stdout.write(script.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -35,7 +35,7 @@ pub(super) fn man(args: &ManArgs) -> Outcome {
                 }
             }
         }
-        None => Target::Stdout.write(&page(&program, program.get_name())?)?,
+        None => OutputTarget::Stdout.write(&page(&program, program.get_name())?)?,
     }
     Ok(ExitCode::SUCCESS)
 }

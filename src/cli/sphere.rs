@@ -26,7 +26,7 @@ pub(super) fn run(args: &SphereArgs) -> Outcome {
     };
     let sphere = Sphere::new(args.center, args.radius, args.meridians, args.parallels)?;
     let picture = sphere.seen(view, &options)?;
-    let hidden = args.hidden.into();
+    let hidden = args.hidden;
     write_drawn(
         &SphereDrawing { picture, hidden },
         format,

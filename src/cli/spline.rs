@@ -17,7 +17,7 @@ use super::{Outcome, remedies};
 pub(super) fn run(args: &SplineArgs) -> Outcome {
     let format = args.output.format_but_gcode()?;
     let options = args.options()?;
-    let source = Place::of(&args.source);
+    let source = PointSource::of(&args.source);
     let Points { points, lines } = source.read()?;
     let spline = Spline::new(points, options).map_err(|error| source.locate(error, &lines))?;
     drop(lines);
@@ -39,12 +39,12 @@ pub(super) fn run(args: &SplineArgs) -> Outcome {
 
 /// Where points come from.
 #[derive(Clone, Copy)]
-enum Place<'a> {
+enum PointSource<'a> {
     Words(&'a str),
     Source(Source<'a>),
 }
 
-impl<'a> Place<'a> {
+impl<'a> PointSource<'a> {
     fn of(words: &'a SplineSource) -> Self {
         match words.points_file.as_deref() {
             None => Self::Words(words.points.as_deref().unwrap_or_default()),

@@ -1,12 +1,18 @@
 //! Which subpaths of two drawings belong together.
 
+use std::collections::HashMap;
+
 use kurbo::Rect;
 
 use super::{Difference, Distance, Pair, Place, Side, Track};
-use crate::measure::hausdorff::hausdorff;
+use crate::error::{Error, Result, UnmeasurableError};
+use crate::measure::hausdorff::{Effort, hausdorff_in};
 
 /// How far the bound may lie above the distance, as a part of it.
 const GOAL: f64 = 1e-4;
+
+/// How much is done in all: some ten seconds.
+pub(super) const MOST_STEPS: u64 = 300_000_000;
 
 /// How many subpaths of like boxes are tried for one.
 const MOST_TRIES: usize = 8;
@@ -19,15 +25,26 @@ struct Matcher<'a> {
     new: &'a [Track],
     boxes: [Vec<Rect>; 2],
     difference: &'a mut Difference,
+    steps: Effort,
+    /// The pairs that were measured and do not fit.
+    measured: HashMap<(usize, usize), Pair>,
 }
 
-pub(super) fn find(old: &[Track], new: &[Track], difference: &mut Difference) {
+/// Finds them in so many steps.
+pub(super) fn find(
+    old: &[Track],
+    new: &[Track],
+    difference: &mut Difference,
+    steps: u64,
+) -> Result<()> {
     let boxes = [old, new].map(|tracks| tracks.iter().map(Track::bounding_box).collect());
     let mut matcher = Matcher {
         old,
         new,
         boxes,
         difference,
+        steps: Effort(steps),
+        measured: HashMap::new(),
     };
     let mut rest: [Vec<usize>; 2] = [(0..old.len()).collect(), (0..new.len()).collect()];
     matcher.in_order(&mut rest);
@@ -40,18 +57,25 @@ pub(super) fn find(old: &[Track], new: &[Track], difference: &mut Difference) {
         let pair = matcher.pair(old, new);
         matcher.difference.pairs.push(pair);
     }
-    difference.only_old = rest[0].split_off(together);
-    difference.only_new = rest[1].split_off(together);
-    difference.pairs.sort_by_key(|pair| pair.old);
+    matcher.difference.only_old = rest[0].split_off(together);
+    matcher.difference.only_new = rest[1].split_off(together);
+    matcher.difference.pairs.sort_by_key(|pair| pair.old);
+    if matcher.steps.0 == 0 {
+        return Err(Error::Unmeasurable(UnmeasurableError::Entangled));
+    }
+    Ok(())
 }
 
 impl Matcher<'_> {
-    fn pair(&self, old: usize, new: usize) -> Pair {
+    fn pair(&mut self, old: usize, new: usize) -> Pair {
+        if let Some(pair) = self.measured.remove(&(old, new)) {
+            return pair;
+        }
         let (a, b) = (&self.old[old], &self.new[new]);
         Pair {
             old,
             new,
-            distance: distance(a, b, self.difference.tolerance),
+            distance: distance(a, b, self.difference.tolerance, &mut self.steps),
             closed_differently: a.closed != b.closed,
         }
     }
@@ -81,6 +105,8 @@ impl Matcher<'_> {
         let fits = self.difference.allows(&pair);
         if fits {
             self.difference.pairs.push(pair);
+        } else {
+            self.measured.insert((old, new), pair);
         }
         fits
     }
@@ -122,12 +148,12 @@ impl Matcher<'_> {
 }
 
 /// The distance of two subpaths, the larger of both ways.
-fn distance(old: &Track, new: &Track, tolerance: f64) -> Distance {
+fn distance(old: &Track, new: &Track, tolerance: f64, steps: &mut Effort) -> Distance {
     let are_equal = old.segments == new.segments && old.closed == new.closed;
     if are_equal || old.segments.is_empty() || new.segments.is_empty() {
         return Distance::default();
     }
-    let apart = hausdorff([&old.segments, &new.segments], tolerance, GOAL);
+    let apart = hausdorff_in(steps, [&old.segments, &new.segments], tolerance, GOAL);
     let Some((point, segment)) = apart.place else {
         return Distance::default();
     };
@@ -143,5 +169,23 @@ fn distance(old: &Track, new: &Track, tolerance: f64) -> Distance {
             side,
             segment: track.steps.get(segment).copied().unwrap_or(segment),
         }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::contours;
+    use kurbo::Affine;
+
+    #[test]
+    fn what_takes_too_many_steps_is_refused() {
+        let track = |data| Track::new(&contours(data).unwrap()[0], Affine::IDENTITY).unwrap();
+        let old = [track("M0 0C9 9 0 9 9 0C0 5 5 0 0 0")];
+        let new = [track("M1 0C9 8 0 8 9 1C0 5 5 1 0 0")];
+        let found = |steps| find(&old, &new, &mut Difference::default(), steps);
+        let refusal = Error::Unmeasurable(UnmeasurableError::Entangled);
+        assert_eq!(found(100), Err(refusal));
+        assert_eq!(found(100_000), Ok(()));
     }
 }

@@ -21,7 +21,7 @@ pub enum Error {
     },
     /// The document declares or uses an encoding other than UTF-8.
     #[error(
-        "{line}:{column}: the encoding is {encoding}, which is not read: convert the file to UTF-8, and have its declaration say encoding=\"UTF-8\""
+        "{line}:{column}: the encoding is {encoding}, which is not read: convert the file to UTF-8, and have its declaration, if there is one, say encoding=\"UTF-8\""
     )]
     Encoding {
         /// The line, from 1.

@@ -9,13 +9,13 @@ use super::splice::Splice;
 use super::xml::place::Places;
 
 /// The new text, and the notes.
-pub(super) struct Output<'a> {
+pub(super) struct NewText<'a> {
     pub(super) splice: Splice<'a>,
     pub(super) places: Places<'a>,
     pub(super) notes: Vec<Note>,
 }
 
-impl Output<'_> {
+impl NewText<'_> {
     pub(super) fn note(&mut self, element: &'static str, at: usize, reason: Reason) {
         let (line, column) = self.places.locate(at);
         let note = Note {
@@ -33,7 +33,7 @@ impl Output<'_> {
 
 /// Brings edits of path data to their place in the file.
 pub(super) struct Sink<'r, 'a> {
-    pub(super) output: &'r mut Output<'a>,
+    pub(super) output: &'r mut NewText<'a>,
     /// The name of the element whose data they are.
     pub(super) element: &'static str,
     /// Where the value begins, and the way back from resolved references, where there are some.

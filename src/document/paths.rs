@@ -1,14 +1,19 @@
 //! The paths of SVG files, with the viewports and transforms of their ancestors.
 
 mod placing;
+mod tag;
+
+use std::borrow::Cow;
 
 use kurbo::Affine;
 
-use self::placing::{Place, Tag};
-use super::shape::element::{Shape, shape};
+use self::placing::Coordinates;
+use self::tag::{Tag, entity_error};
+use super::shape::element::{UsedShape, shape};
 use super::shape::length::Length;
 use super::style::css;
-use super::style::property::Kind;
+use super::style::property::ElementKind;
+use super::xml::doctype::UNDECLARED;
 use super::xml::namespace::Namespace;
 use super::xml::node::{Element, Node};
 use super::xml::scan::Scanner;
@@ -77,6 +82,24 @@ pub fn has_uses(file: impl AsRef<[u8]>) -> bool {
     seen.is_ok() && found
 }
 
+/// The first entity in the content whose text is not read, although it may hold elements.
+#[must_use]
+pub fn unread_entity(file: impl AsRef<[u8]>) -> Option<TextError> {
+    let mut found = None;
+    let seen = nodes(file.as_ref(), |node, scanner| {
+        let Node::Reference(at, _) = *node else {
+            return;
+        };
+        let name = scanner.source[at + 1..].split(';').next();
+        let why = name.and_then(|name| Some((name, scanner.doctype.why_not(name)?)));
+        // What is declared elsewhere is a character in all but rare cases.
+        if let Some((name, why)) = why.filter(|&(_, why)| why != UNDECLARED) {
+            found.get_or_insert_with(|| entity_error(scanner, at, name, why));
+        }
+    });
+    seen.ok().and(found)
+}
+
 fn is_named(element: &Element<'_>, name: &str) -> bool {
     element.namespace == Namespace::Svg && element.local == name
 }
@@ -99,7 +122,7 @@ fn nodes(file: &[u8], mut visit: impl FnMut(&Node<'_>, &Scanner<'_>)) -> Result<
 }
 
 fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
-    let (mut found, mut places) = (Vec::new(), vec![Place::OUTSIDE]);
+    let (mut found, mut places) = (Vec::new(), vec![Coordinates::OUTSIDE]);
     let (mut counted, mut line) = (0, 1);
     nodes(file, |node, scanner| {
         let element = match node {
@@ -110,13 +133,10 @@ fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
             }
             _ => return,
         };
-        let outer = places.last().unwrap_or(&Place::OUTSIDE);
-        let tag = Tag {
-            name: element.local,
-            scanner,
-        };
+        let outer = places.last().unwrap_or(&Coordinates::OUTSIDE);
+        let tag = Tag::new(element.local, scanner);
         let place = if element.namespace == Namespace::Svg {
-            outer.within(tag)
+            outer.within(&tag)
         } else {
             outer.clone()
         };
@@ -126,8 +146,8 @@ fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
             counted = element.start;
             found.push(SvgPath {
                 line,
-                id: tag.attribute("id"),
-                contours: contours(tag, &place),
+                id: scanner.attribute("id").map(Cow::into_owned),
+                contours: contours(&tag, &place),
             });
         }
         if !element.empty {
@@ -137,41 +157,41 @@ fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
     Ok(found)
 }
 
-fn contours(tag: Tag<'_>, place: &Place) -> crate::Result<(Vec<Contour>, Affine)> {
+fn contours(tag: &Tag<'_>, place: &Coordinates) -> crate::Result<(Vec<Contour>, Affine)> {
     let map = place.map.clone()?;
     Ok((path::contours(&data(tag, place)?)?, map))
 }
 
 /// The path data of an element, as SVG 2 gives those of shapes.
-fn data(tag: Tag<'_>, place: &Place) -> crate::Result<String> {
-    let points = || tag.attribute("points").unwrap_or_default();
+fn data(tag: &Tag<'_>, place: &Coordinates) -> crate::Result<String> {
+    let points = || Ok(tag.attribute("points")?.unwrap_or_default());
     let given = |name| place.length(tag, name, Some(0.0));
     Ok(match tag.name {
         "line" => {
             let [x1, y1, x2, y2] = [given("x1")?, given("y1")?, given("x2")?, given("y2")?];
             format!("M{x1} {y1}L{x2} {y2}")
         }
-        "polyline" | "polygon" if points().trim().is_empty() => String::new(),
-        "polyline" => format!("M{}", points()),
-        "polygon" => format!("M{}Z", points()),
-        name => match Kind::named(name).filter(|kind| *kind != Kind::Path) {
+        "polyline" | "polygon" if points()?.trim().is_empty() => String::new(),
+        "polyline" => format!("M{}", points()?),
+        "polygon" => format!("M{}Z", points()?),
+        name => match ElementKind::named(name).filter(|kind| *kind != ElementKind::Path) {
             Some(kind) => round(kind, tag, place)?,
-            None => tag.property("d").unwrap_or_default(),
+            None => tag.property("d")?.unwrap_or_default(),
         },
     })
 }
 
 /// The path data of a circle, an ellipse or a rectangle.
-fn round(kind: Kind, tag: Tag<'_>, place: &Place) -> crate::Result<String> {
+fn round(kind: ElementKind, tag: &Tag<'_>, place: &Coordinates) -> crate::Result<String> {
     let given = |name| place.length(tag, name, Some(0.0));
     let values = |lengths: [Length; 2]| lengths.map(|length| length.value);
     let get = |name| Ok(place.optional_length(tag, name)?.map(Length::computed));
     Ok(match shape(kind, get) {
-        Ok(Shape::Ellipse(center, radii)) => ellipse(values(center), values(radii)),
-        Ok(Shape::Rect(corner, size, radii)) => {
+        Ok(UsedShape::Ellipse(center, radii)) => ellipse(values(center), values(radii)),
+        Ok(UsedShape::Rect(corner, size, radii)) => {
             round_rect(values(corner), values(size), values(radii))
         }
-        Ok(Shape::Square) => square(
+        Ok(UsedShape::Square) => square(
             [given("x")?, given("y")?],
             [given("width")?, given("height")?],
         ),
@@ -214,7 +234,7 @@ fn round_rect([x, y]: [f64; 2], [w, h]: [f64; 2], [rx, ry]: [f64; 2]) -> String 
 mod tests {
     use super::*;
     use crate::curve::Curve;
-    use kurbo::{PathSeg, Point};
+    use kurbo::{ParamCurve as _, PathSeg, Point};
 
     fn curves(path: &SvgPath) -> Vec<Curve> {
         let (contours, map) = path.contours.as_ref().unwrap();
@@ -311,5 +331,15 @@ mod tests {
                 "{nothing}"
             );
         }
+    }
+
+    #[test]
+    fn a_style_by_an_entity_applies_to_every_path() {
+        let style = format!("transform:translate(7px,0px);{}", "x:y;".repeat(50));
+        let path = r#"<path style="&s;" d="M0 0L1 0"/>"#.repeat(3000);
+        let svg = format!("<!DOCTYPE svg [<!ENTITY s '{style}'>]><svg>{path}</svg>");
+        let paths = svg_paths(svg).unwrap();
+        let at_7 = |path: &SvgPath| curves(path)[0].segments[0].start() == Point::new(7.0, 0.0);
+        assert_eq!(paths.iter().filter(|path| at_7(path)).count(), 3000);
     }
 }

@@ -4,7 +4,7 @@ mod permission;
 
 use core::ops::Range;
 
-use super::output::{Output, Sink};
+use super::output::{NewText, Sink};
 use super::path::arcs;
 use super::path::runs;
 use super::path::scratch::Scratch;
@@ -15,7 +15,7 @@ use super::shape::tag;
 use super::splice::Splice;
 use super::style::of_document::{self, Facts};
 use super::style::on_element;
-use super::style::property::{Kind, Markers};
+use super::style::property::{ElementKind, Markers};
 use super::xml::attributes::Attribute;
 use super::xml::encoding::Source;
 use super::xml::fault::{Fault, Result};
@@ -30,14 +30,14 @@ use crate::joints::Tolerance;
 /// What a pass came to.
 pub(super) enum Pass {
     /// It is done.
-    Done(Done),
+    Done(Rewritten),
     /// The document has style sheets, scripts or animations: read them first.
     NeedsFacts,
 }
 
 /// What became of a document.
 #[derive(Debug, Default)]
-pub(super) struct Done {
+pub(super) struct Rewritten {
     /// The new text, if anything was replaced.
     pub(super) text: Option<String>,
     pub(super) counts: Counts,
@@ -48,16 +48,16 @@ pub(super) struct Done {
 
 /// What an open element passes on to its end tag and its children.
 #[derive(Debug, Clone, Copy)]
-struct Open {
+struct OpenElement {
     /// Its new name, if it has one.
-    renamed: Option<Kind>,
+    renamed: Option<ElementKind>,
     markers: Markers,
 }
 
 struct Rewriter<'a, 'f> {
     options: &'f Options,
     facts: Option<&'f Facts>,
-    output: Output<'a>,
+    output: NewText<'a>,
     counts: Counts,
     scratch: &'f mut Scratch,
     /// How a shape is spelled.
@@ -77,7 +77,7 @@ pub(super) fn run(
     most: usize,
 ) -> Result<Pass> {
     let mut scanner = Scanner::new(source)?;
-    let output = Output {
+    let output = NewText {
         splice: Splice::new(source.text, most),
         places: Places::new(source.text),
         notes: Vec::new(),
@@ -92,7 +92,7 @@ pub(super) fn run(
         strayed: 0.0,
         lower: None,
     };
-    let mut open: Vec<Open> = Vec::new();
+    let mut open: Vec<OpenElement> = Vec::new();
     loop {
         match scanner.next()? {
             Node::Start(element) => {
@@ -109,20 +109,20 @@ pub(super) fn run(
                     return Err(Fault::too_large(element.start));
                 }
                 if !element.empty {
-                    open.push(Open { renamed, markers });
+                    open.push(OpenElement { renamed, markers });
                 }
             }
             Node::End { local } => rewriter.end(open.pop(), local),
             Node::Instruction(text) if facts.is_none() && text.starts_with("xml-stylesheet") => {
                 return Ok(Pass::NeedsFacts);
             }
-            Node::Reference(super::xml::doctype::Resolved::Text(_, false)) => {}
-            Node::Reference(_) if facts.is_none() => return Ok(Pass::NeedsFacts),
+            Node::Reference(_, super::xml::doctype::Resolved::Text(_, false)) => {}
+            Node::Reference(..) if facts.is_none() => return Ok(Pass::NeedsFacts),
             Node::Done => break,
             _ => {}
         }
     }
-    Ok(Pass::Done(Done {
+    Ok(Pass::Done(Rewritten {
         text: rewriter.output.splice.finish(),
         counts: rewriter.counts,
         notes: rewriter.output.notes,
@@ -139,7 +139,7 @@ impl<'a> Rewriter<'a, '_> {
     }
 
     /// The end tag of an element that became another one gets the new name.
-    fn end(&mut self, open: Option<Open>, local: Range<usize>) {
+    fn end(&mut self, open: Option<OpenElement>, local: Range<usize>) {
         if let Some(kind) = open.and_then(|open| open.renamed) {
             self.output.splice.replace(local, kind.name().as_bytes());
         }
@@ -151,17 +151,17 @@ impl<'a> Rewriter<'a, '_> {
         element: &Element<'_>,
         scanner: &Scanner<'a>,
         markers: Markers,
-    ) -> Option<Kind> {
+    ) -> Option<ElementKind> {
         if element.namespace != Namespace::Svg {
             self.android(element, scanner);
             return None;
         }
-        let kind = Kind::named(element.local);
+        let kind = ElementKind::named(element.local);
         match (kind, self.options.to) {
-            (Some(Kind::Path), Target::Arcs { tolerance, shapes }) => {
+            (Some(ElementKind::Path), Target::Arcs { tolerance, shapes }) => {
                 let made = shapes.then(|| self.whole(element, scanner, markers, tolerance));
                 made.flatten().or_else(|| {
-                    if self.options.only.contains(Kind::Path) {
+                    if self.options.only.contains(ElementKind::Path) {
                         self.path(element, scanner, markers);
                     }
                     None
@@ -169,16 +169,16 @@ impl<'a> Rewriter<'a, '_> {
             }
             (_, Target::Arcs { .. }) => None,
             (Some(kind), _) if !self.options.only.contains(kind) => None,
-            (Some(Kind::Path), _) => {
+            (Some(ElementKind::Path), _) => {
                 self.path(element, scanner, markers);
                 None
             }
             (Some(kind), _) => {
                 let replaced = self.shape(kind, element, scanner, markers);
-                replaced.then_some(Kind::Path)
+                replaced.then_some(ElementKind::Path)
             }
             (None, _) => {
-                if self.options.only.contains(Kind::Path)
+                if self.options.only.contains(ElementKind::Path)
                     && let Some((holder, name, at)) = tag::arcs_elsewhere(element, scanner)
                 {
                     self.output.note(holder, at, Reason::Elsewhere(name));
@@ -195,12 +195,12 @@ impl<'a> Rewriter<'a, '_> {
         scanner: &Scanner<'a>,
         markers: Markers,
         tolerance: Option<Tolerance>,
-    ) -> Option<Kind> {
+    ) -> Option<ElementKind> {
         let d = scanner
             .attributes
             .iter()
             .find(|attribute| attribute.name == "d")?;
-        let path = back::Candidate::new(element, &scanner.attributes, d, tolerance)?;
+        let path = back::SelectorSubject::new(element, &scanner.attributes, d, tolerance)?;
         let kind = path.whole.kind;
         if !self.options.only.contains(kind) {
             return None;
@@ -228,7 +228,7 @@ impl<'a> Rewriter<'a, '_> {
     /// A circle, an ellipse or a rectangle; whether it became a path.
     fn shape(
         &mut self,
-        kind: Kind,
+        kind: ElementKind,
         element: &Element<'_>,
         scanner: &Scanner<'a>,
         markers: Markers,
@@ -239,7 +239,7 @@ impl<'a> Rewriter<'a, '_> {
                 .iter()
                 .any(|attribute| attribute.name == name)
         };
-        let rounded = kind != Kind::Rect || has("rx") || has("ry");
+        let rounded = kind != ElementKind::Rect || has("rx") || has("ry");
         if !rounded && !self.may_be_rounded(scanner) {
             return false;
         }
@@ -282,7 +282,7 @@ impl<'a> Rewriter<'a, '_> {
         let Some(d) = attributes.find(|attribute| attribute.name == "d") else {
             return;
         };
-        let forbidden = |this: &Self| this.forbidden(Kind::Path, element, scanner);
+        let forbidden = |this: &Self| this.forbidden(ElementKind::Path, element, scanner);
         self.path_data("path", element.start, d, scanner, markers, forbidden);
     }
 
@@ -295,7 +295,7 @@ impl<'a> Rewriter<'a, '_> {
             _ => return,
         };
         let is_data = |data: &&Attribute<'_>| {
-            data.name.ends_with("Data") && self.options.only.contains(Kind::Path)
+            data.name.ends_with("Data") && self.options.only.contains(ElementKind::Path)
         };
         if let Some(data) = found.filter(is_data) {
             let trust = self.options.trust;
@@ -312,7 +312,7 @@ impl<'a> Rewriter<'a, '_> {
     }
 
     /// The runs of path data that become arcs, on the way back.
-    fn runs(&self, text: &str, span: Range<usize>, markers: Markers) -> Option<runs::Outcome> {
+    fn runs(&self, text: &str, span: Range<usize>, markers: Markers) -> Option<runs::RunsOutcome> {
         let Target::Arcs { tolerance, .. } = self.options.to else {
             return None;
         };
@@ -363,14 +363,14 @@ impl<'a> Rewriter<'a, '_> {
             origin,
         };
         if let Some(found) = found {
-            self.counts.count(Kind::Path, found.arcs);
+            self.counts.count(ElementKind::Path, found.arcs);
             self.strayed = self.strayed.max(found.strayed);
             return found.write(&mut sink);
         }
         let options = self.options;
         let context = arcs::Context { options, markers };
         let outcome = arcs::rewrite(text, span, context, self.scratch, &mut sink);
-        self.counts.count(Kind::Path, outcome.arcs);
+        self.counts.count(ElementKind::Path, outcome.arcs);
         self.counts.smooth += outcome.smooth;
         self.strayed = self.strayed.max(outcome.strayed);
     }

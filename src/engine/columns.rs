@@ -7,7 +7,7 @@
 
 use kurbo::Vec2;
 
-use super::Frame;
+use super::EllipsePoint;
 use super::steps::{Steps, relative};
 use crate::angle::{direction_within, first_direction};
 use crate::joints::Tolerance;
@@ -62,15 +62,15 @@ impl Frames {
     };
 
     #[inline(always)]
-    pub(super) fn set(&mut self, i: usize, frame: &Frame) {
+    pub(super) fn set(&mut self, i: usize, frame: &EllipsePoint) {
         set(&mut self.point, i, frame.point.to_vec2());
         set(&mut self.radius, i, frame.radius);
         set(&mut self.tangent, i, frame.tangent);
     }
 
     #[inline(always)]
-    pub(super) fn at(&self, i: usize) -> Frame {
-        Frame {
+    pub(super) fn at(&self, i: usize) -> EllipsePoint {
+        EllipsePoint {
             point: pair(&self.point, i).to_point(),
             radius: pair(&self.radius, i),
             tangent: pair(&self.tangent, i),
@@ -158,6 +158,6 @@ pub(super) fn directions(degrees: &Column, out: &mut Pairs) {
 pub(super) fn frames([center, radii, axis, direction]: [&Pairs; 4], out: &mut Frames) {
     for i in 0..LANES {
         let truth = Truth::new(pair(center, i).to_point(), pair(radii, i), pair(axis, i));
-        out.set(i, &Frame::at(&truth, pair(direction, i)));
+        out.set(i, &EllipsePoint::at(&truth, pair(direction, i)));
     }
 }

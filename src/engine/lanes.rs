@@ -15,7 +15,7 @@ use core::iter::FusedIterator;
 use fearless_simd::{Level, Simd as _};
 
 use super::columns::{COLUMN, Column, Courses, LANES, directions, frames, pair, set};
-use super::{Course, Cubics, End, Frame};
+use super::{ArcRun, Cubics, EllipsePoint, End};
 use crate::angle::Angle;
 use crate::joints::Tolerance;
 use crate::shape::endpoint::{Half, SvgArc};
@@ -101,8 +101,8 @@ fn fill_svg_arcs(courses: &mut Courses, arcs: &[SvgArc], tolerance: Tolerance) {
         let chord = half(i, &depth).chord(&arc(i));
         let truth = chord.truth();
         let [start, end] = chord.directions();
-        courses.start.set(i, &Frame::at(&truth, start));
-        courses.end.set(i, &Frame::at(&truth, end));
+        courses.start.set(i, &EllipsePoint::at(&truth, start));
+        courses.end.set(i, &EllipsePoint::at(&truth, end));
         sweep[i] = chord.sweep;
         set(&mut radii, i, chord.radii);
     }
@@ -137,7 +137,7 @@ impl Lane for Arc {
             End::Start | End::Angle(_) => Some(courses.end.at(lane)),
         };
         let start = courses.start.at(lane);
-        let course = Course { start, end }.through(self.ends);
+        let course = ArcRun { start, end }.through(self.ends);
         course.cubics(&courses.steps(lane))
     }
 }
@@ -155,7 +155,7 @@ impl Lane for SvgArc {
         if !courses.is_drawn[lane] {
             return None;
         }
-        let course = Course {
+        let course = ArcRun {
             start: courses.start.at(lane),
             end: Some(courses.end.at(lane)),
         };

@@ -11,6 +11,16 @@ pub enum PictureError {
         "'{0}' is not a colour: a colour is none, currentColor, a CSS name like tomato, or like #d50, #dd5500, rgb(221 85 0)"
     )]
     Color(String),
+    /// A colour of CSS in a form that is not read.
+    #[error(
+        "'{color}' is not supported: {kind} cannot be drawn here, but rgb(), lab(), oklch() and color(srgb 1 0 0) can"
+    )]
+    UnsupportedColor {
+        /// The text.
+        color: String,
+        /// What kind of colour it is.
+        kind: &'static str,
+    },
     /// A text that is no size.
     #[error("'{0}' is not a width and a height, like 640x480 or 80x60mm")]
     Size(String),

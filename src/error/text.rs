@@ -39,6 +39,18 @@ pub enum TextError {
     /// A property that an element lacks, and that has no default.
     #[error("{0} is not known")]
     NoProperty(&'static str),
+    /// An entity whose text cannot stand where it does.
+    #[error("the entity `&{entity};` in line {line} at character {column} {why}")]
+    Entity {
+        /// Its name.
+        entity: String,
+        /// The line of the reference, from 1.
+        line: usize,
+        /// Its column in characters, from 1.
+        column: usize,
+        /// What is wrong with it.
+        why: &'static str,
+    },
     /// An element of which no shape can be made.
     #[error("{0}")]
     Element(String),

@@ -48,4 +48,9 @@ pub enum UnmeasurableError {
     /// The angle lag of a conic that has no centre.
     #[error("a parabola and a hyperbola have no angle about a centre, and so no angle-lag")]
     NoAngleLag,
+    /// Two drawings whose distance would take too long to find.
+    #[error(
+        "the curves of the two drawings lie close together in so many places that their distance would take too long to find"
+    )]
+    Entangled,
 }

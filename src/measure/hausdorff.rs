@@ -7,18 +7,18 @@
 //! part's length. Parts that stay below the largest distance found are done; the others are halved.
 
 mod along;
+mod chain;
 #[cfg(test)]
 mod exact;
 
 use core::cmp::Ordering;
 use std::collections::{BinaryHeap, HashSet};
 
-use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2};
+use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point};
 
 use super::unit_for;
-use crate::curve::{control_points, largest_coordinate};
-use crate::numeric::bernstein::Polynomial;
-use along::along;
+use crate::curve::largest_coordinate;
+use chain::{ChainFoot, CubicChain, STEPS_OF_A_CUBIC};
 
 /// How far where the tolerance lies between the distance found and its bound.
 const CLOSE_GOAL: f64 = 1e-9;
@@ -28,6 +28,9 @@ const DECIDED: f64 = 1.0;
 
 /// How many parts are halved, beside some for each segment: where the distance is the same all along, it takes many.
 const MOST_PARTS: usize = 20_000;
+
+/// Points of a part are not looked at closely where they are so near, beside the largest distance found.
+const NEAR_ENOUGH: f64 = 0.5;
 
 /// What rounding adds to a distance, in units of the last place of the largest coordinate.
 const NOISE: f64 = 64.0 * f64::EPSILON;
@@ -45,17 +48,29 @@ pub(crate) struct Apart {
 /// The distance of two chains that have segments, the larger of both ways. The bound lies by `goal` above it at most, as a part of it, but in
 /// hard cases, and decides on a tolerance that lies between.
 pub(crate) fn hausdorff(chains: [&[PathSeg]; 2], tolerance: f64, goal: f64) -> Apart {
+    hausdorff_in(&mut Effort::unlimited(), chains, tolerance, goal)
+}
+
+/// The same in a limited number of steps; where they do not suffice, the bound is infinite.
+pub(crate) fn hausdorff_in(
+    steps: &mut Effort,
+    chains: [&[PathSeg]; 2],
+    tolerance: f64,
+    goal: f64,
+) -> Apart {
     let (unit, [a, b]) = in_unit(chains);
     let aim = Aim {
         tolerance: tolerance / unit,
         goal,
+        found: 0.0,
     };
-    let [there, back] = [a.farthest_from(&b, aim), b.farthest_from(&a, aim)];
-    let on_second = there.at_most < back.at_most;
-    let farthest = if on_second { back } else { there };
-    let place = farthest.place;
+    let there = a.farthest_from(&b, aim, steps);
+    let found = there.at_least;
+    let back = b.farthest_from(&a, Aim { found, ..aim }, steps);
+    let on_second = back.at_least > found || there.place.is_none();
+    let place = if on_second { back.place } else { there.place };
     Apart {
-        at_most: farthest.at_most * unit,
+        at_most: there.at_most.max(back.at_most) * unit,
         place: place.map(|(point, segment)| ((point.to_vec2() * unit).to_point(), segment)),
         on_second,
     }
@@ -67,16 +82,20 @@ pub(crate) fn are_within(chains: [&[PathSeg]; 2], tolerance: f64) -> bool {
     let aim = Aim {
         tolerance: tolerance / unit,
         goal: DECIDED,
+        found: 0.0,
     };
-    let is_within = |from: &Chain, to: &Chain| from.farthest_from(to, aim).at_most <= aim.tolerance;
+    let is_within = |from: &CubicChain, to: &CubicChain| {
+        let steps = &mut Effort::unlimited();
+        from.farthest_from(to, aim, steps).at_most <= aim.tolerance
+    };
     is_within(&a, &b) && is_within(&b, &a)
 }
 
 /// Two chains in a unit that suits their coordinates.
-fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [Chain; 2]) {
+fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [CubicChain; 2]) {
     let largest = chains.map(largest_coordinate).into_iter();
     let unit = unit_for(largest.fold(f64::MIN_POSITIVE, f64::max));
-    (unit, chains.map(|chain| Chain::new(chain, unit)))
+    (unit, chains.map(|chain| CubicChain::new(chain, unit)))
 }
 
 /// What is to be known of a distance.
@@ -84,27 +103,26 @@ fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [Chain; 2]) {
 struct Aim {
     tolerance: f64,
     goal: f64,
+    /// A distance that was found the other way: smaller ones do not matter.
+    found: f64,
 }
 
-/// Segments as cubics, under a tree of boxes: node i holds the nodes 2i and 2i + 1, and the segment k is node n + k.
-struct Chain {
-    cubics: Vec<CubicBez>,
-    /// Those that are straight.
-    lines: Vec<Option<Line>>,
-    boxes: Vec<Rect>,
-    keys: Vec<Vec<u64>>,
+/// How much may still be done, in boxes that are looked at.
+pub(crate) struct Effort(pub(crate) u64);
+
+impl Effort {
+    const fn unlimited() -> Self {
+        Self(u64::MAX)
+    }
+
+    const fn take(&mut self, count: u64) {
+        self.0 = self.0.saturating_sub(count);
+    }
 }
 
-/// The nearest point of a chain.
-#[derive(Clone, Copy)]
-struct Foot {
-    segment: usize,
-    u: f64,
-    distance: f64,
-}
-
-/// How far a chain lies from another at most, and the point found farthest away, on the segment of that number.
+/// How far a chain lies from another at least and at most, and the point found farthest away, on the segment of that number.
 struct Farthest {
+    at_least: f64,
     at_most: f64,
     place: Option<(Point, usize)>,
 }
@@ -113,42 +131,20 @@ struct Farthest {
 struct Part {
     segment: usize,
     cubic: CubicBez,
-    feet: [Foot; 2],
+    feet: [ChainFoot; 2],
     at_most: f64,
 }
 
-impl Chain {
-    fn new(segments: &[PathSeg], unit: f64) -> Self {
-        let map = Affine::scale(1.0 / unit);
-        let segments: Vec<PathSeg> = segments.iter().map(|&s| map * s).collect();
-        let cubics: Vec<CubicBez> = segments.iter().map(cubic).collect();
-        let count = cubics.len();
-        let mut boxes = vec![Rect::ZERO; 2 * count];
-        for (k, cubic) in cubics.iter().enumerate() {
-            boxes[count + k] = kurbo::Shape::bounding_box(cubic);
-        }
-        for i in (1..count).rev() {
-            boxes[i] = boxes[2 * i].union(boxes[2 * i + 1]);
-        }
-        Self {
-            cubics,
-            lines: segments.iter().map(line).collect(),
-            boxes,
-            keys: segments.iter().map(key).collect(),
-        }
-    }
-
+impl CubicChain {
     /// One way.
-    fn farthest_from(&self, other: &Self, aim: Aim) -> Farthest {
+    fn farthest_from(&self, other: &Self, aim: Aim, steps: &mut Effort) -> Farthest {
         let theirs: HashSet<&[u64]> = other.keys.iter().map(Vec::as_slice).collect();
-        let mut search = Search::default();
+        let mut search = Search::new(other, aim.found, steps);
         for (segment, cubic) in self.cubics.iter().enumerate() {
             if !theirs.contains(self.keys[segment].as_slice()) {
-                let start = other.nearest(cubic.p0, search.last);
-                let end = other.nearest(cubic.p3, start.segment);
-                search.look(cubic.p0, segment, start);
-                search.look(cubic.p3, segment, end);
-                search.push(other, segment, *cubic, [start, end]);
+                let start = search.look(cubic.p0, segment, search.last);
+                let end = search.look(cubic.p3, segment, start.piece);
+                search.push(segment, *cubic, [start, end]);
             }
         }
         let mut left = MOST_PARTS + 32 * (self.cubics.len() + other.cubics.len());
@@ -162,95 +158,18 @@ impl Chain {
             }
             left -= 1;
             let (a, b) = part.cubic.subdivide();
-            let middle = other.nearest(a.p3, part.feet[0].segment);
-            search.look(a.p3, part.segment, middle);
-            search.push(other, part.segment, a, [part.feet[0], middle]);
-            search.push(other, part.segment, b, [middle, part.feet[1]]);
+            let middle = search.look(a.p3, part.segment, part.feet[0].piece);
+            search.push(part.segment, a, [part.feet[0], middle]);
+            search.push(part.segment, b, [middle, part.feet[1]]);
         }
-        // What rounding explains is no distance.
-        let at_most = if search.at_most <= search.at_least + NOISE && search.at_least > NOISE {
-            search.at_least
-        } else {
-            search.at_most.max(search.at_least)
-        };
-        Farthest {
-            at_most,
-            place: search.place,
-        }
-    }
-
-    /// The nearest point, looked for on the segment of this number first.
-    fn nearest(&self, p: Point, first: usize) -> Foot {
-        let count = self.cubics.len();
-        let first = first.min(count - 1);
-        let mut best = self.foot(first, p);
-        let mut stack = vec![1];
-        while let Some(node) = stack.pop() {
-            if away(&self.boxes[node], p) >= best.distance {
-                continue;
-            }
-            if node >= count {
-                let found = self.foot(node - count, p);
-                if found.distance < best.distance {
-                    best = found;
-                }
-                continue;
-            }
-            let (left, right) = (2 * node, 2 * node + 1);
-            if away(&self.boxes[left], p) < away(&self.boxes[right], p) {
-                stack.extend([right, left]);
-            } else {
-                stack.extend([left, right]);
-            }
-        }
-        best
-    }
-
-    /// The nearest point of a segment: an end, or where (b - p)b' changes its sign.
-    fn foot(&self, segment: usize, p: Point) -> Foot {
-        let cubic = &self.cubics[segment];
-        let at = |u: f64| Foot {
-            segment,
-            u,
-            distance: cubic.eval(u).distance(p),
-        };
-        if let Some(Line { p0, p1 }) = self.lines[segment] {
-            let u = (p - p0).dot(p1 - p0) / (p1 - p0).hypot2();
-            // A line without length has its start alone.
-            return at(if u > 0.0 { u.min(1.0) } else { 0.0 });
-        }
-        let points = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(|q| q - p);
-        let part = |of: fn(&Vec2) -> f64| {
-            let value = Polynomial::new(&points.each_ref().map(of));
-            value.times(&value.differences())
-        };
-        let slope = part(|v| v.x).minus(&part(|v| v.y).scaled(-1.0));
-        let changes = slope.sign_changes();
-        let nearer = |a: Foot, b: Foot| if b.distance < a.distance { b } else { a };
-        changes
-            .iter()
-            .map(at)
-            .fold(nearer(at(0.0), at(1.0)), nearer)
-    }
-
-    /// How far a part lies from here at most.
-    fn bound(&self, part: &CubicBez, [start, end]: [Foot; 2]) -> f64 {
-        let points = [part.p0, part.p1, part.p2, part.p3];
-        let reach = |foot: &Foot, from: Point| {
-            let far = points.map(|p| p.distance(from)).into_iter();
-            foot.distance + far.fold(0.0, f64::max)
-        };
-        let reached = reach(&start, part.p0).min(reach(&end, part.p3));
-        if start.segment != end.segment {
-            return reached;
-        }
-        reached.min(along(part, &self.cubics[start.segment], [start.u, end.u]))
+        search.farthest()
     }
 }
 
 /// What the branch and bound has found.
-#[derive(Default)]
-struct Search {
+struct Search<'a> {
+    other: &'a CubicChain,
+    steps: &'a mut Effort,
     parts: BinaryHeap<Part>,
     at_least: f64,
     at_most: f64,
@@ -258,56 +177,55 @@ struct Search {
     last: usize,
 }
 
-impl Search {
-    fn look(&mut self, p: Point, segment: usize, foot: Foot) {
-        self.last = foot.segment;
-        if self.place.is_none() || foot.distance > self.at_least {
-            self.at_least = foot.distance;
-            self.place = Some((p, segment));
+impl<'a> Search<'a> {
+    fn new(other: &'a CubicChain, at_least: f64, steps: &'a mut Effort) -> Self {
+        Self {
+            other,
+            steps,
+            parts: BinaryHeap::new(),
+            at_least,
+            at_most: 0.0,
+            place: None,
+            last: 0,
         }
     }
 
-    fn push(&mut self, other: &Chain, segment: usize, cubic: CubicBez, feet: [Foot; 2]) {
+    /// A near point, looked for on this piece first: the nearest one, but where it is clear that others lie much farther away.
+    fn look(&mut self, p: Point, segment: usize, first: usize) -> ChainFoot {
+        let enough = NEAR_ENOUGH * self.at_least;
+        let foot = self.other.nearest(p, first, enough, self.steps);
+        self.last = foot.piece;
+        if self.place.is_none() || foot.distance > self.at_least {
+            self.at_least = self.at_least.max(foot.distance);
+            self.place = Some((p, segment));
+        }
+        foot
+    }
+
+    fn push(&mut self, segment: usize, cubic: CubicBez, feet: [ChainFoot; 2]) {
+        self.steps.take(STEPS_OF_A_CUBIC);
         self.parts.push(Part {
             segment,
             cubic,
             feet,
-            at_most: other.bound(&cubic, feet),
+            at_most: self.other.bound(&cubic, feet),
         });
     }
-}
 
-/// What says that two segments are the same, whichever way they run.
-fn key(segment: &PathSeg) -> Vec<u64> {
-    // -0 is 0.
-    let bits = |p: &Point| [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()];
-    let points = control_points(segment);
-    let forward: Vec<u64> = points.iter().flat_map(bits).collect();
-    let backward: Vec<u64> = points.iter().rev().flat_map(bits).collect();
-    forward.min(backward)
-}
-
-/// How far a point lies from a rectangle.
-fn away(area: &Rect, p: Point) -> f64 {
-    let x = (area.x0 - p.x).max(p.x - area.x1).max(0.0);
-    let y = (area.y0 - p.y).max(p.y - area.y1).max(0.0);
-    Vec2::new(x, y).hypot2().sqrt()
-}
-
-/// A segment as a cubic of the same parameter.
-fn cubic(segment: &PathSeg) -> CubicBez {
-    match segment {
-        PathSeg::Line(Line { p0, p1 }) => {
-            CubicBez::new(*p0, p0.lerp(*p1, 1.0 / 3.0), p0.lerp(*p1, 2.0 / 3.0), *p1)
+    fn farthest(self) -> Farthest {
+        // What rounding explains is no distance.
+        let at_most = if self.steps.0 == 0 {
+            f64::INFINITY
+        } else if self.at_most <= self.at_least + NOISE && self.at_least > NOISE {
+            self.at_least
+        } else {
+            self.at_most.max(self.at_least)
+        };
+        Farthest {
+            at_least: self.at_least,
+            at_most,
+            place: self.place,
         }
-        _ => segment.to_cubic(),
-    }
-}
-
-const fn line(segment: &PathSeg) -> Option<Line> {
-    match segment {
-        PathSeg::Line(line) => Some(*line),
-        _ => None,
     }
 }
 
@@ -333,8 +251,11 @@ impl Eq for Part {}
 
 #[cfg(test)]
 mod tests {
+    use kurbo::Affine;
+
     use super::*;
     use crate::diff::Track;
+    use crate::numeric::random::uniform;
     use crate::path::contours;
 
     fn distance(old: &str, new: &str) -> f64 {
@@ -376,5 +297,25 @@ mod tests {
         let [whole, a, b] = [whole, a, b].map(PathSeg::Cubic);
         let found = hausdorff([&[whole], &[a, b]], 0.0, 1e-4).at_most;
         assert!(found < 1e-11, "{found}");
+    }
+
+    /// Cubics that cross one another all over a square.
+    pub(super) fn tangle(count: usize, mut seed: u64) -> Vec<PathSeg> {
+        let mut point = || Point::new(uniform(&mut seed), uniform(&mut seed));
+        let mut cubic = || CubicBez::new(point(), point(), point(), point());
+        (0..count).map(|_| PathSeg::Cubic(cubic())).collect()
+    }
+
+    #[test]
+    fn tangles_take_steps_that_grow_less_than_the_square() {
+        let taken = |count| {
+            let [a, b] = [1, 2].map(|seed| tangle(count, seed));
+            let mut steps = Effort::unlimited();
+            let apart = hausdorff_in(&mut steps, [&a, &b], 0.0, 1e-4);
+            assert!(apart.at_most.is_finite());
+            (u64::MAX - steps.0) as f64
+        };
+        let growth = taken(320) / taken(20);
+        assert!(growth < 16.0 * 6.0, "{growth}");
     }
 }

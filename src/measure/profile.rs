@@ -11,7 +11,7 @@ use super::radial::Profile;
 use super::reference::Reference;
 use super::{largest_coordinate, unit_for};
 use crate::curve::Curve;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, one_of};
 use crate::numeric::functions::power;
 
 /// A quantity along a curve.
@@ -80,18 +80,7 @@ impl FromStr for Quantity {
     type Err = Error;
 
     fn from_str(name: &str) -> Result<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|quantity| quantity.name() == name)
-            .ok_or_else(|| Error::Syntax {
-                what: "the quantity",
-                text: name.to_owned(),
-                column: 1,
-                why: format!(
-                    "the quantities are {}",
-                    Self::ALL.map(Self::name).join(", ")
-                ),
-            })
+        one_of(&Self::ALL, name, ["the quantity", "the quantities"])
     }
 }
 

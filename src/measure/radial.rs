@@ -64,7 +64,7 @@ pub(crate) fn error_within<'a>(
     let (mut known, mut twins) = (Known::default(), Twins::default());
     let exact = truth.frame.exact(truth.radii);
     for segment in segments {
-        let Some(framed) = twins.to_measure(segment, truth, &exact, range.smaller()) else {
+        let Some(framed) = twins.without_twin(segment, truth, &exact, range.smaller()) else {
             continue;
         };
         let profile = Profile::framed(segment, truth, &exact, framed);

@@ -7,7 +7,7 @@
 
 use kurbo::{Point, Vec2};
 
-use super::nodal::{self, Ends};
+use super::nodal::{self, SplineEnds};
 use crate::angle::Angle;
 use crate::numeric::functions::power;
 use crate::radial_error::RadialError;
@@ -184,9 +184,9 @@ pub(super) fn chain(spans: &[Span], closed: bool) -> Vec<[Piece; 2]> {
     let last = spans.len();
     let ends = if closed {
         frames.pop();
-        Ends::Cyclic
+        SplineEnds::Cyclic
     } else {
-        Ends::Fixed([
+        SplineEnds::Fixed([
             tangent_at(frames[0]) * spans[0].a,
             tangent_at(frames[last]) * spans[last - 1].a,
         ])

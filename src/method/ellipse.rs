@@ -64,13 +64,13 @@ const SIGNS: [f64; 3] = [1.0, -1.0, 1.0];
 
 /// The two handles of a segment, and its peak error over the larger radius.
 #[derive(Debug, Clone, Copy)]
-struct Fit {
+struct FittedHandles {
     handles: [f64; 2],
     peak: f64,
 }
 
 /// An extreme of the distance between the ends, one step of Newton's method from where it was looked for.
-struct Extreme {
+struct NearExtreme {
     t: f64,
     distance: f64,
     /// The normal where it was looked for, and how that turns with t.
@@ -97,14 +97,14 @@ fn derivatives(cubic: &CubicBez, t: f64) -> [Vec2; 3] {
 }
 
 /// A segment of the ellipse whose short axis, from the origin to (`short`, 0), lies along x and whose larger radius is 1.
-struct Segment {
+struct EllipseSegment {
     radii: Vec2,
     /// The points of the unit circle at both ends.
     ends: [Vec2; 2],
     is_free: bool,
 }
 
-impl Segment {
+impl EllipseSegment {
     fn new(short: f64, from: f64, size: f64, is_free: bool) -> Self {
         Self {
             radii: Vec2::new(short, 1.0),
@@ -122,7 +122,7 @@ impl Segment {
         self.ends.map(|u| self.on_ellipse(Vec2::new(-u.y, u.x)))
     }
 
-    fn cubic(&self, fit: &Fit) -> CubicBez {
+    fn cubic(&self, fit: &FittedHandles) -> CubicBez {
         let inside = if self.is_free { fit.peak } else { 0.0 };
         // On an axis the unit normal is the direction itself.
         let [p0, p3] = self.ends.map(|u| self.on_ellipse(u) - u * inside);
@@ -167,7 +167,7 @@ impl Segment {
     }
 
     /// The extreme near t.
-    fn extreme(&self, cubic: &CubicBez, t: f64, sign: f64) -> Extreme {
+    fn extreme(&self, cubic: &CubicBez, t: f64, sign: f64) -> NearExtreme {
         let [p, velocity, acceleration] = derivatives(cubic, t);
         let Foot { distance, outward } = self.foot(p);
         // The radius of curvature where the normal is n: a²b²/h³, h² = a²nx² + b²ny².
@@ -183,7 +183,7 @@ impl Segment {
         } else {
             0.0
         };
-        Extreme {
+        NearExtreme {
             t: t + step,
             distance: distance + 0.5 * slope * step,
             outward,
@@ -198,7 +198,7 @@ impl Segment {
     }
 
     /// One step of Newton's method with the extremes near these times, which go a step too, and whether all has settled.
-    fn step(&self, fit: &Fit, times: &mut [f64; 3]) -> Option<(Fit, bool)> {
+    fn step(&self, fit: &FittedHandles, times: &mut [f64; 3]) -> Option<(FittedHandles, bool)> {
         let cubic = self.cubic(fit);
         let [t0, t1] = self.tangents();
         let mut rows = [[0.0; 3]; 3];
@@ -209,7 +209,7 @@ impl Segment {
         for (i, time) in times.iter_mut().enumerate() {
             let sign = SIGNS[i];
             let extreme = self.extreme(&cubic, *time, sign);
-            let Extreme {
+            let NearExtreme {
                 outward: n,
                 turning,
                 bends,
@@ -246,7 +246,7 @@ impl Segment {
         for (time, by) in times.iter_mut().zip(moves) {
             *time += part * by;
         }
-        let next = Fit {
+        let next = FittedHandles {
             handles: [fit.handles[0] + part * k0, fit.handles[1] + part * k1],
             peak: fit.peak + part * peak,
         };
@@ -256,27 +256,27 @@ impl Segment {
     }
 
     /// The best handles, from the circle's; off the ellipse, from the best on it.
-    fn fit(&self, span: &Span) -> Option<Fit> {
+    fn fit(&self, span: &Span) -> Option<FittedHandles> {
         if self.is_free {
             let on_ellipse = Self {
                 is_free: false,
                 ..*self
             }
             .fit(span)?;
-            return self.improved(Fit {
+            return self.improved(FittedHandles {
                 peak: FREE_PEAK * on_ellipse.peak,
                 ..on_ellipse
             });
         }
         let k = minimax::handle(span);
-        self.improved(Fit {
+        self.improved(FittedHandles {
             handles: [k, k],
             peak: minimax::error(span).peak(),
         })
     }
 
     /// The best handles from these.
-    fn improved(&self, fit: Fit) -> Option<Fit> {
+    fn improved(&self, fit: FittedHandles) -> Option<FittedHandles> {
         if fit.peak < FINEST {
             return Some(fit);
         }
@@ -288,7 +288,12 @@ impl Segment {
     }
 
     /// The best handles from these, where they settle, the extremes followed from these times or looked for in each step.
-    fn settled(&self, mut fit: Fit, mut times: [f64; 3], looks: bool) -> Option<Fit> {
+    fn settled(
+        &self,
+        mut fit: FittedHandles,
+        mut times: [f64; 3],
+        looks: bool,
+    ) -> Option<FittedHandles> {
         for _ in 0..MOST_STEPS {
             if looks {
                 times = self.extremes(&self.cubic(&fit))?;
@@ -312,9 +317,9 @@ impl Segment {
 }
 
 /// The best handles of a segment that begins `from` degrees after an end of the short axis; `None` where the method does not serve.
-fn best(short: f64, from: f64, size: f64, is_free: bool) -> Option<Fit> {
+fn best(short: f64, from: f64, size: f64, is_free: bool) -> Option<FittedHandles> {
     (size <= largest_angle(short)?).then_some(())?;
-    Segment::new(short, from, size, is_free).fit(&Span::from_degrees(size))
+    EllipseSegment::new(short, from, size, is_free).fit(&Span::from_degrees(size))
 }
 
 /// The least peak of such a segment over the larger radius.

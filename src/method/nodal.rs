@@ -15,7 +15,7 @@ use crate::numeric::tridiagonal::{self, Row};
 
 /// What holds at the ends of the curve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Ends {
+pub enum SplineEnds {
     /// The curve is closed, and its first point a node like every other: Chen's (10).
     Cyclic,
     /// The derivatives at both ends are zero, Chen's (9): what he calls free is not the natural spline, whose second derivatives are.
@@ -27,7 +27,7 @@ pub enum Ends {
     Fixed([Vec2; 2]),
 }
 
-impl Ends {
+impl SplineEnds {
     /// The fewest points that such a curve runs through.
     #[must_use]
     pub const fn least_points(self) -> usize {
@@ -46,12 +46,12 @@ impl Ends {
     }
 }
 
-/// The derivative at every point, for at least [`Ends::least_points`] points; `length` tells the parameter length of the segment
+/// The derivative at every point, for at least [`SplineEnds::least_points`] points; `length` tells the parameter length of the segment
 /// that starts at a point.
 pub(crate) fn derivatives(
     points: &[Point],
     length: impl Fn(usize) -> f64,
-    ends: Ends,
+    ends: SplineEnds,
 ) -> Vec<Vec2> {
     let count = points.len();
     // The equation of the node i, whose segments are the one before and the one after.
@@ -70,10 +70,12 @@ pub(crate) fn derivatives(
         (step + (points[i] - points[previous]) * (after / before)) * 3.0
     };
     let [first, last] = match ends {
-        Ends::Cyclic => return tridiagonal::solve(row, (0..count).map(right).collect(), true),
-        Ends::Natural => return natural(points, &length, row, right),
-        Ends::Free => [Vec2::ZERO; 2],
-        Ends::Fixed(given) => given,
+        SplineEnds::Cyclic => {
+            return tridiagonal::solve(row, (0..count).map(right).collect(), true);
+        }
+        SplineEnds::Natural => return natural(points, &length, row, right),
+        SplineEnds::Free => [Vec2::ZERO; 2],
+        SplineEnds::Fixed(given) => given,
     };
     let mut inner: Vec<Vec2> = (1..count - 1).map(right).collect();
     if let Some(right) = inner.first_mut() {

@@ -179,7 +179,7 @@ impl Decimal {
     /// Writes the number without idle zeros after the point, an exponent or a negative zero; with a space before it where it
     /// would otherwise run into the number that `out` ends with. Returns whether it has a point.
     #[inline(always)]
-    pub(crate) fn write(self, out: &mut Vec<u8>, after: After, form: Form) -> bool {
+    pub(crate) fn write(self, out: &mut Vec<u8>, after: After, form: BelowOne) -> bool {
         let units = self.units.unsigned_abs();
         if units >= 100_000_000 || self.decimals > 7 {
             return self.write_long(out, after, form);
@@ -188,7 +188,7 @@ impl Decimal {
         // depends on the digits or the sign, which nobody can foresee.
         let digits = digits(units);
         let whole = 8 - self.decimals;
-        let keeps_zero = (units == 0) | matches!(form, Form::Plain);
+        let keeps_zero = (units == 0) | matches!(form, BelowOne::Plain);
         let leading = (digits.trailing_zeros() / 8).min(whole - u32::from(keeps_zero));
         let trailing = (digits.leading_zeros() / 8).min(self.decimals);
         let (before, decimals) = (whole - leading, self.decimals - trailing);
@@ -214,11 +214,11 @@ impl Decimal {
 
     /// [`Decimal::write`] for any number.
     #[cold]
-    fn write_long(self, out: &mut Vec<u8>, after: After, form: Form) -> bool {
+    fn write_long(self, out: &mut Vec<u8>, after: After, form: BelowOne) -> bool {
         let power = POWERS[self.decimals as usize];
         let units = self.units.unsigned_abs();
         let (whole, fraction) = (units / power, units % power);
-        let drops_zero = whole == 0 && fraction > 0 && matches!(form, Form::Short);
+        let drops_zero = whole == 0 && fraction > 0 && matches!(form, BelowOne::Short);
         let first = match () {
             () if self.units < 0 => b'-',
             () if drops_zero => b'.',
@@ -238,7 +238,7 @@ impl Decimal {
 
 /// How a number below one begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum BelowOne {
     /// With a zero, as people write it.
     Plain,
     /// With its point, which is a byte less.
@@ -288,7 +288,7 @@ impl After {
 
     /// Appends a number.
     #[inline]
-    pub(crate) fn push(&mut self, out: &mut Vec<u8>, number: Decimal, form: Form) {
+    pub(crate) fn push(&mut self, out: &mut Vec<u8>, number: Decimal, form: BelowOne) {
         *self = if number.write(out, *self, form) {
             Self::Point
         } else {
@@ -299,7 +299,7 @@ impl After {
     /// Appends a number in full, by its shortest digits.
     pub(crate) fn push_shortest(&mut self, out: &mut Vec<u8>, number: f64) {
         if let Some(short) = Decimal::of_few_digits(number) {
-            return self.push(out, short, Form::Plain);
+            return self.push(out, short, BelowOne::Plain);
         }
         let start = out.len();
         super::push_shortest(out, number);
@@ -343,7 +343,7 @@ mod tests {
     fn decimals_are_exact_and_short() {
         let text = |d: Decimal| {
             let mut out = Vec::new();
-            d.write(&mut out, After::Letter, Form::Short);
+            d.write(&mut out, After::Letter, BelowOne::Short);
             String::from_utf8(out).unwrap()
         };
         assert_eq!(text(Decimal::round(0.5, 3)), ".5");
@@ -362,9 +362,12 @@ mod tests {
                     decimals,
                 };
                 let mut long = Vec::new();
-                let has_point = number.write_long(&mut long, After::Whole, Form::Short);
+                let has_point = number.write_long(&mut long, After::Whole, BelowOne::Short);
                 let mut out = Vec::new();
-                assert_eq!(number.write(&mut out, After::Whole, Form::Short), has_point);
+                assert_eq!(
+                    number.write(&mut out, After::Whole, BelowOne::Short),
+                    has_point
+                );
                 assert_eq!(out, long, "{number:?}");
                 assert_eq!(text(number).parse(), Ok(number.value()));
             }
@@ -376,7 +379,7 @@ mod tests {
         let mut out = Vec::new();
         let mut after = After::Letter;
         for value in [1.0, 0.5, 0.25, 2.0, -3.0, 4.0, 0.0, -0.5] {
-            after.push(&mut out, Decimal::round(value, 2), Form::Short);
+            after.push(&mut out, Decimal::round(value, 2), BelowOne::Short);
         }
         after.push_text(&mut out, b"0.1,2");
         after.push_text(&mut out, b".5");

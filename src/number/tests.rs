@@ -3,6 +3,7 @@ use std::thread;
 use proptest::prelude::*;
 
 use super::*;
+use crate::numeric::random::bits;
 
 #[test]
 fn compact_numbers_keep_their_digits() {
@@ -87,7 +88,7 @@ fn check_short(x: f64, decimals: u8, text: &str) {
     };
     for after in [After::Letter, After::Whole, After::Point] {
         let mut out = b"#".to_vec();
-        let has_point = number.write(&mut out, after, Form::Short);
+        let has_point = number.write(&mut out, after, BelowOne::Short);
         let parted = match (after, short.as_bytes()[0]) {
             (After::Letter, _) | (_, b'-') | (After::Point, b'.') => short.clone(),
             _ => format!(" {short}"),
@@ -113,22 +114,14 @@ fn check_shortest(x: f64) {
     }
 }
 
-/// `SplitMix64`: the same numbers in every run.
 struct Numbers(u64);
 
 impl Numbers {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     /// Coordinates, decimals, exact ties, their neighbours, and any bits at all.
     fn sample(&mut self) -> (f64, u8) {
-        let choice = self.bits();
+        let choice = bits(&mut self.0);
         let decimals = (choice >> 8) % 21;
-        let value = self.bits();
+        let value = bits(&mut self.0);
         let near = value.cast_signed() >> (11 + (choice >> 16) % 53);
         let x = match choice % 6 {
             0 => near as f64 / 2f64.powi(((choice >> 24) % 60) as i32),

@@ -4,7 +4,7 @@ use kurbo::{Point, Vec2};
 use serde::Serialize;
 
 use super::document::{CriterionEntry, MethodEntry, PageDocument, ShapeChoice};
-use super::drawings::{Row, options};
+use super::drawings::{ShapeRow, options};
 use super::words::words;
 use super::{LARGEST, Request, filled, sources, too_large};
 use crate::angle::Angle;
@@ -99,12 +99,12 @@ fn asked(
 ) -> Result<ShapeChoice> {
     let mut row = if request.spans.is_empty() {
         let name = ("asked", describe(shape));
-        Row::new(name, None, &[(0.0, *shape)], request.counts, request.open)
+        ShapeRow::new(name, None, &[(0.0, *shape)], request.counts, request.open)
     } else {
         let degrees: Vec<f64> = request.spans.iter().map(|span| span.degrees()).collect();
         let arcs = arcs_of(outline, &degrees)?;
         let name = ("asked", "Arcs of one segment".to_owned());
-        Row::new(name, Some(ARC_ANGLE), &arcs, &[1], request.open)
+        ShapeRow::new(name, Some(ARC_ANGLE), &arcs, &[1], request.open)
     };
     for count in row.choice().counts.clone() {
         for &rule in rules {
@@ -130,14 +130,14 @@ fn sliders(
         all
     });
     let [on_ellipses, on_arcs] = &counts;
-    let ellipses = Row::new(
+    let ellipses = ShapeRow::new(
         ("ellipse", "Ellipses".to_owned()),
         Some("Ratio of the radii"),
         &ellipses(outline.truth.larger_radius())?,
         on_ellipses,
         false,
     );
-    let arcs = Row::new(
+    let arcs = ShapeRow::new(
         ("arc", "Arcs".to_owned()),
         Some(ARC_ANGLE),
         &arcs_of(outline, &ANGLES)?,
@@ -151,13 +151,17 @@ fn sliders(
         .sum::<Result<_>>()?;
     fill(&mut rows, rules, &counts, room.saturating_sub(taken))?;
     let drawn = |choice: &ShapeChoice| choice.steps.iter().any(|step| !step.drawings.is_empty());
-    Ok(rows.map(Row::finish).into_iter().filter(drawn).collect())
+    Ok(rows
+        .map(ShapeRow::finish)
+        .into_iter()
+        .filter(drawn)
+        .collect())
 }
 
 /// Puts drawings on the rows until the room is filled: the preferred methods with the preferred counts, all others with these, then
 /// the other counts in the same order.
 fn fill(
-    rows: &mut [Row; 2],
+    rows: &mut [ShapeRow; 2],
     rules: &[Rule],
     counts: &[Vec<usize>; 2],
     mut room: usize,

@@ -31,13 +31,13 @@ const MAGNIFIED_SHARE: f64 = 0.01;
 pub(super) type Column = Vec<Option<(DrawingEntry, Vec<f64>)>>;
 
 /// A shape or a row of shapes, on which drawings are put one method and count after the other.
-pub(super) struct Row {
+pub(super) struct ShapeRow {
     choice: ShapeChoice,
     shapes: Vec<Shape>,
     open: bool,
 }
 
-impl Row {
+impl ShapeRow {
     /// Shapes without drawings, each with the value of its stop.
     pub(super) fn new(
         (id, title): (&str, String),

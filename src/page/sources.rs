@@ -74,7 +74,7 @@ fn figure(rule: Rule, count: usize, by: Criterion) -> Result<f64> {
 }
 
 /// A row about circles.
-struct Row<'a> {
+struct TableRow<'a> {
     label: String,
     rule: Rule,
     segments: usize,
@@ -83,7 +83,7 @@ struct Row<'a> {
     command: String,
 }
 
-impl Row<'_> {
+impl TableRow<'_> {
     /// The row with the true figure.
     fn beside(self, truth: f64) -> SourceRow {
         SourceRow {
@@ -152,7 +152,7 @@ fn lancasters_words() -> Result<Vec<SourceRow>> {
     ];
     rows.into_iter()
         .map(|(label, method, printed, truth, unit, command)| {
-            let row = Row {
+            let row = TableRow {
                 label: label.to_owned(),
                 rule: method.into(),
                 segments: 4,
@@ -173,7 +173,7 @@ fn lancaster() -> Result<SourceTable> {
             ("Average", average, Criterion::Mean),
         ];
         for (name, printed, by) in figures {
-            let row = Row {
+            let row = TableRow {
                 label: format!("{name}, {segments} splines by {number}"),
                 rule: Method::LancasterBest.into(),
                 segments,
@@ -201,7 +201,7 @@ fn chen() -> Result<SourceTable> {
         } else {
             ""
         };
-        let row = Row {
+        let row = TableRow {
             label: format!("Table 1, π/2: {label}"),
             rule,
             segments: 4,
@@ -212,7 +212,7 @@ fn chen() -> Result<SourceTable> {
         rows.push(row.measured(Criterion::Peak)?);
     }
     for (segments, angle, printed) in CHEN_2 {
-        let row = Row {
+        let row = TableRow {
             label: format!("Table 2, {angle}: Formulation III"),
             rule: Method::Chen3.into(),
             segments,
@@ -241,7 +241,7 @@ fn apprich() -> Result<SourceTable> {
             ("E*", 16384.0, Method::ApprichScaled, Criterion::Peak),
         ] {
             let leading = compact(3.0 / denominator * power(angle, 6), 6);
-            let row = Row {
+            let row = TableRow {
                 label: format!("{name}, φ = 360°/{segments}: 3φ⁶/{}", text(denominator)),
                 rule: method.into(),
                 segments,

@@ -8,7 +8,7 @@ use crate::shape::Shape;
 
 /// The words that ask for a shape; nothing for a line and for nothing.
 pub(super) fn words(shape: &Shape, open: bool) -> Option<String> {
-    asked(shape, open, |start, reverse| Course {
+    asked(shape, open, |start, reverse| CourseWords {
         start: start != Angle::ZERO,
         reverse,
     })
@@ -16,19 +16,19 @@ pub(super) fn words(shape: &Shape, open: bool) -> Option<String> {
 
 /// The same where the format is PostScript, whose writer starts whole shapes at 180 degrees and runs the other way round.
 pub(super) fn words_ps(shape: &Shape, open: bool) -> Option<String> {
-    asked(shape, open, |_, reverse| Course {
+    asked(shape, open, |_, reverse| CourseWords {
         start: true,
         reverse: !reverse,
     })
 }
 
 /// Which words for the course of a whole shape are needed.
-struct Course {
+struct CourseWords {
     start: bool,
     reverse: bool,
 }
 
-fn asked(shape: &Shape, open: bool, course: impl Fn(Angle, bool) -> Course) -> Option<String> {
+fn asked(shape: &Shape, open: bool, course: impl Fn(Angle, bool) -> CourseWords) -> Option<String> {
     let mut words = Vec::new();
     let place = |center: Point, rotation: Angle, words: &mut Vec<String>| {
         if rotation != Angle::ZERO {

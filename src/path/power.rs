@@ -20,30 +20,30 @@ const MOST_DECIMALS: u8 = 12;
 /// What may hold coefficients: the JSON of a drawing, of a path, or of segments alone.
 #[derive(Deserialize)]
 #[serde(untagged)]
-enum Document {
-    Path { subpaths: Vec<Chain> },
-    Drawing(Chain),
-    Segments(Vec<Segment>),
-    Segment(Segment),
+enum Coefficients {
+    Path { subpaths: Vec<ChainCoefficients> },
+    Drawing(ChainCoefficients),
+    Segments(Vec<SegmentCoefficients>),
+    Segment(SegmentCoefficients),
 }
 
 #[derive(Deserialize)]
-struct Chain {
+struct ChainCoefficients {
     #[serde(default)]
     closed: bool,
-    segments: Vec<Segment>,
+    segments: Vec<SegmentCoefficients>,
 }
 
 #[derive(Deserialize)]
 #[serde(untagged)]
-enum Segment {
-    Named { power: Equation },
-    Bare(Equation),
+enum SegmentCoefficients {
+    Named { power: CubicCoefficients },
+    Bare(CubicCoefficients),
 }
 
 /// x = At³ + Bt² + Ct + D and y = Et³ + Ft² + Gt + H.
 #[derive(Deserialize)]
-struct Equation {
+struct CubicCoefficients {
     x: [f64; 4],
     y: [f64; 4],
 }
@@ -73,15 +73,15 @@ pub fn contours_of_power(json: &str) -> Result<Vec<Contour>> {
     // Broken JSON first, whose place is known; then JSON of another form.
     let value: serde_json::Value =
         serde_json::from_str(json).map_err(|e| wrong(in_plain_words(&e), column(json, &e)))?;
-    let document = Document::deserialize(value).map_err(|_| {
+    let document = Coefficients::deserialize(value).map_err(|_| {
         let form = r#"they are JSON of this program with "power" in every segment, or {"x": [A,B,C,D], "y": [E,F,G,H]}"#;
         wrong(form.to_owned(), 1)
     })?;
     let chains = match document {
-        Document::Path { subpaths } => subpaths,
-        Document::Drawing(chain) => vec![chain],
-        Document::Segments(segments) => vec![open(segments)],
-        Document::Segment(segment) => vec![open(vec![segment])],
+        Coefficients::Path { subpaths } => subpaths,
+        Coefficients::Drawing(chain) => vec![chain],
+        Coefficients::Segments(segments) => vec![open(segments)],
+        Coefficients::Segment(segment) => vec![open(vec![segment])],
     };
     let mut contours = Vec::new();
     for chain in &chains {
@@ -90,18 +90,18 @@ pub fn contours_of_power(json: &str) -> Result<Vec<Contour>> {
     Ok(contours)
 }
 
-const fn open(segments: Vec<Segment>) -> Chain {
-    Chain {
+const fn open(segments: Vec<SegmentCoefficients>) -> ChainCoefficients {
+    ChainCoefficients {
         closed: false,
         segments,
     }
 }
 
 /// Appends the contours of a chain: one, where each segment starts at the end of the one before it.
-fn push_contours(contours: &mut Vec<Contour>, chain: &Chain) -> Result<()> {
+fn push_contours(contours: &mut Vec<Contour>, chain: &ChainCoefficients) -> Result<()> {
     let mut segments = Vec::with_capacity(chain.segments.len());
     for segment in &chain.segments {
-        let (Segment::Named { power } | Segment::Bare(power)) = segment;
+        let (SegmentCoefficients::Named { power } | SegmentCoefficients::Bare(power)) = segment;
         segments.push(graph(power)?);
     }
     let reach = segments.iter().flatten().flat_map(|p| [p.x, p.y]);
@@ -139,7 +139,7 @@ fn join(run: &mut [Vec<Point>], start: Point, near: f64) -> bool {
 }
 
 /// The control points: four, three without a third power, two without a second one too.
-fn graph(equation: &Equation) -> Result<Vec<Point>> {
+fn graph(equation: &CubicCoefficients) -> Result<Vec<Point>> {
     for c in equation.x.iter().chain(&equation.y) {
         finite("coefficient", *c)?;
     }

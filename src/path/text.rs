@@ -1,6 +1,6 @@
 //! The text of path data: which letter is written, and what parts numbers.
 
-use crate::number::decimal::{After, Decimal, Form};
+use crate::number::decimal::{After, BelowOne, Decimal};
 
 /// What path data that are being written end with.
 #[derive(Debug, Clone, Copy)]
@@ -8,13 +8,13 @@ pub(crate) struct PathText {
     pub(crate) after: After,
     /// The command that numbers without a letter would repeat; 0 where the letter has to be written.
     pub(crate) letter: u8,
-    form: Form,
+    form: BelowOne,
 }
 
 impl PathText {
     /// Path data of which nothing is written yet. In the plain form each command has its letter, in the short one only those that
     /// need it.
-    pub(crate) const fn new(form: Form) -> Self {
+    pub(crate) const fn new(form: BelowOne) -> Self {
         Self {
             after: After::Letter,
             letter: 0,
@@ -24,7 +24,7 @@ impl PathText {
 
     /// Writes a command's letter, unless the form is short and numbers alone would repeat it.
     pub(crate) fn letter(&mut self, out: &mut Vec<u8>, letter: u8) {
-        if self.form == Form::Plain || self.letter != letter {
+        if self.form == BelowOne::Plain || self.letter != letter {
             out.push(letter);
             self.after = After::Letter;
         }

@@ -5,7 +5,7 @@ use kurbo::{PathSeg, Point, Vec2};
 use super::text::PathText;
 use crate::course::{Course, Step};
 use crate::curve::Curve;
-use crate::number::decimal::{Decimal, Form};
+use crate::number::decimal::{BelowOne, Decimal};
 #[cfg(feature = "batch")]
 use crate::number::memo::Memo;
 use crate::number::{Precision, decimal_sum};
@@ -73,7 +73,7 @@ impl<'a> Writer<'a> {
             out,
             #[cfg(feature = "batch")]
             memo: None,
-            text: PathText::new(Form::Plain),
+            text: PathText::new(BelowOne::Plain),
             precision,
             relative,
             current: Point::ZERO,

@@ -1,5 +1,6 @@
 //! Colours of other spaces than sRGB in it: `lab()`, `lch()`, `oklab()`, `oklch()` and `color()`, by the formulas and matrices of the
-//! sample code of CSS Color 4 (<https://www.w3.org/TR/css-color-4/#color-conversion-code>). What lies outside of sRGB is cut to it.
+//! sample code of CSS Color 4 (<https://www.w3.org/TR/css-color-4/#color-conversion-code>). What lies outside of sRGB is cut to it; of the
+//! largest lightness it is white, and of none black, whatever its hue.
 //!
 //! They are here and not csscolorparser's because that one takes powers and sines of the platform.
 
@@ -77,22 +78,10 @@ pub(super) fn parse(text: &str) -> Option<[f64; 4]> {
     let words: Vec<&str> = values.split_ascii_whitespace().collect();
     let name = name.to_ascii_lowercase();
     let [r, g, b] = match (name.as_str(), &words[..]) {
-        ("lab", &[l, a, b]) => {
-            let l = value(l, 100.0)?.clamp(0.0, 100.0);
-            of_lab([l, value(a, 125.0)?, value(b, 125.0)?])
-        }
-        ("lch", &[l, c, h]) => {
-            let [a, b] = polar(value(c, 150.0)?, h)?;
-            of_lab([value(l, 100.0)?.clamp(0.0, 100.0), a, b])
-        }
-        ("oklab", &[l, a, b]) => {
-            let l = value(l, 1.0)?.clamp(0.0, 1.0);
-            of_oklab([l, value(a, 0.4)?, value(b, 0.4)?])
-        }
-        ("oklch", &[l, c, h]) => {
-            let [a, b] = polar(value(c, 0.4)?, h)?;
-            of_oklab([value(l, 1.0)?.clamp(0.0, 1.0), a, b])
-        }
+        ("lab", &[l, a, b]) => lit(l, 100.0, [value(a, 125.0)?, value(b, 125.0)?], of_lab)?,
+        ("lch", &[l, c, h]) => lit(l, 100.0, polar(value(c, 150.0)?, h)?, of_lab)?,
+        ("oklab", &[l, a, b]) => lit(l, 1.0, [value(a, 0.4)?, value(b, 0.4)?], of_oklab)?,
+        ("oklch", &[l, c, h]) => lit(l, 1.0, polar(value(c, 0.4)?, h)?, of_oklab)?,
         ("color", &[space, x, y, z]) => {
             let values = [value(x, 1.0)?, value(y, 1.0)?, value(z, 1.0)?];
             match space.to_ascii_lowercase().as_str() {
@@ -106,6 +95,18 @@ pub(super) fn parse(text: &str) -> Option<[f64; 4]> {
         _ => return None,
     };
     Some([r, g, b, alpha])
+}
+
+/// A colour by its lightness, of which `whole` is white, and two coordinates of its hue.
+fn lit(lightness: &str, whole: f64, [a, b]: [f64; 2], of: fn(Triple) -> Triple) -> Option<Triple> {
+    let l = value(lightness, whole)?;
+    Some(if l >= whole {
+        [1.0; 3]
+    } else if l <= 0.0 {
+        [0.0; 3]
+    } else {
+        of([l, a, b])
+    })
 }
 
 /// A number, or a part of what 100 % stands for; `none` is 0.
@@ -220,6 +221,15 @@ mod tests {
         near("oklab(0.5 0 -0.1 / 40%)", "oklch(50% 25% 270deg / 0.4)");
         near("lab(50% 100% -100%)", "lab(50 125 -125)");
         near("lab(150 0 0)", "lab(100 none none / 7)");
+        for (white, black) in [
+            ("lab(100 50 50)", "lab(0 50 50)"),
+            ("lch(100% 110 60)", "lch(-1 110 60)"),
+            ("oklab(1 0.3 0.3)", "oklab(0% 0.3 0.3)"),
+            ("oklch(120% 0.4 30)", "oklch(none 0.4 30)"),
+        ] {
+            assert_eq!(parse(white), Some([1.0; 4]));
+            assert_eq!(parse(black), Some([0.0, 0.0, 0.0, 1.0]));
+        }
         for wrong in [
             "lab(50 20)",
             "lab(50 20 0 1)",

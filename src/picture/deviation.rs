@@ -16,14 +16,14 @@ const PIECES: u32 = 6;
 
 /// The regions between the true shape and the magnified curve.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Lobes {
+pub(super) struct Regions {
     /// Where the curve is outside the true shape.
     pub(super) outward: Vec<Curve>,
     /// Where it is inside.
     pub(super) inward: Vec<Curve>,
 }
 
-impl Lobes {
+impl Regions {
     /// Adds the regions of segments, their deviation drawn `factor` times as large.
     pub(super) fn add(&mut self, segments: &[PathSeg], truth: &Truth, factor: f64) {
         for segment in segments {
@@ -137,9 +137,9 @@ mod tests {
         approximate(&shape, &options).unwrap()
     }
 
-    fn lobes(method: Method, factor: f64) -> Lobes {
+    fn lobes(method: Method, factor: f64) -> Regions {
         let drawing = circle(method);
-        let mut lobes = Lobes::default();
+        let mut lobes = Regions::default();
         lobes.add(
             &drawing.curve.segments,
             &drawing.outline.unwrap().truth,
@@ -168,7 +168,7 @@ mod tests {
     fn every_point_of_a_lobe_is_finite() {
         let ellipse = crate::Ellipse::new((0.0, 0.0), (30.0, 10.0), crate::Angle::ZERO).unwrap();
         let drawing = approximate(&Shape::Ellipse(ellipse), &Options::default()).unwrap();
-        let mut lobes = Lobes::default();
+        let mut lobes = Regions::default();
         lobes.add(
             &drawing.curve.segments,
             &drawing.outline.unwrap().truth,

@@ -271,13 +271,14 @@ impl Figure {
 
 /// What becomes of the hidden halves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Hidden {
-    /// They are drawn like the others.
+    /// Drawn like the others.
     Show,
-    /// They are drawn dashed.
+    /// Drawn dashed.
     #[default]
     Dash,
-    /// They are left out.
+    /// Left out.
     None,
 }
 

@@ -84,11 +84,24 @@ impl FromStr for Paint {
         if is("rebeccapurple") {
             return Ok(REBECCA_PURPLE);
         }
-        parse(text)
-            .map(Self::Color)
-            .ok_or_else(|| Error::Picture(PictureError::Color(text.to_owned())))
+        let color = text.to_owned();
+        parse(text).map(Self::Color).ok_or_else(|| {
+            Error::Picture(match unsupported(text) {
+                Some(kind) => PictureError::UnsupportedColor { color, kind },
+                None => PictureError::Color(color),
+            })
+        })
     }
 }
+
+/// The colour spaces of CSS that `color()` takes there alone.
+const OTHER_SPACES: [&str; 5] = [
+    "display-p3",
+    "display-p3-linear",
+    "a98-rgb",
+    "prophoto-rgb",
+    "rec2020",
+];
 
 /// The functions of sRGB; an older name of each ends in an a.
 const OF_SRGB: [&str; 3] = ["rgb", "hsl", "hwb"];
@@ -109,8 +122,7 @@ fn parse(text: &str) -> Option<Color> {
     if let Some((name, rest)) = text.split_once('(') {
         let name = name.to_ascii_lowercase();
         let name = name.strip_suffix('a').unwrap_or(&name);
-        let is_relative = rest.trim_start().to_ascii_lowercase().starts_with("from");
-        if !OF_SRGB.contains(&name) || is_relative {
+        if !OF_SRGB.contains(&name) || is_relative(rest) || !separators_agree(name, rest) {
             return None;
         }
     }
@@ -137,9 +149,105 @@ fn parse(text: &str) -> Option<Color> {
     })
 }
 
+fn is_relative(arguments: &str) -> bool {
+    let first = arguments.split_ascii_whitespace().next();
+    first.is_some_and(|word| word.eq_ignore_ascii_case("from"))
+}
+
+/// Whether commas stand between all arguments or none. In the older form with commas, numbers and percentages do not mix either; csscolorparser
+/// takes all of these.
+fn separators_agree(name: &str, arguments: &str) -> bool {
+    let arguments = arguments.trim_end_matches(')');
+    if !arguments.contains(',') {
+        return true;
+    }
+    let words: Vec<&str> = arguments.split(',').map(str::trim).collect();
+    let [percent_a, percent_b, percent_c] =
+        [0, 1, 2].map(|i| words.get(i).is_some_and(|word| word.ends_with('%')));
+    let is_one = |word: &&str| !word.contains(|c: char| c == '/' || c.is_ascii_whitespace());
+    words.iter().all(is_one)
+        && match name {
+            "rgb" => percent_a == percent_b && percent_b == percent_c,
+            "hsl" => percent_b && percent_c,
+            _ => false,
+        }
+}
+
+/// What kind of colour it is that CSS has, but this does not read.
+fn unsupported(text: &str) -> Option<&'static str> {
+    let (name, arguments) = text.strip_suffix(')')?.split_once('(')?;
+    let space = arguments.split_ascii_whitespace().next();
+    match (name.to_ascii_lowercase().as_str(), space) {
+        (
+            "rgb" | "rgba" | "hsl" | "hsla" | "hwb" | "lab" | "lch" | "oklab" | "oklch" | "color",
+            _,
+        ) if is_relative(arguments) => Some("a colour relative to another"),
+        ("color", Some(space)) => OTHER_SPACES
+            .iter()
+            .any(|other| space.eq_ignore_ascii_case(other))
+            .then_some("a colour of that space"),
+        ("color-mix" | "light-dark" | "contrast-color", _) => Some("a colour made of others"),
+        ("device-cmyk", _) => Some("a colour of inks"),
+        ("var", _) => Some("a variable"),
+        ("url", _) => Some("a gradient or a pattern"),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_css_has_and_is_not_drawn_is_called_so() {
+        for text in [
+            "color(display-p3 1 0 0)",
+            "COLOR( Rec2020 1 0 0 / 50%)",
+            "color(a98-rgb 0 0 0)",
+            "color(prophoto-rgb 0 0 0)",
+            "rgb(from lab(50 20 0) r g b)",
+            "color-mix(in oklch, red, blue)",
+            "light-dark(red, blue)",
+            "device-cmyk(0 81% 81% 30%)",
+            "var(--ink)",
+            "url(#g)",
+        ] {
+            let said = text.parse::<Paint>().unwrap_err().to_string();
+            assert!(said.contains("is not supported"), "{said}");
+        }
+        for wrong in ["color(srgb 1 0)", "color(nothing 1 0 0)", "color()", "a(b)"] {
+            let said = wrong.parse::<Paint>().unwrap_err().to_string();
+            assert!(said.contains("is not a colour"), "{said}");
+        }
+    }
+
+    #[test]
+    fn commas_stand_everywhere_or_nowhere() {
+        for right in [
+            "rgb(1,2,3)",
+            "rgba( 1 , 2 ,3 , 50%)",
+            "rgb(1% 2 3)",
+            "rgb(1 2 3/.5)",
+            "rgb(1%,2%,3%)",
+            "hsl(120,50%,50%)",
+            "hsl(120 50 50%)",
+        ] {
+            assert!(right.parse::<Paint>().is_ok(), "{right}");
+        }
+        for wrong in [
+            "rgb(1 2,3)",
+            "rgb(1,2 3)",
+            "rgb(1,2,3/.5)",
+            "rgb(1 2 3, .5)",
+            "rgb(1,2%,3)",
+            "rgb(1,2,3,)",
+            "hsl(120, 50, 50)",
+            "hsl(120,50% 50%)",
+            "hwb(0, 100%, 0%)",
+        ] {
+            assert!(wrong.parse::<Paint>().is_err(), "{wrong}");
+        }
+    }
 
     #[test]
     fn colours_are_those_of_css_and_none() {

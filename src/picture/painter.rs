@@ -2,7 +2,7 @@
 
 use kurbo::{Circle, Line, ParamCurveArea as _, PathSeg, Point, Rect};
 
-use super::deviation::Lobes;
+use super::deviation::Regions;
 use super::figure::{Approximated, Figure, Layer};
 use super::paint::Paint;
 use super::palette::{GREEN, ORANGE, SKY_BLUE};
@@ -198,7 +198,7 @@ impl<'a> Painter<'a> {
     }
 
     fn deviation(&self, factor: f64) -> Result<[Group; 2]> {
-        let mut lobes = Lobes::default();
+        let mut lobes = Regions::default();
         let curves: Vec<&Curve> = self.figure.curves().collect();
         for truth in self.truths()? {
             let segments = curves.get(truth.curve).map(|curve| &curve.segments[..]);

@@ -18,7 +18,7 @@ use crate::conic;
 use crate::curve::{self, Curve};
 use crate::error::Result;
 use crate::measure::{Quantity, Reference, profile};
-use scale::Kind;
+use scale::ScaleKind;
 use sheet::{DECIMALS, LABEL_STEP};
 
 /// The size at which a plot is laid out where none was asked for.
@@ -45,7 +45,7 @@ struct Series {
 }
 
 /// A named line and its parts.
-type Line = (String, Vec<Vec<(f64, f64)>>);
+type NamedLine = (String, Vec<Vec<(f64, f64)>>);
 
 /// In how many steps a segment of a curve is drawn.
 fn steps(curve: &Curve) -> u32 {
@@ -83,8 +83,8 @@ pub struct Chart {
     title: String,
     x_title: String,
     y_title: String,
-    x_kind: Kind,
-    y_kind: Kind,
+    x_kind: ScaleKind,
+    y_kind: ScaleKind,
     series: Vec<Series>,
     /// Marked x values: the joints.
     marks: Vec<f64>,
@@ -110,7 +110,7 @@ impl Chart {
             let parts = profile::along(curve, reference, quantity, steps(curve));
             ((*name).to_owned(), parts)
         };
-        let x = ("angle about the centre (degrees)", Kind::Degrees);
+        let x = ("angle about the centre (degrees)", ScaleKind::Degrees);
         let drawn = curves.iter().map(|&(_, curve, _)| curve);
         Self::of_lines(title, quantity, x, curves.iter().map(line), drawn)
     }
@@ -129,10 +129,10 @@ impl Chart {
             let parts = drawing.along(quantity, steps(&drawing.curve))?;
             Ok(((*name).to_owned(), parts))
         };
-        let lines: Vec<Line> = drawings.iter().map(line).collect::<Result<_>>()?;
+        let lines: Vec<NamedLine> = drawings.iter().map(line).collect::<Result<_>>()?;
         let x = (
             "place along the conic (0 its start, 1 its end)",
-            Kind::Linear,
+            ScaleKind::Linear,
         );
         let drawn = drawings.iter().map(|&(_, drawing)| &drawing.curve);
         Ok(Self::of_lines(title, quantity, x, lines.into_iter(), drawn))
@@ -142,12 +142,12 @@ impl Chart {
     fn of_lines<'a>(
         title: &str,
         quantity: Quantity,
-        (x_title, x_kind): (&str, Kind),
-        lines: impl Iterator<Item = Line>,
+        (x_title, x_kind): (&str, ScaleKind),
+        lines: impl Iterator<Item = NamedLine>,
         drawn: impl Iterator<Item = &'a Curve>,
     ) -> Self {
         let (x_title, x_kind, control_points) = if quantity == Quantity::Drawing {
-            ("x (user units)", Kind::Linear, control_points(drawn))
+            ("x (user units)", ScaleKind::Linear, control_points(drawn))
         } else {
             (x_title, x_kind, Vec::new())
         };
@@ -175,7 +175,7 @@ impl Chart {
             x_title: x_title.to_owned(),
             y_title: quantity.label().to_owned(),
             x_kind,
-            y_kind: Kind::Linear,
+            y_kind: ScaleKind::Linear,
             series,
             marks,
             control_points,
@@ -207,8 +207,8 @@ impl Chart {
             title: format!("{whole} of radius 1: {} by {by}", comparison.by.title()),
             x_title: x_title.to_owned(),
             y_title: comparison.by.label().to_owned(),
-            x_kind: Kind::Given(columns.clone()),
-            y_kind: Kind::Log,
+            x_kind: ScaleKind::Given(columns.clone()),
+            y_kind: ScaleKind::Log,
             series: series.filter(|s| s.points().count() > 0).collect(),
             marks: Vec::new(),
             control_points: Vec::new(),

@@ -6,7 +6,7 @@ use crate::contour::{Maker, PathDrawing};
 use crate::number::{compact, counted, rounded_up, significant, text};
 use crate::shape::Shape;
 use crate::sphere::Picture;
-use crate::spline::{Ends, Spline};
+use crate::spline::{Spline, SplineEnds};
 
 pub(super) fn conic_title(conic: &conic::Conic) -> String {
     let [from, to] = [conic.from, conic.to].map(|p| text(p.x) + "," + &text(p.y));
@@ -157,10 +157,10 @@ pub(super) fn describe_spline(spline: &Spline) -> String {
         rounds => format!(", settled in {rounds} rounds"),
     };
     let ends = match spline.options.ends {
-        Ends::Cyclic => "cyclic",
-        Ends::Free => "free",
-        Ends::Natural => "natural",
-        Ends::Fixed(_) => "fixed",
+        SplineEnds::Cyclic => "cyclic",
+        SplineEnds::Free => "free",
+        SplineEnds::Natural => "natural",
+        SplineEnds::Fixed(_) => "fixed",
     };
     let unit = spline.options.unit_tangents.then_some(", unit tangents");
     let tangents = unit.unwrap_or_default();

@@ -3,7 +3,7 @@
 use kurbo::{Point, Vec2};
 use svgtypes::{PathParser, PathSegment};
 
-use super::frame::{circle_between, cotangent_between};
+use super::frame::{circle_between, cotangent_between, products_about};
 pub use super::svg_arc::SvgArc;
 pub(crate) use super::svg_arc::{Chord, Half};
 use super::{Arc, Given, Line, Shape, finite_point};
@@ -97,7 +97,7 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
         return Err(Error::Shape(ShapeError::SamePoints { all }));
     }
     let (u, v) = (from - on, to - on);
-    let [cross, dot] = products_about(on, from, to);
+    let [cross, dot] = products_about(on, [from, to]).map(Double::value);
     // What rounding alone can make of the cross product of points on a line.
     let largest = [from, on, to]
         .iter()
@@ -125,30 +125,21 @@ pub(super) fn inscribed(ends: [Point; 2], given: Given, forth: bool) -> Result<S
     }
     let center = finite_point("centre", center)?;
     let (start, size) = (from - center, cotangent.value());
-    // Half the sweep lies within half a turn.
-    let half = if forth {
-        libm::atan2(1.0, size)
-    } else {
-        -libm::atan2(1.0, -size)
+    let sweep = match given {
+        Given::Bulge(bulge) => 4.0 * libm::atan(bulge),
+        // Half the sweep lies within half a turn.
+        _ if forth => 2.0 * libm::atan2(1.0, size),
+        _ => -2.0 * libm::atan2(1.0, -size),
     };
     Ok(Shape::Arc(Arc {
         center,
         radii: Vec2::new(finite("radius", radius)?, radius),
         rotation: Angle::ZERO,
         start: Angle::from_radians(libm::atan2(start.y, start.x)),
-        sweep: Angle::from_radians(2.0 * half),
+        sweep: Angle::from_radians(sweep),
         ends: Some(ends),
         given,
     }))
-}
-
-/// (from - on) × (to - on) and (from - on)·(to - on) to the last digit: they cancel for points near a line, and on a semicircle.
-fn products_about(on: Point, from: Point, to: Point) -> [f64; 2] {
-    let arm = |p: Point| [Double::difference(p.x, on.x), Double::difference(p.y, on.y)];
-    let ([ux, uy], [vx, vy]) = (arm(from), arm(to));
-    let cross = ux.times(vy).plus(uy.times(vx).scaled(-1.0));
-    let dot = ux.times(vx).plus(uy.times(vy));
-    [cross.value(), dot.value()]
 }
 
 /// The arc from `from` to `to` with the DXF bulge tan(sweep/4), positive in the direction of growing angles; a line where it is 0.
@@ -165,25 +156,10 @@ pub fn from_bulge(from: Point, to: Point, bulge: f64) -> Result<Shape> {
     if from == to {
         return Ok(Shape::Empty);
     }
-    let chord = to - from;
-    let square = bulge * bulge;
-    let radius = chord.hypot() * (1.0 + square) / (4.0 * bulge.abs());
-    if bulge == 0.0 || !radius.is_finite() {
+    if bulge == 0.0 {
         return Ok(Shape::Line(Line { from, to }));
     }
-    let depth = (1.0 - square) / (4.0 * bulge);
-    let center = from.midpoint(to) + Vec2::new(-chord.y, chord.x) * depth;
-    let center = finite_point("centre", center)?;
-    let start = from - center;
-    Ok(Shape::Arc(Arc {
-        center,
-        radii: Vec2::new(finite("radius", radius)?, radius),
-        rotation: Angle::ZERO,
-        start: Angle::from_radians(libm::atan2(start.y, start.x)),
-        sweep: Angle::from_radians(4.0 * libm::atan(bulge)),
-        ends: Some([from, to]),
-        given: Given::Bulge(bulge),
-    }))
+    inscribed([from, to], Given::Bulge(bulge), bulge > 0.0)
 }
 
 /// The whole circle from a point of it.

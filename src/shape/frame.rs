@@ -8,7 +8,7 @@ use kurbo::{Affine, Point, Vec2};
 use super::Given;
 use crate::angle::Angle;
 use crate::numeric::double::{Double, Twice};
-pub(super) use inscribed::{circle_between, cotangent_between};
+pub(super) use inscribed::{circle_between, cotangent_between, products_about};
 
 /// The sweep in degrees up to which a sweep and a chord tell more than the centre: towards a whole turn the chord shrinks to nothing.
 const WIDEST: f64 = 270.0;

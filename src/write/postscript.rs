@@ -204,10 +204,11 @@ fn ascii(text: &str) -> String {
 
 /// More of Lancaster's procedures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Procedures {
-    /// `reportpath`: prints the current path, each point as x before y.
+    /// reportpath prints the current path, each point as x before y.
     Reporter,
-    /// `acos`, `asin`, `trig.acos` and `trig.asin`, in degrees.
+    /// acos, asin, trig.acos and trig.asin, in degrees.
     Trig,
 }
 

@@ -7,6 +7,7 @@ use curveto::{Angle, Arc, Tolerance, path};
 use proptest::prelude::*;
 
 use crate::judges::program::{printed, run, words};
+use crate::judges::random::uniform;
 
 const SAMPLES: usize = 120;
 
@@ -123,20 +124,12 @@ fn chords_are_no_more_than_by_halving() {
     }
 }
 
-/// Numbers from -1 to 1.
-fn random(state: &mut u64) -> f64 {
-    *state = state
-        .wrapping_mul(6_364_136_223_846_793_005)
-        .wrapping_add(1);
-    (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-}
-
 #[test]
 fn folded_curves_take_no_more_chords_than_by_halving() {
     let mut state = 11;
     for _ in 0..60 {
         // Forth, back and forth again, nearly on a line.
-        let mut x = |most: f64| (10.0 * most * random(&mut state)).round() / 10.0;
+        let mut x = |most: f64| (10.0 * most * (2.0 * uniform(&mut state) - 1.0)).round() / 10.0;
         let [a, b, c, d] = [175.0, 1.0, 175.0, 1.0].map(&mut x);
         let data = format!("M0 0C{a} {b} {c} {d} {} 0", 50.0 + x(45.0));
         let piece = given(&path::contours(&data).unwrap()[0])[0];

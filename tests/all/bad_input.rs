@@ -70,6 +70,25 @@ fn folder() -> tempfile::TempDir {
     put("empty", b"");
     put("binary", &(0..=255).cycle().take(2560).collect::<Vec<u8>>());
     put("utf16.svg", b"\xff\xfe<\0s\0v\0g\0/\0>\0");
+    let subset = r#"<!ENTITY a "0 0 ">
+<!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;">
+<!ENTITY c "&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;">
+<!ENTITY large "&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;&c;">
+<!ENTITY more "&large;&large;&large;&large;&large;&large;&large;&large;&large;">
+<!ENTITY huge "&more;&more;&more;&more;&more;&more;&more;&more;&more;&more;">
+<!ENTITY drawn "<path d='M0 0L1 1'/>">"#;
+    for (name, drawing) in [
+        ("huge.svg", "<path d='M0&huge;L1 1'/>"),
+        (
+            "moved.svg",
+            "<g transform='&huge;'>\n<path d='M0 0L1 1'/></g>",
+        ),
+        ("tag.svg", "<path d='M0 0C1 2 3 4 5 6&drawn;'/>"),
+        ("drawn.svg", "<path d='M0 0C1 2 3 4 5 6'/>\n&drawn;"),
+    ] {
+        let text = format!("<!DOCTYPE svg [{subset}]>\n<svg>{drawing}</svg>");
+        put(name, text.as_bytes());
+    }
     put("truncated.svg", b"<svg><circle r=\"5\"");
     put(
         "double-bom.svg",

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use curveto::document::{self, Converted, Error, Kind, Only, Options};
+use curveto::document::{self, Converted, ElementKind, Error, Only, Options};
 use curveto::{Cut, Method, Rule, Tolerance};
 
 /// The error of the default at 94.5 degrees, the widest single cubic, and what rounding adds.
@@ -404,9 +404,9 @@ fn every_method_draws_as_by_itself() {
 fn methods_that_end_off_the_shape_serve_closed_ones_only() {
     for (only, serves) in [
         (Only::ALL, false),
-        (Only::of(&[Kind::Path]), false),
-        (Only::of(&[Kind::Rect]), false),
-        (Only::of(&[Kind::Circle, Kind::Ellipse]), true),
+        (Only::of(&[ElementKind::Path]), false),
+        (Only::of(&[ElementKind::Rect]), false),
+        (Only::of(&[ElementKind::Circle, ElementKind::Ellipse]), true),
     ] {
         let options = Options {
             rule: Rule::Method(Method::MinimaxFree),
@@ -638,7 +638,7 @@ fn only_what_is_asked_for_is_replaced() {
     let text = svg(
         r#"<circle r="1"/><ellipse rx="1" ry="2"/><rect width="5" height="5" rx="1"/><path d="M0 0a1 1 0 0 1 1 1"/>"#,
     );
-    for kind in Kind::ALL {
+    for kind in ElementKind::ALL {
         let options = Options {
             only: Only::of(&[kind]),
             ..Options::default()

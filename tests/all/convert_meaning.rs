@@ -937,7 +937,7 @@ fn a_declaration_that_does_not_fit_is_named() {
             "{why}"
         );
         assert!(
-            why.ends_with("have its declaration say encoding=\"UTF-8\""),
+            why.ends_with("have its declaration, if there is one, say encoding=\"UTF-8\""),
             "{why}"
         );
     }
@@ -998,7 +998,7 @@ fn path_data_of_android_stay_where_they_may_not_change() {
         &[],
     );
     let only = Options {
-        only: document::Only::of(&[document::Kind::Circle]),
+        only: document::Only::of(&[document::ElementKind::Circle]),
         ..Options::default()
     };
     let arc = drawable(ARC);

@@ -54,12 +54,12 @@ proptest! {
             format!("M{}C{}C{}", words[..2].join(" "), words[2..8].join(" "), words[8..].join(" "))
         };
         let (old, new) = (tracks(&path(&a)), tracks(&path(&b)));
-        let found = compare(&old, &new, 0.0).distance();
+        let found = compare(&old, &new, 0.0).unwrap().distance();
         let samples = sampled(&old[0], &new[0], 400);
         // Nearest samples are up to half a step farther than nearest points, farthest ones as much nearer.
         let step = 300.0 / 400.0;
         prop_assert!(found >= samples - step && found <= samples + step, "{found} {samples}");
-        let place = compare(&old, &new, 0.0).pairs[0].distance.place.unwrap();
+        let place = compare(&old, &new, 0.0).unwrap().pairs[0].distance.place.unwrap();
         let other = if place.side == curveto::diff::Side::Old { &new } else { &old };
         let at_place = other[0].segments.iter().map(|s| {
             use kurbo::ParamCurveNearest as _;
@@ -77,7 +77,7 @@ fn the_stated_error_is_the_distance_from_the_true_circle() {
         let document: Value = serde_json::from_str(&printed(&words)).unwrap();
         let drawn = tracks(document["path"].as_str().unwrap());
         let (found, stated) = (
-            compare(&truth, &drawn, 0.0).distance(),
+            compare(&truth, &drawn, 0.0).unwrap().distance(),
             document["error"]["peak"].as_f64().unwrap(),
         );
         assert!(
@@ -139,7 +139,7 @@ fn exit_codes_are_those_of_gnu_diff() {
 fn subpaths_are_matched_whatever_their_order() {
     let old = tracks("M0 0H9V9H0ZM50 50h5v5h-5ZM0 0L9 0L9 9L0 9.0001Z");
     let new = tracks("M50 50h5v5h-5zM0 0L9 0L9 9L0 9.0001ZM9 9V0H0V9Z");
-    let difference = compare(&old, &new, 0.0);
+    let difference = compare(&old, &new, 0.0).unwrap();
     assert!(difference.is_within());
     let pairs: Vec<_> = difference
         .pairs
@@ -147,7 +147,7 @@ fn subpaths_are_matched_whatever_their_order() {
         .map(|pair| (pair.old, pair.new))
         .collect();
     assert_eq!(pairs, [(0, 2), (1, 0), (2, 1)]);
-    let fewer = compare(&old, &new[..2], 1.0);
+    let fewer = compare(&old, &new[..2], 1.0).unwrap();
     assert_eq!((fewer.only_old.len(), fewer.only_new.len()), (1, 0));
     assert!(!fewer.is_within());
     let said = String::from_utf8(run(&["diff", "M0 0L1 0", "M0 0L1 0M5 5L6 6"]).stdout).unwrap();
@@ -244,16 +244,20 @@ fn large_and_tiny_coordinates_are_compared() {
         &tracks("M1e140 0L2e140 0"),
         &tracks("M1e140 1e139L2e140 1e139"),
         0.0,
-    );
+    )
+    .unwrap();
     assert!((found.distance() / 1e139 - 1.0).abs() < 1e-9);
     let found = compare(
         &tracks("M0 0L1e-90 0"),
         &tracks("M0 1e-91L1e-90 1e-91"),
         0.0,
-    );
+    )
+    .unwrap();
     assert!((found.distance() / 1e-91 - 1.0).abs() < 1e-9);
     assert_eq!(
-        compare(&tracks("M0 0L0 0"), &tracks("M3 4Z"), 0.0).distance(),
+        compare(&tracks("M0 0L0 0"), &tracks("M3 4Z"), 0.0)
+            .unwrap()
+            .distance(),
         5.0
     );
 }

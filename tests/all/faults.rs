@@ -1,6 +1,7 @@
 //! What happens when things fail: a process is killed, a disk is full, a pipe is closed, a reader stops, someone else writes.
 
 use crate::judges::program::{program_in, run_in, shell};
+use crate::judges::random::uniform;
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::os::unix::fs::PermissionsExt;
@@ -90,12 +91,7 @@ fn a_killed_run_leaves_every_file_whole_and_the_next_one_finishes() {
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
-        random = random
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
-        std::thread::sleep(Duration::from_micros(
-            ((random >> 33) as f64 / f64::from(u32::MAX >> 1) * whole.as_micros() as f64) as u64,
-        ));
+        std::thread::sleep(whole.mul_f64(uniform(&mut random)));
         running += usize::from(child.try_wait().unwrap().is_none());
         child.kill().unwrap();
         child.wait().unwrap();

@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::judges::promises::{self, PROMISES, judge};
 use crate::judges::random;
 
-use curveto::document::{Kind, Only, Options};
+use curveto::document::{ElementKind, Only, Options};
 use curveto::{Cut, Method, Rule, Tolerance};
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -30,7 +30,7 @@ fn ways() -> impl Strategy<Value = (Options, Option<f64>)> {
     // A closed shape may be cut anywhere, which the judge does not know.
     let closely = Options {
         cut: Cut::Tolerance(Tolerance::Relative(1e-5)),
-        only: Only::of(&[Kind::Path]),
+        only: Only::of(&[ElementKind::Path]),
         ..Options::default()
     };
     let counted = |count| Options {

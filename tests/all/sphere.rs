@@ -3,7 +3,7 @@
 use crate::judges::program;
 
 use curveto::number::Precision;
-use curveto::sphere::{Line, Options, Part, Picture, Sphere, View};
+use curveto::sphere::{Options, Part, Picture, Sphere, SphereLine, View};
 use curveto::{Angle, Method, Rule};
 use kurbo::{ParamCurve, PathSeg, Point};
 
@@ -69,7 +69,7 @@ fn parts_of_parallels_lie_on_their_side() {
     for (parts, sign) in sides {
         assert!(parts.len() >= 7);
         for part in parts {
-            let Line::Parallel(latitude) = part.line else {
+            let SphereLine::Parallel(latitude) = part.line else {
                 panic!("{part:?}")
             };
             for segment in &part.curve.segments {
@@ -114,7 +114,7 @@ fn parallels_near_a_pole_are_seen_whole() {
         .iter()
         .filter(|part| part.curve.closed)
         .map(|part| match part.line {
-            Line::Parallel(latitude) => latitude.degrees(),
+            SphereLine::Parallel(latitude) => latitude.degrees(),
             other => panic!("{other:?}"),
         })
         .collect();

@@ -6,7 +6,7 @@ use std::process::Output;
 use curveto::measure::radial;
 use curveto::number::Precision;
 use curveto::shape::Truth;
-use curveto::spline::{Ends, Options, Parametrization, Quadrature, Spline};
+use curveto::spline::{Options, Parametrization, Quadrature, Spline, SplineEnds};
 use kurbo::{Affine, CubicBez, ParamCurveArclen, Point, Vec2};
 use serde_json::Value;
 
@@ -42,7 +42,7 @@ fn second_derivative_jump(spline: &Spline) -> f64 {
     let jumps = ends
         .windows(2)
         .map(|pair| (pair[0][1] - pair[1][0]).hypot());
-    let wrap = (spline.options.ends == Ends::Cyclic)
+    let wrap = (spline.options.ends == SplineEnds::Cyclic)
         .then(|| (ends[ends.len() - 1][1] - ends[0][0]).hypot());
     let largest = ends.iter().flatten().map(|v| v.hypot()).fold(0.0, f64::max);
     jumps.chain(wrap).fold(0.0, f64::max) / largest
@@ -56,8 +56,8 @@ fn the_second_derivative_is_continuous_at_inner_nodes() {
         Parametrization::Centripetal,
         ARC_LENGTH,
     ] {
-        let fixed = Ends::Fixed([Vec2::new(0.6, 0.8), Vec2::new(0.0, -1.0)]);
-        for ends in [Ends::Cyclic, Ends::Free, fixed] {
+        let fixed = SplineEnds::Fixed([Vec2::new(0.6, 0.8), Vec2::new(0.0, -1.0)]);
+        for ends in [SplineEnds::Cyclic, SplineEnds::Free, fixed] {
             for count in [3, 4, 5, 17, 200] {
                 let options = Options {
                     parametrization,
@@ -80,7 +80,7 @@ fn the_second_derivative_is_continuous_at_inner_nodes() {
 fn unit_tangents_give_up_the_second_derivative() {
     let options = Options {
         parametrization: ARC_LENGTH,
-        ends: Ends::Cyclic,
+        ends: SplineEnds::Cyclic,
         unit_tangents: true,
         ..Options::default()
     };
@@ -116,9 +116,9 @@ fn derivatives_and_lengths_are_those_of_a_dense_solve_in_forty_digits() {
                 _ => ARC_LENGTH,
             },
             ends: match case["ends"].as_str().unwrap() {
-                "cyclic" => Ends::Cyclic,
-                "free" => Ends::Free,
-                _ => Ends::Fixed([Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)]),
+                "cyclic" => SplineEnds::Cyclic,
+                "free" => SplineEnds::Free,
+                _ => SplineEnds::Fixed([Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)]),
             },
             unit_tangents: case["unit_tangents"].as_bool().unwrap(),
             ..Options::default()
@@ -159,7 +159,7 @@ fn vectors(value: &Value) -> Vec<Vec2> {
 fn every_segment_is_as_long_as_its_parameter() {
     let options = Options {
         parametrization: ARC_LENGTH,
-        ends: Ends::Free,
+        ends: SplineEnds::Free,
         unit_tangents: false,
         ..Options::default()
     };
@@ -181,7 +181,7 @@ fn radial_error(spline: &Spline) -> curveto::RadialError {
 fn closed(degrees: &[f64], parametrization: Parametrization, unit_tangents: bool) -> Spline {
     let options = Options {
         parametrization,
-        ends: Ends::Cyclic,
+        ends: SplineEnds::Cyclic,
         unit_tangents,
         ..Options::default()
     };
@@ -286,7 +286,7 @@ fn a_curve_through_points_on_a_line_is_that_line() {
     let speed = Vec2::new(1.0, 2.0) / 5.0_f64.sqrt();
     let options = Options {
         parametrization: ARC_LENGTH,
-        ends: Ends::Fixed([speed, speed]),
+        ends: SplineEnds::Fixed([speed, speed]),
         unit_tangents: false,
         ..Options::default()
     };
@@ -515,7 +515,7 @@ fn natural_ends_have_no_curvature() {
     for count in [2, 3, 4, 30] {
         for parametrization in [Parametrization::Uniform, Parametrization::Chord] {
             let options = Options {
-                ends: Ends::Natural,
+                ends: SplineEnds::Natural,
                 parametrization,
                 ..Options::default()
             };

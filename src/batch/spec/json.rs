@@ -18,7 +18,7 @@ use crate::shape::{Circle, Shape};
 /// The keys of a line of JSON.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Line<'a> {
+struct JsonLine<'a> {
     #[serde(borrow)]
     id: Option<&'a RawValue>,
     circle: Option<CircleKeys>,
@@ -128,7 +128,7 @@ struct PolylineKeys {
     closed: bool,
 }
 
-impl Line<'_> {
+impl JsonLine<'_> {
     /// How many subjects the line names.
     fn subjects(&self) -> usize {
         [
@@ -192,7 +192,7 @@ pub(super) fn from_json(line: &str) -> Result<Spec<'_>> {
         column,
         why,
     };
-    let keys: Line<'_> = serde_json::from_str(line)
+    let keys: JsonLine<'_> = serde_json::from_str(line)
         .map_err(|error| syntax(column(line, &error), in_plain_words(&error)))?;
     let (1, Some(subject)) = (keys.subjects(), keys.subject(syntax)?) else {
         let why =

@@ -2,16 +2,15 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use curveto::batch::{OnError, Options};
 use curveto::write::{self, Format};
 
 use super::each::EachArgs;
 use super::picture::PictureArgs;
-use super::{TalkArgs, values};
+use super::{FileArgs, TalkArgs, values};
 use crate::cli::failure::Failure;
 use crate::cli::formats;
-use crate::cli::output::Target;
 
 /// The forms of a line, for `--help` and the manual page.
 const GRAMMAR: &str = "\
@@ -54,29 +53,17 @@ pub(crate) struct BatchArgs {
     /// path, json and ps answer each line with a line; the others are one picture of all lines.
     #[arg(short, long, value_name = "F", value_parser = values::format_but_gcode(), ignore_case = true)]
     format: Option<Format>,
-    /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) output: FileArgs,
     #[command(flatten)]
     pub(crate) talk: TalkArgs,
     #[command(flatten)]
     each: EachArgs,
     /// What becomes of a line that cannot be drawn
-    ///
-    /// It ends the run, has no answer, a blank one, or with -f json an object that says why.
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
-    on_error: OnErrorArg,
+    on_error: OnError,
     #[command(flatten)]
     picture: PictureArgs,
-}
-
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum OnErrorArg {
-    #[default]
-    Stop,
-    Skip,
-    Blank,
-    Report,
 }
 
 impl BatchArgs {
@@ -85,7 +72,7 @@ impl BatchArgs {
         self.picture.check(format)?;
         Ok(write::Options {
             style: self.picture.style(),
-            glyph: Target::new(self.output.as_deref()).glyph(),
+            glyph: self.output.target().glyph(),
             ..write::Options::default()
         })
     }
@@ -95,12 +82,17 @@ impl BatchArgs {
             || std::thread::available_parallelism().map_or(1, usize::from),
             |jobs| jobs.get().min(256),
         );
-        let format =
-            formats::choose_but(Format::Gcode.name(), self.format, self.output.as_deref())?;
+        let format = formats::choose_but(Format::Gcode.name(), self.format, self.output.path())?;
         if format == Format::Gcode {
             return Err(Failure::request_with_hint(
                 "a batch has no G-code",
                 "'curveto circle', 'arc' and 'path --to arcs' write it, one path at a time; batch -f dxf keeps circular arcs",
+            ));
+        }
+        if self.on_error == OnError::Report && format != Format::Json {
+            return Err(Failure::request_with_hint(
+                "--on-error report answers with JSON objects",
+                "add -f json, or take --on-error blank",
             ));
         }
         Ok(Options {
@@ -108,18 +100,7 @@ impl BatchArgs {
             rule: self.each.rule(),
             cut: self.each.cut()?,
             precision: values::rounding(self.each.precision, format),
-            on_error: match self.on_error {
-                OnErrorArg::Stop => OnError::Stop,
-                OnErrorArg::Skip => OnError::Skip,
-                OnErrorArg::Blank => OnError::Blank,
-                OnErrorArg::Report if format != Format::Json => {
-                    return Err(Failure::request_with_hint(
-                        "--on-error report answers with JSON objects",
-                        "add -f json, or take --on-error blank",
-                    ));
-                }
-                OnErrorArg::Report => OnError::Report,
-            },
+            on_error: self.on_error,
             jobs,
             measure: self.talk.verbose,
         })

@@ -1,7 +1,5 @@
 //! The words of `compare`.
 
-use std::path::PathBuf;
-
 use clap::builder::PossibleValue;
 use clap::{ArgAction, Args, ValueEnum};
 use curveto::compare::{Comparison, Criterion};
@@ -11,6 +9,7 @@ use curveto::write::Image;
 use curveto::{Angle, Method, Rule};
 
 use super::values::{self, MethodList};
+use super::{FileArgs, QuietArgs};
 use crate::cli::formats::FileFormat;
 
 /// Methods by numbers of segments, on the full circle of radius 1 or an ellipse, or by the angle of one segment.
@@ -37,15 +36,13 @@ pub(crate) struct CompareArgs {
     /// The format [default: by the extension of -o, else table]
     #[arg(short, long, value_enum, value_name = "F", ignore_case = true)]
     pub(crate) format: Option<ComparisonFormat>,
-    /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) output: FileArgs,
     /// The size of a plot: pixels in svg and png, points in eps and pdf, or mm, cm, in, pt
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub(crate) size: Option<Size>,
-    /// Print no notes, only errors
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: QuietArgs,
 }
 
 /// How a comparison is written.

@@ -1,8 +1,8 @@
 //! The words for a conic.
 
 use clap::Args;
+use curveto::Shape;
 use curveto::conic::Conic;
-use curveto::{Angle, Shape};
 use kurbo::Point;
 
 use super::shape::{Direction, ShapeWords};
@@ -42,13 +42,5 @@ impl ShapeWords for ConicShape {
                     "take a weight below 0.9999; 'curveto conic' and 'curveto measure conic' take the others too",
                 )
             })
-    }
-
-    fn open(&self) -> bool {
-        false
-    }
-
-    fn start(&self) -> Option<Angle> {
-        None
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args, ValueEnum};
-use curveto::document::{self, Doubt, Kind, Only, Target, Trust};
+use curveto::document::{self, Doubt, ElementKind, Only, Target, Trust};
 
 use super::each::EachArgs;
 use super::{TalkArgs, values};
@@ -30,7 +30,7 @@ pub(crate) struct ConvertArgs {
     pub(crate) hidden: bool,
     /// Replace only these
     #[arg(long, value_enum, value_name = "KIND,...", value_delimiter = ',', action = ArgAction::Set)]
-    only: Vec<KindArg>,
+    only: Vec<ElementKind>,
     /// Convert although notes of these codes would hold back: for who knows better
     #[arg(long, value_name = "CODE,...", hide_short_help = true, value_delimiter = ',', value_parser = doubts(), action = ArgAction::Set)]
     trust: Vec<Doubt>,
@@ -38,7 +38,7 @@ pub(crate) struct ConvertArgs {
     ///
     /// Without it, what was left.
     #[arg(long, value_enum, value_name = "FORMAT")]
-    pub(crate) report: Option<Report>,
+    pub(crate) report: Option<ReportForm>,
     #[command(flatten)]
     pub(crate) talk: TalkArgs,
     #[command(flatten)]
@@ -78,35 +78,11 @@ pub(crate) struct DestinationArgs {
 
 /// The form of the report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Report {
+pub(crate) enum ReportForm {
     /// A line for everything left, and the counts
     Text,
     /// One JSON object
     Json,
-}
-
-/// What is replaced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum KindArg {
-    /// <circle>
-    Circle,
-    /// <ellipse>
-    Ellipse,
-    /// <rect> with round corners
-    Rect,
-    /// Arc commands of <path>
-    Path,
-}
-
-impl From<KindArg> for Kind {
-    fn from(kind: KindArg) -> Self {
-        match kind {
-            KindArg::Circle => Self::Circle,
-            KindArg::Ellipse => Self::Ellipse,
-            KindArg::Rect => Self::Rect,
-            KindArg::Path => Self::Path,
-        }
-    }
 }
 
 /// The codes that `--trust` takes.
@@ -118,11 +94,10 @@ fn doubts() -> impl TypedValueParser<Value = Doubt> {
 impl ConvertArgs {
     /// The options of the conversion; refuses what no file could meet.
     pub(crate) fn options(&self) -> Result<document::Options, Failure> {
-        let kinds: Vec<Kind> = self.only.iter().map(|&kind| kind.into()).collect();
-        let only = if kinds.is_empty() {
+        let only = if self.only.is_empty() {
             Only::ALL
         } else {
-            Only::of(&kinds)
+            Only::of(&self.only)
         };
         let mut options = document::Options {
             to: self.target()?,

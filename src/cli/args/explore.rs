@@ -1,13 +1,11 @@
 //! The words of `explore`.
 
-use std::path::PathBuf;
-
 use clap::{ArgAction, Args, Subcommand, ValueEnum};
 use curveto::Rule;
 
-use super::ConicShape;
 use super::shape::{ArcShape, CircleShape, EllipseShape};
 use super::values::{self, MethodList};
+use super::{ConicShape, FileArgs, QuietArgs};
 use crate::cli::examples;
 use crate::cli::formats::FileFormat;
 
@@ -61,12 +59,10 @@ pub(crate) struct Explored<S: Args> {
         help_heading = "Page"
     )]
     pub(crate) format: Option<PageFormat>,
-    /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE", help_heading = "Page")]
-    pub(crate) output: Option<PathBuf>,
-    /// Print no notes, only errors
-    #[arg(short, long, help_heading = "Page")]
-    quiet: bool,
+    #[command(flatten, next_help_heading = "Page")]
+    pub(crate) output: FileArgs,
+    #[command(flatten, next_help_heading = "Page")]
+    quiet: QuietArgs,
 }
 
 impl<S: Args> Explored<S> {

@@ -12,7 +12,7 @@ use curveto::{Angle, Ellipse, Shape};
 use kurbo::{Affine, Vec2};
 
 use super::shape::{ArcShape, CircleShape, EllipseShape};
-use super::{ApproximationArgs, ConicShape, values};
+use super::{ApproximationArgs, ConicShape, FileArgs, QuietArgs, values};
 use crate::cli::examples;
 use crate::cli::formats::FileFormat;
 
@@ -159,9 +159,8 @@ pub(crate) struct ReportArgs {
     /// The format [default: by the extension of -o, else table]
     #[arg(short, long, value_enum, value_name = "F", ignore_case = true)]
     pub(crate) format: Option<ReportFormat>,
-    /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) output: FileArgs,
     /// Report N points of each segment in its place
     ///
     /// At equal steps of t, both ends among them: t, x, y, radius, error, degrees.
@@ -191,9 +190,8 @@ pub(crate) struct ReportArgs {
         allow_hyphen_values = true
     )]
     pub(crate) size: Option<Size>,
-    /// Print no notes, only errors
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) quiet: QuietArgs,
 }
 
 /// Reads the true shape of `--against`.

@@ -1,6 +1,6 @@
 //! The words for output.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use curveto::number::Precision;
@@ -12,7 +12,27 @@ use super::picture::PictureArgs;
 use super::values::{self, PrecisionWord};
 use crate::cli::failure::Failure;
 use crate::cli::formats;
-use crate::cli::output::Target;
+use crate::cli::output::OutputTarget;
+
+/// The file that output goes to.
+#[derive(Debug, Args)]
+pub(crate) struct FileArgs {
+    /// Write to FILE, atomically; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl FileArgs {
+    /// Its name, where one was given.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        self.output.as_deref()
+    }
+
+    /// Where output goes.
+    pub(crate) fn target(&self) -> OutputTarget {
+        OutputTarget::new(self.path())
+    }
+}
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Output")]
@@ -20,9 +40,8 @@ pub(crate) struct OutputArgs {
     /// The format [default: by the extension of -o, else path]
     #[arg(short, long, value_name = "F", value_enum, ignore_case = true)]
     format: Option<Format>,
-    /// Write to FILE, atomically; - is standard output
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    output: FileArgs,
     /// Decimals, or auto [default: auto; json all, glif 0]
     ///
     /// They stand after the point; auto takes the fewest that add no more than a tenth of the error.
@@ -45,18 +64,18 @@ pub(crate) struct OutputArgs {
 
 impl OutputArgs {
     /// Where output goes.
-    pub(crate) fn target(&self) -> Target {
-        Target::new(self.output.as_deref())
+    pub(crate) fn target(&self) -> OutputTarget {
+        self.output.target()
     }
 
     /// The format that was asked for, or that the extension of the output file tells.
     pub(crate) fn format(&self) -> Result<Format, Failure> {
-        formats::choose(self.format, self.output.as_deref())
+        formats::choose(self.format, self.output.path())
     }
 
     /// The same for a command that makes no G-code.
     pub(crate) fn format_but_gcode(&self) -> Result<Format, Failure> {
-        formats::choose_but(Format::Gcode.name(), self.format, self.output.as_deref())
+        formats::choose_but(Format::Gcode.name(), self.format, self.output.path())
     }
 
     /// How it is to be written, where the format can do what was asked for.

@@ -57,7 +57,7 @@ enum TargetArg {
 }
 
 /// What a path becomes.
-pub(crate) enum Kind {
+pub(crate) enum PathKind {
     Beziers(Target),
     Lines,
     Arcs,
@@ -65,12 +65,12 @@ pub(crate) enum Kind {
 
 impl PathArgs {
     /// What it becomes.
-    pub(crate) fn kind(&self) -> Kind {
+    pub(crate) fn kind(&self) -> PathKind {
         match self.to {
-            TargetArg::Beziers => Kind::Beziers(Target::Beziers),
-            TargetArg::Quadratics => Kind::Beziers(Target::Quadratics),
-            TargetArg::Lines => Kind::Lines,
-            TargetArg::Arcs => Kind::Arcs,
+            TargetArg::Beziers => PathKind::Beziers(Target::Beziers),
+            TargetArg::Quadratics => PathKind::Beziers(Target::Quadratics),
+            TargetArg::Lines => PathKind::Lines,
+            TargetArg::Arcs => PathKind::Arcs,
         }
     }
 

@@ -27,9 +27,9 @@ pub(crate) struct CircleShape {
     #[arg(long, value_name = "D", value_parser = values::number, allow_hyphen_values = true, conflicts_with = "radius")]
     diameter: Option<f64>,
     #[command(flatten)]
-    place: Place,
+    place: PlaceArgs,
     #[command(flatten)]
-    course: Course,
+    course: CourseArgs,
 }
 
 #[derive(Debug, Args)]
@@ -44,9 +44,9 @@ pub(crate) struct EllipseShape {
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true)]
     rotation: Option<Angle>,
     #[command(flatten)]
-    place: Place,
+    place: PlaceArgs,
     #[command(flatten)]
-    course: Course,
+    course: CourseArgs,
 }
 
 #[derive(Debug, Args)]
@@ -116,14 +116,14 @@ pub(crate) struct ArcShape {
 }
 
 #[derive(Debug, Args)]
-struct Place {
+struct PlaceArgs {
     /// The centre
     #[arg(long, value_name = "X,Y", value_parser = values::point, allow_hyphen_values = true, default_value = "0,0")]
     center: Point,
 }
 
 #[derive(Debug, Args)]
-struct Course {
+pub(crate) struct CourseArgs {
     /// Where the first joint lies [default: 0; 180 in ps and eps]
     #[arg(long, value_name = "ANGLE", value_parser = values::angle, allow_hyphen_values = true)]
     start: Option<Angle>,
@@ -135,7 +135,7 @@ struct Course {
     open: bool,
 }
 
-impl Course {
+impl CourseArgs {
     fn resolve(&self, default: Direction) -> Direction {
         Direction {
             start: self.start.unwrap_or(default.start),
@@ -149,11 +149,20 @@ pub(crate) trait ShapeWords {
     /// The shape; a closed one starts and runs as `default` says where nothing was asked for.
     fn shape(&self, default: Direction) -> Result<Shape, Failure>;
 
+    /// How a closed shape was asked to run.
+    fn course(&self) -> Option<&CourseArgs> {
+        None
+    }
+
     /// Whether the closing operator is to be left out.
-    fn open(&self) -> bool;
+    fn open(&self) -> bool {
+        self.course().is_some_and(|course| course.open)
+    }
 
     /// Where the first joint was asked to lie.
-    fn start(&self) -> Option<Angle>;
+    fn start(&self) -> Option<Angle> {
+        self.course()?.start
+    }
 }
 
 impl ShapeWords for CircleShape {
@@ -170,12 +179,8 @@ impl ShapeWords for CircleShape {
         }))
     }
 
-    fn open(&self) -> bool {
-        self.course.open
-    }
-
-    fn start(&self) -> Option<Angle> {
-        self.course.start
+    fn course(&self) -> Option<&CourseArgs> {
+        Some(&self.course)
     }
 }
 
@@ -195,12 +200,8 @@ impl ShapeWords for EllipseShape {
         }))
     }
 
-    fn open(&self) -> bool {
-        self.course.open
-    }
-
-    fn start(&self) -> Option<Angle> {
-        self.course.start
+    fn course(&self) -> Option<&CourseArgs> {
+        Some(&self.course)
     }
 }
 
@@ -220,10 +221,6 @@ impl ShapeWords for ArcShape {
 
     fn open(&self) -> bool {
         self.open
-    }
-
-    fn start(&self) -> Option<Angle> {
-        None
     }
 }
 

@@ -1,6 +1,7 @@
 //! The words for a sphere.
 
-use clap::{ArgAction, Args, ValueEnum};
+use clap::{ArgAction, Args};
+use curveto::picture::figure::Hidden;
 use curveto::{Angle, Cut, Method};
 use kurbo::Point;
 
@@ -70,28 +71,6 @@ impl SphereArgs {
             Some(count) => Cut::Count(count),
             None if self.joints.is_empty() => Cut::Quarters,
             None => Cut::At(self.joints.clone()),
-        }
-    }
-}
-
-/// What becomes of the hidden halves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub(crate) enum Hidden {
-    /// Drawn like the others
-    Show,
-    /// Drawn dashed
-    #[default]
-    Dash,
-    /// Left out
-    None,
-}
-
-impl From<Hidden> for curveto::picture::figure::Hidden {
-    fn from(hidden: Hidden) -> Self {
-        match hidden {
-            Hidden::Show => Self::Show,
-            Hidden::Dash => Self::Dash,
-            Hidden::None => Self::None,
         }
     }
 }

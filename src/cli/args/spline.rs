@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use curveto::method::Quadrature;
-use curveto::spline::{self, Ends, Options};
+use curveto::spline::{self, Options, SplineEnds};
 use kurbo::Vec2;
 
 use super::OutputArgs;
@@ -51,7 +51,7 @@ struct Way {
     ///
     /// cyclic is a closed curve, free has derivatives zero, natural no curvature, fixed:DX,DY,DX,DY these derivatives.
     #[arg(long, value_name = "ENDS", value_parser = values::ENDS, hide_possible_values = true, default_value = "free")]
-    ends: Ends,
+    ends: SplineEnds,
     /// How arc length is integrated
     #[arg(
         long,
@@ -117,11 +117,11 @@ impl SplineArgs {
     }
 }
 
-pub(super) fn ends(text: &str) -> Result<Ends, String> {
+pub(super) fn ends(text: &str) -> Result<SplineEnds, String> {
     match text {
-        "cyclic" => Ok(Ends::Cyclic),
-        "free" => Ok(Ends::Free),
-        "natural" => Ok(Ends::Natural),
+        "cyclic" => Ok(SplineEnds::Cyclic),
+        "free" => Ok(SplineEnds::Free),
+        "natural" => Ok(SplineEnds::Natural),
         _ => {
             let numbers = text.strip_prefix("fixed:").ok_or(
                 "ends are cyclic, free, natural or fixed:DX,DY,DX,DY, with the derivatives at the first and the last point",
@@ -137,7 +137,7 @@ pub(super) fn ends(text: &str) -> Result<Ends, String> {
                     numbers.len()
                 ));
             };
-            Ok(Ends::Fixed([Vec2::new(x0, y0), Vec2::new(x1, y1)]))
+            Ok(SplineEnds::Fixed([Vec2::new(x0, y0), Vec2::new(x1, y1)]))
         }
     }
 }

@@ -5,13 +5,28 @@ use clap::Args;
 use crate::cli::failure::tell;
 
 #[derive(Debug, Clone, Copy, Default, Args)]
+pub(crate) struct QuietArgs {
+    /// Print no notes, only errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Clone, Copy, Default, Args)]
 pub(crate) struct TalkArgs {
     /// State on standard error what was done and how closely
     #[arg(short, long)]
     pub(crate) verbose: bool,
-    /// Print no notes, only errors
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) notes: QuietArgs,
+}
+
+impl QuietArgs {
+    /// Gives a note, unless it is not wanted.
+    pub(crate) fn note(self, note: &str) {
+        if !self.quiet {
+            tell(&format!("note: {note}\n"));
+        }
+    }
 }
 
 impl TalkArgs {
@@ -24,8 +39,6 @@ impl TalkArgs {
 
     /// Gives a note, unless it is not wanted.
     pub(crate) fn note(self, note: &str) {
-        if !self.quiet {
-            tell(&format!("note: {note}\n"));
-        }
+        self.notes.note(note);
     }
 }

@@ -10,7 +10,7 @@ use curveto::compare::Criterion;
 use curveto::measure::Quantity;
 use curveto::number::Precision;
 use curveto::picture::style::Shown;
-use curveto::spline::Ends;
+use curveto::spline::SplineEnds;
 use curveto::write::Format;
 use curveto::{Angle, Method, Tolerance};
 use kurbo::{Affine, Point, Vec2};
@@ -111,7 +111,7 @@ pub(super) const QUANTITY: Listed<Quantity> = Listed {
 };
 
 /// Reads what holds at the ends of a spline.
-pub(super) const ENDS: Listed<Ends> = Listed {
+pub(super) const ENDS: Listed<SplineEnds> = Listed {
     read: super::spline::ends,
     words: || {
         ["cyclic", "free", "natural", "fixed:"]

@@ -2,13 +2,13 @@
 
 use std::io::{self, BufWriter, Write};
 
-use curveto::document::{Counts, Kind, Note};
+use curveto::document::{Counts, ElementKind, Note};
 use curveto::number::{compact, counted, rounded_up};
 use serde::Serialize;
 
 use super::tree::Job;
 use super::{Done, Trouble};
-use crate::cli::args::{Report, TalkArgs};
+use crate::cli::args::{ReportForm, TalkArgs};
 use crate::cli::failure::{Failure, fit_for_terminals};
 
 /// What became of one file.
@@ -88,14 +88,14 @@ fn is_zero(distance: &f64) -> bool {
 }
 
 /// Tells about all files: errors and what was left, and with `--report` or `--verbose` the counts.
-pub(super) fn tell(reports: &[FileReport], form: Option<Report>, talk: TalkArgs, back: bool) {
+pub(super) fn tell(reports: &[FileReport], form: Option<ReportForm>, talk: TalkArgs, back: bool) {
     // Where standard error is gone, nobody is left to tell.
-    let _ = if form == Some(Report::Json) {
+    let _ = if form == Some(ReportForm::Json) {
         json(reports, &mut BufWriter::new(io::stderr().lock()))
     } else {
         let counts = (form.is_some() || talk.verbose).then_some(back);
         let mut out = BufWriter::new(anstream::stderr().lock());
-        text(reports, counts, !talk.quiet, &mut out)
+        text(reports, counts, !talk.notes.quiet, &mut out)
     };
 }
 
@@ -167,12 +167,12 @@ fn text(
 
 /// The counts in words, and how far what was made lies from what stood there.
 fn told(counts: &Counts, strayed: f64, back: bool) -> String {
-    let words: Vec<String> = Kind::ALL
+    let words: Vec<String> = ElementKind::ALL
         .into_iter()
         .filter(|kind| counts.of(*kind) > 0)
         .map(|kind| {
             let count = counts.of(kind);
-            let noun = if kind == Kind::Path {
+            let noun = if kind == ElementKind::Path {
                 "arc"
             } else {
                 kind.name()

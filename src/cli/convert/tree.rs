@@ -53,7 +53,7 @@ impl Job {
 }
 
 /// A file that was found, and its place below the folder that was named.
-struct Found {
+struct FoundFile {
     input: Input,
     below: PathBuf,
 }
@@ -85,7 +85,7 @@ pub(super) fn jobs(
     }
     let jobs = found
         .into_iter()
-        .map(|Found { input, below }| {
+        .map(|FoundFile { input, below }| {
             let destination = match (destination, &input) {
                 (DestinationArgs { check: true, .. }, _) => Destination::Nowhere,
                 (DestinationArgs { in_place: true, .. }, Input::File(path)) => {
@@ -180,16 +180,16 @@ struct Walk {
 impl Walk {
     /// Adds a file, or all SVG files of a folder in the order of their names. Links to folders are not followed, nor links to
     /// files outside of the folder; what is no plain file is left out.
-    fn find(&self, input: &Path, found: &mut Vec<Found>) {
+    fn find(&self, input: &Path, found: &mut Vec<FoundFile>) {
         if Source::of(input).is_stdin() {
-            return found.push(Found {
+            return found.push(FoundFile {
                 input: Input::Stdin,
                 below: PathBuf::new(),
             });
         }
         if !input.is_dir() {
             let below = input.file_name().map(PathBuf::from).unwrap_or_default();
-            return found.push(Found {
+            return found.push(FoundFile {
                 input: Input::File(input.to_owned()),
                 below,
             });
@@ -202,7 +202,7 @@ impl Walk {
                 Ok(entry) => {
                     let path = entry.path();
                     if is_svg(path) && self.is_ours(path, &root) {
-                        files.push(Found {
+                        files.push(FoundFile {
                             below: path.strip_prefix(input).unwrap_or(path).to_owned(),
                             input: Input::File(path.to_owned()),
                         });
@@ -247,13 +247,13 @@ impl Walk {
 }
 
 /// A folder that cannot be looked into.
-fn unreadable(input: &Path, error: &walkdir::Error) -> Found {
+fn unreadable(input: &Path, error: &walkdir::Error) -> FoundFile {
     let folder = error.path().unwrap_or(input).to_owned();
     let why = error
         .io_error()
         .map_or_else(|| error.to_string(), ToString::to_string);
     let why = format!("cannot read it: {why}");
-    Found {
+    FoundFile {
         input: Input::Unreadable(folder, why),
         below: PathBuf::new(),
     }

@@ -62,7 +62,13 @@ fn tracks(contours: &[Contour], map: Affine) -> Result<Vec<Track>, Failure> {
 fn of_svg(svg: &[u8], name: &str) -> Result<Vec<Track>, Failure> {
     let mut found = Vec::new();
     let shapes = document::svg_shapes(svg);
-    for shape in shapes.map_err(|error| Failure::request(format!("{name}:{error}")))? {
+    let shapes = shapes.map_err(|error| Failure::request(format!("{name}:{error}")))?;
+    if let Some(why) = document::unread_entity(svg) {
+        return Err(Failure::request(format!(
+            "{name}: {why}: what it draws is not known"
+        )));
+    }
+    for shape in shapes {
         let place = format!("{name}:{}", shape.line);
         let (contours, map) = shape.contours.map_err(|error| at(&place, &error))?;
         found.extend(tracks(&contours, map)?);

@@ -14,13 +14,13 @@ use super::super::args::{ConicShape, PrecisionWord};
 use super::super::conic::drawing;
 use super::super::failure::Failure;
 use super::super::formats::choose;
-use super::super::output::Target;
+use super::super::output::OutputTarget;
 use super::Outcome;
-use super::table::{close_up, lines, plain};
 use super::{draw_panels, samples, words, written};
+use crate::cli::table::{close_up, lines, plain};
 
 /// A drawing, and the number of its panel in a plot.
-struct Subject {
+struct ConicSubject {
     drawing: Drawing,
     title: String,
     panel: usize,
@@ -45,19 +45,19 @@ pub(super) fn run(conic: &Conic, args: &Measured<ConicShape>) -> Outcome {
     if let Some(file) = &report.plot {
         draw_panels(&subjects, |subject| subject.panel, file, report, chart)?;
     }
-    let output = report.output.as_deref();
+    let output = report.output.path();
     let format = choose(report.format, output)?;
     let drawings: Vec<&Drawing> = subjects.iter().map(|subject| &subject.drawing).collect();
     let text = match report.samples {
         Some(count) => samples::conic_text(&drawings, count, format)?,
         None => report_text(&drawings, format)?,
     };
-    Target::new(output).write(text.as_bytes())?;
+    OutputTarget::new(output).write(text.as_bytes())?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// The drawings by each method and of each number of segments.
-fn drawn(conic: &Conic, args: &Measured<ConicShape>) -> Result<Vec<Subject>, Failure> {
+fn drawn(conic: &Conic, args: &Measured<ConicShape>) -> Result<Vec<ConicSubject>, Failure> {
     let precision = args
         .precision
         .map_or(Some(Precision::Full), PrecisionWord::precision);
@@ -71,7 +71,7 @@ fn drawn(conic: &Conic, args: &Measured<ConicShape>) -> Result<Vec<Subject>, Fai
                 transform: args.transform.unwrap_or_default(),
             };
             let drawing = drawing(conic, &args.approximation, &options)?;
-            subjects.push(Subject {
+            subjects.push(ConicSubject {
                 title: ConicMeasurement::from(&drawing).title,
                 drawing,
                 panel,
@@ -82,7 +82,7 @@ fn drawn(conic: &Conic, args: &Measured<ConicShape>) -> Result<Vec<Subject>, Fai
 }
 
 /// The quantity along the drawings of one panel.
-fn chart(subjects: &[&Subject], quantity: Quantity) -> Result<Chart, Failure> {
+fn chart(subjects: &[&ConicSubject], quantity: Quantity) -> Result<Chart, Failure> {
     let drawings: Vec<(&str, &Drawing)> = subjects
         .iter()
         .map(|subject| (subject.drawing.method_name(), &subject.drawing))
@@ -140,5 +140,5 @@ fn table(found: &ConicMeasurement) -> String {
         ["continuity", &order, &joints],
     ]);
     close_up(&mut table, 2, &[]);
-    format!("{}\n\n{}", found.title, lines(&table))
+    format!("{}\n\n{}", found.title, lines(&table, ""))
 }

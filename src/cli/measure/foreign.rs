@@ -9,19 +9,22 @@ use curveto::{document, path};
 use kurbo::Affine;
 
 use super::super::args::measure::{ForeignArgs, ReportArgs};
-use super::super::failure::{self, Failure};
+use super::super::failure::Failure;
 use super::super::input;
-use super::{Subject, check_segments};
+use super::{MeasuredSubject, check_segments};
 
 /// The curves of one element, or of a path that stands alone.
-struct Source {
+struct ForeignPath {
     /// What messages call it.
     name: String,
     contours: curveto::Result<(Vec<Contour>, Affine)>,
 }
 
 /// Measures every subpath that can be measured, and notes the others.
-pub(super) fn measured(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Subject>, Failure> {
+pub(super) fn measured(
+    args: &ForeignArgs,
+    report: &ReportArgs,
+) -> Result<Vec<MeasuredSubject>, Failure> {
     let (name, sources) = sources(args, report)?;
     let readable = sources
         .iter()
@@ -59,7 +62,9 @@ pub(super) fn measured(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Su
     for (place, failure) in refused {
         match failure {
             Failure::Request { message, .. } => {
-                note(report, &format!("{place}: not measured: {message}"));
+                report
+                    .quiet
+                    .note(&format!("{place}: not measured: {message}"));
             }
             other => return Err(other),
         }
@@ -73,20 +78,14 @@ pub(super) fn measured(args: &ForeignArgs, report: &ReportArgs) -> Result<Vec<Su
     Ok(found)
 }
 
-fn note(report: &ReportArgs, text: &str) {
-    if !report.quiet {
-        failure::tell(&format!("note: {text}\n"));
-    }
-}
-
 fn empty() -> Failure {
     Failure::request("there is nothing to measure: the path is empty, or a single point")
 }
 
-fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Source>), Failure> {
+fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<ForeignPath>), Failure> {
     if let Some(data) = &args.path {
         let (data, name) = input::path_data(data)?;
-        let source = Source {
+        let source = ForeignPath {
             name: "path".to_owned(),
             contours: Ok((
                 path::contours(&data).map_err(|error| input::named(&name, error))?,
@@ -106,15 +105,20 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Sourc
         document::svg_paths(&svg).map_err(|error| Failure::request(format!("{name}:{error}")))?;
     if document::has_transforms_elsewhere(&svg) {
         let why = "a style sheet mentions transform; style sheets are not applied";
-        note(report, &format!("{name}: {why}"));
+        report.quiet.note(&format!("{name}: {why}"));
     }
     if document::has_uses(&svg) {
         let why = "<use> is not followed; what it draws is measured where it is defined";
-        note(report, &format!("{name}: {why}"));
+        report.quiet.note(&format!("{name}: {why}"));
+    }
+    if let Some(why) = document::unread_entity(&svg) {
+        report
+            .quiet
+            .note(&format!("{name}: {why}: what it holds is not measured"));
     }
     let source = |path: document::SvgPath| {
         let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
-        Source {
+        ForeignPath {
             name: format!("{name}:{}{id}", path.line),
             contours: path.contours,
         }
@@ -130,7 +134,7 @@ fn subject(
     map: Affine,
     args: &ForeignArgs,
     report_args: &ReportArgs,
-) -> Result<Subject, Failure> {
+) -> Result<MeasuredSubject, Failure> {
     let curve = path::curve(contour).ok_or_else(empty)??.transformed(map);
     let (curve, left_out) = curve.without_empty_segments();
     if curve.segments.is_empty() {
@@ -146,9 +150,9 @@ fn subject(
     if left_out > 0 {
         let left_out = counted(left_out, "segment");
         let left_out = format!("{name}: {left_out} of no length left out");
-        note(report_args, &left_out);
+        report_args.quiet.note(&left_out);
     }
-    Ok(Subject {
+    Ok(MeasuredSubject {
         name: name.to_owned(),
         curve,
         reference,

@@ -9,12 +9,12 @@ use curveto::write::measurement::{Samples, samples_csv};
 
 use super::super::args::measure::ReportFormat;
 use super::super::failure::Failure;
-use super::table::{close_up, lines, plain};
-use super::{Subject, written};
+use super::{MeasuredSubject, written};
+use crate::cli::table::{close_up, lines, plain};
 
 /// The points of every subject.
 pub(super) fn text(
-    subjects: &[Subject],
+    subjects: &[MeasuredSubject],
     count: usize,
     format: ReportFormat,
     always_array: bool,
@@ -26,7 +26,7 @@ pub(super) fn text(
     written(&all, format, always_array, render, samples_csv)
 }
 
-fn sampled(subject: &Subject, count: usize) -> Result<Samples<'_>, Failure> {
+fn sampled(subject: &MeasuredSubject, count: usize) -> Result<Samples<'_>, Failure> {
     Ok(Samples {
         version: 1,
         subject: &subject.measurement.subject,
@@ -76,7 +76,7 @@ fn captioned(title: &str, table: &mut Table, errors: impl Iterator<Item = f64>) 
     });
     format!(
         "{title}\n\n{}\nof {count} points: peak {}, average {}\n",
-        lines(table),
+        lines(table, ""),
         compact(peak, 6),
         compact(sum / f64::from(count), 6),
     )

@@ -2,7 +2,6 @@
 
 use core::fmt::Write;
 
-use comfy_table::{CellAlignment, Table, presets};
 use curveto::measure::Report;
 use curveto::measure::continuity::Joint;
 use curveto::measure::curvature::Curvature;
@@ -13,11 +12,13 @@ use curveto::measure::report::{
 use curveto::number::{compact, rounded_up, significant};
 use curveto::write::measurement::Measurement;
 
+use crate::cli::table::{close_up, lines, plain};
+
 /// How many joints are listed; beyond, most are alike, and JSON lists them all.
 const MOST_JOINTS: usize = 16;
 
 /// A name, a figure and what is to be said of it.
-type Line = [String; 3];
+type TableLine = [String; 3];
 
 /// The report on one curve.
 pub(super) fn render(measurement: &Measurement) -> String {
@@ -40,7 +41,7 @@ pub(super) fn render(measurement: &Measurement) -> String {
         "{}\nagainst {}\n\n{}",
         measurement.subject.title,
         reference(&report.reference),
-        lines(&table)
+        lines(&table, "")
     );
     if !report.continuity.joints.is_empty() {
         out += "\n";
@@ -49,11 +50,11 @@ pub(super) fn render(measurement: &Measurement) -> String {
     out
 }
 
-fn line(name: &str, value: String, note: String) -> Line {
+fn line(name: &str, value: String, note: String) -> TableLine {
     [name.to_owned(), value, note]
 }
 
-fn error(error: &ErrorReport) -> [Line; 6] {
+fn error(error: &ErrorReport) -> [TableLine; 6] {
     let share = format!(
         "{} of the larger radius",
         compact(rounded_up(error.relative_peak, 6), 6)
@@ -68,7 +69,7 @@ fn error(error: &ErrorReport) -> [Line; 6] {
     ]
 }
 
-fn extents(report: &Report) -> [Line; 2] {
+fn extents(report: &Report) -> [TableLine; 2] {
     [
         line(
             "length",
@@ -79,7 +80,7 @@ fn extents(report: &Report) -> [Line; 2] {
     ]
 }
 
-fn curvature(k: &CurvatureReport) -> [Line; 3] {
+fn curvature(k: &CurvatureReport) -> [TableLine; 3] {
     let value =
         |extreme: Option<Extreme>| extreme.map_or_else(|| "none".to_owned(), |e| number(e.value));
     [
@@ -97,7 +98,7 @@ fn curvature(k: &CurvatureReport) -> [Line; 3] {
     ]
 }
 
-fn continuity(c: &ContinuityReport) -> [Line; 2] {
+fn continuity(c: &ContinuityReport) -> [TableLine; 2] {
     let order = c
         .order
         .map_or_else(|| "-".to_owned(), |order| order.to_string());
@@ -116,20 +117,6 @@ fn continuity(c: &ContinuityReport) -> [Line; 2] {
         line("continuity", order, turn),
         line("", String::new(), right),
     ]
-}
-
-/// A table without lines, its first columns close together.
-pub(super) fn plain() -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING);
-    table
-}
-
-/// The lines of a table without blanks at their ends.
-pub(super) fn lines(table: &Table) -> String {
-    table
-        .lines()
-        .fold(String::new(), |text, line| text + line.trim_end() + "\n")
 }
 
 /// A bound, rounded up.
@@ -212,7 +199,7 @@ fn joints(joints: &[Joint]) -> String {
         table.add_row(side(joint, "after", joint.after));
     }
     close_up(&mut table, 2, &[0, 2, 3, 5, 6, 7]);
-    let mut out = lines(&table);
+    let mut out = lines(&table, "");
     out += &parameters(joints);
     if joints.len() > MOST_JOINTS {
         let more = joints.len() - MOST_JOINTS;
@@ -240,7 +227,7 @@ fn parameters(joints: &[Joint]) -> String {
         return String::new();
     }
     close_up(&mut table, 2, &[0, 1, 2, 3]);
-    "\n".to_owned() + &lines(&table)
+    "\n".to_owned() + &lines(&table, "")
 }
 
 /// The line of one side of a joint; what holds for both stands in the first.
@@ -264,14 +251,4 @@ fn side(joint: &Joint, name: &str, side: Option<Curvature>) -> [String; 8] {
         figure(|k| k.d1),
         figure(|k| k.d2),
     ]
-}
-
-/// Sets this many blanks between columns, and these columns to the right.
-pub(super) fn close_up(table: &mut Table, gap: u16, right: &[usize]) {
-    for (i, column) in table.column_iter_mut().enumerate() {
-        column.set_padding((0, gap));
-        if right.contains(&i) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
 }

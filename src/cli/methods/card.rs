@@ -1,6 +1,6 @@
 //! The card of one method.
 
-use comfy_table::{CellAlignment, Table};
+use comfy_table::{ColumnConstraint, Table, Width};
 use curveto::continuity::Continuity;
 use curveto::method::{Ends, Span};
 use curveto::number::{rounded_up, significant, text};
@@ -8,7 +8,7 @@ use curveto::write::catalogue::{MethodDocument, corner};
 use curveto::{Method, Result};
 
 use super::notes::notes;
-use super::table::{PROSE, lines, plain};
+use crate::cli::table::{PROSE, close_up, lines, plain, width, wrapped};
 
 /// The numbers of segments to the circle that a card tells.
 const COUNTS: [u32; 7] = [2, 3, 4, 5, 6, 8, 12];
@@ -20,8 +20,9 @@ pub(super) fn render(method: Method, entry: &MethodDocument) -> Result<String> {
     out += "\nSegments to a circle of radius 1\n";
     out += &lines(&counts(method)?, "  ");
     for note in notes(method)? {
-        let mut table = plain(PROSE);
+        let mut table = wrapped(width(PROSE));
         table.add_row([note]);
+        close_up(&mut table, 2, &[]);
         out.push('\n');
         out += &lines(&table, "");
     }
@@ -39,14 +40,13 @@ fn heading(entry: &MethodDocument) -> String {
 
 /// A heading, and rows of a name and what is to be said.
 fn section(heading: &str, rows: &[(&str, String)]) -> String {
-    let mut table = plain(PROSE);
+    let mut table = wrapped(width(PROSE));
     for (name, value) in rows {
         table.add_row([*name, value.as_str()]);
     }
+    close_up(&mut table, 2, &[]);
     if let Some(column) = table.column_mut(0) {
-        column.set_constraint(comfy_table::ColumnConstraint::Absolute(
-            comfy_table::Width::Fixed(19),
-        ));
+        column.set_constraint(ColumnConstraint::Absolute(Width::Fixed(19)));
     }
     let heading = if heading.is_empty() {
         String::new()
@@ -136,8 +136,7 @@ fn quarter(entry: &MethodDocument) -> Vec<(&'static str, String)> {
 
 fn counts(method: Method) -> Result<Table> {
     let corners = method.card().continuity_equal == Continuity::G0;
-    let mut table = Table::new();
-    table.load_style(comfy_table::presets::NOTHING);
+    let mut table = plain();
     let mut header = vec!["segments", "angle", "handle", "outside", "inside"];
     if corners {
         header.push("corner");
@@ -161,11 +160,7 @@ fn counts(method: Method) -> Result<Table> {
         }
         table.add_row(row);
     }
-    for column in 0..2 {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
+    close_up(&mut table, 2, &[0, 1]);
     Ok(table)
 }
 

@@ -1,47 +1,15 @@
 //! The catalogue for people.
 
-use comfy_table::{ColumnConstraint, ContentArrangement, Table, presets};
+use comfy_table::ColumnConstraint;
 use curveto::continuity::Continuity;
 use curveto::method::Ends;
 use curveto::number::{rounded_up, significant};
 use curveto::write::catalogue::MethodDocument;
 
-/// The width of prose: longer lines are hard to read, and a pipe has no width of its own.
-pub(super) const PROSE: u16 = 100;
+use crate::cli::table::{close_up, lines, width, wrapped};
 
 /// The widest table: its columns grow until nothing wraps.
 const WIDEST: u16 = 200;
-
-/// A table without lines that fits the terminal, as far as this width.
-pub(super) fn plain(widest: u16) -> Table {
-    let mut table = Table::new();
-    table
-        .load_style(presets::NOTHING)
-        .set_content_arrangement(ContentArrangement::Dynamic);
-    table.set_width(width(widest));
-    table
-}
-
-/// The width of the terminal, or what `COLUMNS` says of it.
-fn width(widest: u16) -> u16 {
-    let told = std::env::var("COLUMNS").ok();
-    let told = told.and_then(|columns| columns.parse().ok());
-    let width = told.or_else(|| Table::new().width());
-    width.unwrap_or(PROSE).clamp(60, widest)
-}
-
-/// Without the blanks that a table puts at both ends of its lines.
-pub(super) fn lines(table: &Table, indent: &str) -> String {
-    let trim = |line: &str| {
-        let line = line.strip_prefix(' ').unwrap_or(line).trim_end();
-        if line.is_empty() {
-            "\n".to_owned()
-        } else {
-            format!("{indent}{line}\n")
-        }
-    };
-    table.to_string().lines().map(trim).collect()
-}
 
 /// The groups, each with its heading.
 const GROUPS: [(u8, Ends, &str); 4] = [
@@ -60,9 +28,10 @@ const GROUPS: [(u8, Ends, &str); 4] = [
 ];
 
 pub(super) fn render(entries: &[MethodDocument]) -> String {
-    let columns = columns(width(WIDEST));
+    let width = width(WIDEST);
+    let columns = columns(width);
     let cut = |row: [String; 7]| row.into_iter().take(columns);
-    let mut table = plain(WIDEST);
+    let mut table = wrapped(width);
     table.add_row(cut(HEADINGS.map(str::to_owned)));
     for (degree, ends, heading) in GROUPS {
         // One table, so that the groups share their columns; a heading is put in its place afterwards.
@@ -73,10 +42,12 @@ pub(super) fn render(entries: &[MethodDocument]) -> String {
             }
         }
     }
+    close_up(&mut table, 1, &[]);
     for (i, column) in table.column_iter_mut().enumerate() {
-        if i != CRITERION {
+        if i == CRITERION {
+            column.set_padding((0, 2));
+        } else {
             column.set_constraint(ColumnConstraint::ContentWidth);
-            column.set_padding((1, 0));
         }
     }
     let mut out = lines(&table, "");

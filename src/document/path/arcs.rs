@@ -18,7 +18,7 @@ use crate::document::path::scratch::Scratch;
 use crate::document::path::segments::{Segment, Segments};
 use crate::document::style::property::Markers;
 use crate::document::{Options, Reason};
-use crate::number::decimal::{After, Decimal, Form};
+use crate::number::decimal::{After, BelowOne, Decimal};
 use crate::path::PathText;
 use crate::shape::endpoint::SvgArc;
 pub(in crate::document) use sink::Sink;
@@ -68,7 +68,7 @@ pub(in crate::document) fn rewrite(
         trail: Trail::new(text, span),
         collapses: false,
         previous: None,
-        end: PathText::new(Form::Short),
+        end: PathText::new(BelowOne::Short),
         respell: 0,
         outcome: Outcome::default(),
     };
@@ -206,8 +206,9 @@ impl<S: Sink> Writer<'_, '_, S> {
             _ => {
                 let size = self.at.point.x.abs().max(self.at.point.y.abs()).max(1e-9);
                 let decimals = (12 - libm::log10(size).ceil() as i32).max(0).unsigned_abs();
-                after.push(text, Decimal::round(self.at.point.x, decimals), Form::Short);
-                after.push(text, Decimal::round(self.at.point.y, decimals), Form::Short);
+                for x in [self.at.point.x, self.at.point.y] {
+                    after.push(text, Decimal::round(x, decimals), BelowOne::Short);
+                }
             }
         }
         after.push_text(text, &bytes[segment.arguments..=segment.arguments]);

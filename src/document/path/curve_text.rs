@@ -6,7 +6,7 @@ use crate::document::path::beziers::{Beziers, arguments};
 use crate::document::path::segments::Segment;
 use crate::document::{Options, Reason};
 use crate::measure::radial;
-use crate::number::decimal::{After, Decimal, Form};
+use crate::number::decimal::{After, BelowOne, Decimal};
 use crate::number::read as number;
 use crate::shape::endpoint::SvgArc;
 
@@ -29,7 +29,7 @@ pub(in crate::document) struct Body {
 
 /// The arguments of curves, wherever they are kept.
 #[derive(Debug, Clone, Copy, Default)]
-pub(in crate::document) struct Curve<'a> {
+pub(in crate::document) struct CurveArguments<'a> {
     pub(in crate::document) text: &'a [u8],
     /// What they end with.
     pub(in crate::document) after: After,
@@ -42,8 +42,8 @@ pub(in crate::document) struct Curve<'a> {
 }
 
 impl Body {
-    pub(in crate::document) fn curve(&self) -> Curve<'_> {
-        Curve {
+    pub(in crate::document) fn curve(&self) -> CurveArguments<'_> {
+        CurveArguments {
             text: &self.text,
             after: self.after,
             quadratic: self.quadratic,
@@ -68,8 +68,8 @@ pub(in crate::document) fn absolute(
         for point in &points[..count - usize::from(is_last)] {
             let at = *point + from;
             check_size(at)?;
-            after.push(out, Decimal::round(at.x, drawn.decimals), Form::Short);
-            after.push(out, Decimal::round(at.y, drawn.decimals), Form::Short);
+            after.push(out, Decimal::round(at.x, drawn.decimals), BelowOne::Short);
+            after.push(out, Decimal::round(at.y, drawn.decimals), BelowOne::Short);
         }
     }
     after.push_text(out, &data.as_bytes()[segment.tail..segment.end]);
@@ -97,8 +97,8 @@ pub(in crate::document) fn relative(
         for point in &points[..count - usize::from(is_last)] {
             check_size(*point)?;
             at = grid(*point);
-            after.push(out, at[0].minus(joint[0]), Form::Short);
-            after.push(out, at[1].minus(joint[1]), Form::Short);
+            after.push(out, at[0].minus(joint[0]), BelowOne::Short);
+            after.push(out, at[1].minus(joint[1]), BelowOne::Short);
         }
         if !is_last {
             joint = at;
@@ -109,8 +109,8 @@ pub(in crate::document) fn relative(
     } else {
         // The end point as spelled, counted from the last joint: exactly where the file put it.
         let [x, y] = end_point(data, segment);
-        after.push(out, x.minus(joint[0]), Form::Short);
-        after.push(out, y.minus(joint[1]), Form::Short);
+        after.push(out, x.minus(joint[0]), BelowOne::Short);
+        after.push(out, y.minus(joint[1]), BelowOne::Short);
     }
     Ok(after)
 }

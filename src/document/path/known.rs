@@ -4,7 +4,7 @@
 //! gives again, so that nothing depends on what was converted before; they are emptied when the options change.
 
 use crate::document::Options;
-use crate::document::path::curve_text::Curve;
+use crate::document::path::curve_text::CurveArguments;
 use crate::method::{Piece, Rule, Span};
 use crate::number::decimal::After;
 
@@ -77,11 +77,11 @@ impl Memo {
     }
 
     /// What the arc or the shape that was found became.
-    pub(in crate::document) fn curve(&self, index: usize) -> Curve<'_> {
+    pub(in crate::document) fn curve(&self, index: usize) -> CurveArguments<'_> {
         let Some(written) = self.arcs.get(index) else {
-            return Curve::default();
+            return CurveArguments::default();
         };
-        Curve {
+        CurveArguments {
             text: self
                 .texts
                 .get(written.text as usize..written.end as usize)
@@ -95,7 +95,7 @@ impl Memo {
     }
 
     /// Keeps an arc or a shape.
-    pub(in crate::document) fn keep(&mut self, key: &[u8], curve: &Curve<'_>) {
+    pub(in crate::document) fn keep(&mut self, key: &[u8], curve: &CurveArguments<'_>) {
         if key.len() + curve.text.len() > MOST_BYTES / 64 {
             return;
         }
@@ -187,10 +187,10 @@ mod tests {
             let text = text(i);
             memo.keep(
                 &key(i),
-                &Curve {
+                &CurveArguments {
                     text: &text,
                     segments: i,
-                    ..Curve::default()
+                    ..CurveArguments::default()
                 },
             );
             assert!(memo.arcs.len() <= MOST_ENTRIES && memo.texts.len() <= MOST_BYTES);
@@ -215,9 +215,9 @@ mod tests {
         for i in 0..200_u8 {
             memo.keep(
                 &[i],
-                &Curve {
+                &CurveArguments {
                     text: &long,
-                    ..Curve::default()
+                    ..CurveArguments::default()
                 },
             );
             assert!(memo.find(&[i]).is_some() && memo.texts.len() <= MOST_BYTES);
@@ -226,9 +226,9 @@ mod tests {
         let longer = vec![b'1'; MOST_BYTES / 64];
         memo.keep(
             b"no",
-            &Curve {
+            &CurveArguments {
                 text: &longer,
-                ..Curve::default()
+                ..CurveArguments::default()
             },
         );
         assert_eq!(memo.find(b"no"), None);

@@ -6,7 +6,7 @@ use kurbo::Vec2;
 
 use crate::arcs::recognize::Found;
 use crate::document::path::segments::Segment;
-use crate::number::decimal::{After, Decimal, Form};
+use crate::number::decimal::{After, BelowOne, Decimal};
 use crate::number::decimals_of;
 
 /// A Bézier of path data.
@@ -182,7 +182,7 @@ fn arc(text: &str, links: &[Link], run: &Run) -> Option<Edit> {
         after.push(
             &mut out,
             Decimal::round(number, u32::from(decimals_of(number))),
-            Form::Short,
+            BelowOne::Short,
         );
     }
     for flag in [given.large_arc, given.sweep] {
@@ -192,7 +192,7 @@ fn arc(text: &str, links: &[Link], run: &Run) -> Option<Edit> {
         End::Spelled(range) => after.push_text(&mut out, text[range].as_bytes()),
         End::Sum(sum) => sum
             .into_iter()
-            .for_each(|number| after.push(&mut out, number, Form::Short)),
+            .for_each(|number| after.push(&mut out, number, BelowOne::Short)),
     }
     Some(Edit {
         range: text_start(first)..last.segment.end,
@@ -270,7 +270,7 @@ fn after(text: &str, links: &[Link], run: &Run, next_run: usize) -> Option<[Opti
         } else {
             end[axis].plus(way)
         };
-        after.push(&mut out, number, Form::Short);
+        after.push(&mut out, number, BelowOne::Short);
     }
     after.part(&mut out, &text.as_bytes()[segment.arguments..]);
     let spelled = Edit {

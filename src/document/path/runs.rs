@@ -30,7 +30,7 @@ const MOST_LEVELS: usize = 8;
 
 /// What became of one path.
 #[derive(Debug, Default)]
-pub(in crate::document) struct Outcome {
+pub(in crate::document) struct RunsOutcome {
     /// The edits, in their order.
     pub(in crate::document) edits: Vec<Edit>,
     /// The arc commands in them.
@@ -41,7 +41,7 @@ pub(in crate::document) struct Outcome {
     pub(in crate::document) left: Option<(usize, Reason)>,
 }
 
-impl Outcome {
+impl RunsOutcome {
     /// Whether there is nothing to do or to note.
     pub(in crate::document) const fn is_empty(&self) -> bool {
         self.edits.is_empty() && self.left.is_none()
@@ -87,7 +87,7 @@ pub(in crate::document) fn find(
     tolerance: Option<Tolerance>,
     keeps_vertices: bool,
     strayed: f64,
-) -> Outcome {
+) -> RunsOutcome {
     let mut finder = Finder {
         text,
         tolerance,
@@ -99,9 +99,9 @@ pub(in crate::document) fn find(
         has_exponent: false,
         links: Vec::new(),
         cubics: Vec::new(),
-        outcome: Outcome {
+        outcome: RunsOutcome {
             strayed,
-            ..Outcome::default()
+            ..RunsOutcome::default()
         },
     };
     let mut segments = Segments::new(text, span).with_handles();
@@ -112,9 +112,9 @@ pub(in crate::document) fn find(
     if let Some(at) = segments.error()
         && finder.outcome.arcs > 0
     {
-        return Outcome {
+        return RunsOutcome {
             left: Some((at, Reason::PathError)),
-            ..Outcome::default()
+            ..RunsOutcome::default()
         };
     }
     finder.outcome
@@ -137,7 +137,7 @@ struct Finder<'a> {
     /// The Béziers since anything else.
     links: Vec<Link>,
     cubics: Vec<CubicBez>,
-    outcome: Outcome,
+    outcome: RunsOutcome,
 }
 
 impl Finder<'_> {

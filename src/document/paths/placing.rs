@@ -2,39 +2,14 @@
 
 use kurbo::{Affine, Vec2};
 
+use super::tag::Tag;
 use crate::document::shape::length::{self, Reading};
-use crate::document::style::css;
-use crate::document::xml::scan::Scanner;
 use crate::error::{Error, Result, TextError, finite};
 use crate::path::{self, shortened};
 
-/// A start tag of SVG that was just read.
-#[derive(Clone, Copy)]
-pub(in crate::document) struct Tag<'t> {
-    /// Its name without a prefix.
-    pub(in crate::document) name: &'t str,
-    pub(in crate::document) scanner: &'t Scanner<'t>,
-}
-
-impl Tag<'_> {
-    pub(in crate::document) fn attribute(self, name: &str) -> Option<String> {
-        Some(self.scanner.attribute(name)?.into_owned())
-    }
-
-    /// A property, of the style attribute or as an attribute.
-    pub(in crate::document) fn property(self, name: &str) -> Option<String> {
-        self.styled(name).or_else(|| self.attribute(name))
-    }
-
-    /// The declaration of the style attribute that counts.
-    fn styled(self, name: &str) -> Option<String> {
-        css::declared(&self.scanner.attribute("style")?, name)
-    }
-}
-
 /// Where the coordinates of an element lie.
 #[derive(Debug, Clone)]
-pub(in crate::document) struct Place {
+pub(in crate::document) struct Coordinates {
     /// The map to the coordinates of the outermost element, or why it is not known.
     pub(in crate::document) map: Result<Affine>,
     /// The size of the viewport, where it is known.
@@ -43,7 +18,7 @@ pub(in crate::document) struct Place {
     nested: bool,
 }
 
-impl Place {
+impl Coordinates {
     /// Outside of everything.
     pub(in crate::document) const OUTSIDE: Self = Self {
         map: Ok(Affine::IDENTITY),
@@ -52,7 +27,7 @@ impl Place {
     };
 
     /// That of an element in here.
-    pub(in crate::document) fn within(&self, tag: Tag<'_>) -> Self {
+    pub(in crate::document) fn within(&self, tag: &Tag<'_>) -> Self {
         let is_svg = tag.name == "svg";
         let mut place = self.clone();
         place.map = self.map.clone().and_then(|map| {
@@ -72,20 +47,21 @@ impl Place {
                 [Some(width), Some(height)] => Some([width, height]),
                 _ => None,
             };
-            place.viewport = view_box(tag).map(|[_, _, w, h]| [w, h]).or(size);
+            let view_box = view_box(tag).ok().flatten();
+            place.viewport = view_box.map(|[_, _, w, h]| [w, h]).or(size);
         }
         place
     }
 
     /// The transform of an element itself, about its origin.
-    fn own(&self, tag: Tag<'_>) -> Result<Affine> {
+    fn own(&self, tag: &Tag<'_>) -> Result<Affine> {
         for name in ["translate", "rotate", "scale", "offset-path"] {
-            if let Some(value) = tag.styled(name).filter(|value| value != "none") {
+            if let Some(value) = tag.styled(name)?.filter(|value| value != "none") {
                 return Err(unread(name, &value));
             }
         }
         let Some(text) = tag
-            .property("transform")
+            .property("transform")?
             .filter(|text| text.trim() != "none")
         else {
             return Ok(Affine::IDENTITY);
@@ -97,11 +73,11 @@ impl Place {
                 why: Box::new(error),
             })
         })?;
-        let Some(origin) = tag.property("transform-origin") else {
+        let Some(origin) = tag.property("transform-origin")? else {
             return Ok(own);
         };
         if let Some(value) = tag
-            .property("transform-box")
+            .property("transform-box")?
             .filter(|value| value != "view-box")
         {
             return Err(unread("transform-box", &value));
@@ -153,7 +129,7 @@ impl Place {
     /// The length of a property; the default stands where the element lacks it.
     pub(in crate::document) fn length(
         &self,
-        tag: Tag<'_>,
+        tag: &Tag<'_>,
         name: &'static str,
         default: Option<f64>,
     ) -> Result<f64> {
@@ -164,11 +140,11 @@ impl Place {
     /// The same, where the element has it and it is not `auto`.
     pub(in crate::document) fn optional_length(
         &self,
-        tag: Tag<'_>,
+        tag: &Tag<'_>,
         name: &'static str,
     ) -> Result<Option<f64>> {
         let axis = usize::from(matches!(name, "y" | "height" | "cy" | "ry" | "y1" | "y2"));
-        let Some(text) = tag.property(name).filter(|text| text != "auto") else {
+        let Some(text) = tag.property(name)?.filter(|text| text != "auto") else {
             return Ok(None);
         };
         let is_known = name != "r" || !text.ends_with('%');
@@ -177,14 +153,14 @@ impl Place {
     }
 
     /// The map of a nested viewport, and its size for what is in it.
-    fn viewport(&self, tag: Tag<'_>, size: &mut Option<[f64; 2]>) -> Result<Affine> {
+    fn viewport(&self, tag: &Tag<'_>, size: &mut Option<[f64; 2]>) -> Result<Affine> {
         let outer = self.viewport.map_or([None; 2], |size| size.map(Some));
         let x = self.length(tag, "x", Some(0.0))?;
         let y = self.length(tag, "y", Some(0.0))?;
         let at = Affine::translate((x, y));
         let width = self.length(tag, "width", outer[0]);
         let height = self.length(tag, "height", outer[1]);
-        let Some([left, top, w, h]) = view_box(tag) else {
+        let Some([left, top, w, h]) = view_box(tag)? else {
             *size = width
                 .ok()
                 .zip(height.ok())
@@ -194,7 +170,7 @@ impl Place {
         *size = Some([w, h]);
         let (width, height) = (width?, height?);
         let [x_scale, y_scale] = [width / w, height / h];
-        let words = tag.property("preserveAspectRatio").unwrap_or_default();
+        let words = tag.property("preserveAspectRatio")?.unwrap_or_default();
         let mut words = words.split_ascii_whitespace();
         let align = words.next().unwrap_or("xMidYMid");
         if align == "none" {
@@ -227,14 +203,15 @@ fn unread(name: &str, value: &str) -> Error {
     })
 }
 
-fn view_box(tag: Tag<'_>) -> Option<[f64; 4]> {
-    let text = tag.attribute("viewBox")?;
-    let numbers = text
-        .split([' ', ',', '\t', '\n'])
-        .filter(|word| !word.is_empty());
-    let numbers: Vec<f64> = numbers.map(str::parse).collect::<Result<_, _>>().ok()?;
-    let numbers: [f64; 4] = numbers.try_into().ok()?;
-    (numbers[2] > 0.0 && numbers[3] > 0.0).then_some(numbers)
+fn view_box(tag: &Tag<'_>) -> Result<Option<[f64; 4]>> {
+    let Some(text) = tag.attribute("viewBox")? else {
+        return Ok(None);
+    };
+    let words = text.split([' ', ',', '\t', '\n']);
+    let numbers = words.filter(|word| !word.is_empty()).map(str::parse);
+    let numbers: Result<Vec<f64>, _> = numbers.collect();
+    let numbers: Option<[f64; 4]> = numbers.ok().and_then(|numbers| numbers.try_into().ok());
+    Ok(numbers.filter(|numbers| numbers[2] > 0.0 && numbers[3] > 0.0))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::Rewriter;
 use crate::document::doubt::Doubt;
 use crate::document::reason::Reason;
-use crate::document::style::property::{Kind, Properties};
+use crate::document::style::property::{ElementKind, Properties};
 use crate::document::style::{of_document, on_element};
 use crate::document::xml::node::Element;
 use crate::document::xml::scan::Scanner;
@@ -12,7 +12,7 @@ impl Rewriter<'_, '_> {
     /// Why the document forbids to replace the element.
     pub(super) fn forbidden(
         &self,
-        kind: Kind,
+        kind: ElementKind,
         element: &Element<'_>,
         scanner: &Scanner<'_>,
     ) -> Option<Reason> {
@@ -29,10 +29,10 @@ impl Rewriter<'_, '_> {
             })
             .or_else(|| {
                 let prefix = element.name.strip_suffix(element.local).unwrap_or_default();
-                let named = |kind: Kind| format!("{prefix}{}", kind.name());
+                let named = |kind: ElementKind| format!("{prefix}{}", kind.name());
                 scanner
                     .doctype
-                    .has_defaults_for(&named(kind), &named(Kind::Path))
+                    .has_defaults_for(&named(kind), &named(ElementKind::Path))
                     .then_some(Reason::AttributeDefaults)
                     .filter(|reason| reason.counts(trust))
             })

@@ -1,23 +1,23 @@
 //! The way back for a whole path: where it becomes a shape, and why not.
 
-use crate::document::output::Output;
+use crate::document::output::NewText;
 use crate::document::reason::Reason;
 use crate::document::shape::tag;
 use crate::document::shape::whole::{self, Whole};
-use crate::document::style::property::Kind;
+use crate::document::style::property::ElementKind;
 use crate::document::xml::attributes::Attribute;
 use crate::document::xml::node::Element;
 use crate::joints::Tolerance;
 
 /// A path that may be a shape.
-pub(in crate::document) struct Candidate<'r, 'a> {
+pub(in crate::document) struct SelectorSubject<'r, 'a> {
     pub(in crate::document) element: &'r Element<'r>,
     pub(in crate::document) attributes: &'r [Attribute<'a>],
     pub(in crate::document) d: &'r Attribute<'a>,
     pub(in crate::document) whole: Whole,
 }
 
-impl<'r, 'a> Candidate<'r, 'a> {
+impl<'r, 'a> SelectorSubject<'r, 'a> {
     /// The path, where its data are a shape of no more bytes.
     pub(in crate::document) fn new(
         element: &'r Element<'r>,
@@ -27,7 +27,7 @@ impl<'r, 'a> Candidate<'r, 'a> {
     ) -> Option<Self> {
         let whole = whole::find(d.value, 0..d.value.len(), tolerance)?;
         let tags = if element.empty { 1 } else { 2 };
-        let names = tags * (whole.kind.name().len() - Kind::Path.name().len());
+        let names = tags * (whole.kind.name().len() - ElementKind::Path.name().len());
         let grown = whole.attributes(b'"').len() + names;
         (grown <= d.value_span.end - d.start).then_some(Self {
             element,
@@ -59,7 +59,7 @@ impl<'r, 'a> Candidate<'r, 'a> {
     }
 
     /// Makes it the shape.
-    pub(in crate::document) fn replace(&self, source: &str, output: &mut Output<'_>) {
+    pub(in crate::document) fn replace(&self, source: &str, output: &mut NewText<'_>) {
         let quote = source.as_bytes().get(self.d.value_span.start - 1);
         let attributes = self.whole.attributes(quote.copied().unwrap_or(b'"'));
         tag::become_shape(

@@ -10,7 +10,7 @@ use crate::document::path::collapse::is_too_small;
 use crate::document::path::scratch::Scratch;
 use crate::document::shape::length::{self, Length, Reading};
 use crate::document::shape::text::ShapeText;
-use crate::document::style::property::Kind;
+use crate::document::style::property::ElementKind;
 use crate::document::{Options, Reason};
 use crate::number::decimal::Decimal;
 use crate::shape::Truth;
@@ -18,7 +18,7 @@ use crate::shape::endpoint::SvgArc;
 
 /// A shape with its used values: `auto` resolved, radii clamped.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::document) enum Shape {
+pub(in crate::document) enum UsedShape {
     /// Centre and radii.
     Ellipse([Length; 2], [Length; 2]),
     /// Left top corner, size, corner radii.
@@ -29,9 +29,9 @@ pub(in crate::document) enum Shape {
 
 /// Reads a shape; `attribute` gives the resolved value of an attribute, if the element has it.
 pub(in crate::document) fn read<'v>(
-    kind: Kind,
+    kind: ElementKind,
     attribute: impl Fn(&str) -> Option<Cow<'v, str>>,
-) -> Result<Shape, Reason> {
+) -> Result<UsedShape, Reason> {
     let stands = |name| {
         attribute(name).is_some_and(|text| match length::read(&text) {
             Reading::Length(length) => length.value > 0.0,
@@ -61,37 +61,40 @@ pub(in crate::document) fn read<'v>(
 
 /// The shape with these lengths; `get` gives that of an attribute, if the element has one.
 pub(in crate::document) fn shape(
-    kind: Kind,
+    kind: ElementKind,
     get: impl Fn(&'static str) -> Result<Option<Length>, Reason>,
-) -> Result<Shape, Reason> {
+) -> Result<UsedShape, Reason> {
     // SVG 2: a negative radius is an error, and ignored, so that it is `auto`, which is the other one.
     let radius = |name| get(name).map(|found| found.filter(|radius| radius.value >= 0.0));
     let place = |name| get(name).map(|found| found.unwrap_or_else(Length::zero));
     match kind {
-        Kind::Circle => {
+        ElementKind::Circle => {
             let radius = positive("r", get("r")?)?;
-            Ok(Shape::Ellipse([place("cx")?, place("cy")?], [radius; 2]))
+            Ok(UsedShape::Ellipse(
+                [place("cx")?, place("cy")?],
+                [radius; 2],
+            ))
         }
-        Kind::Ellipse => {
+        ElementKind::Ellipse => {
             let (rx, ry) = (radius("rx")?, radius("ry")?);
             let radii = [positive("rx", rx.or(ry))?, positive("ry", ry.or(rx))?];
-            Ok(Shape::Ellipse([place("cx")?, place("cy")?], radii))
+            Ok(UsedShape::Ellipse([place("cx")?, place("cy")?], radii))
         }
-        Kind::Rect => {
+        ElementKind::Rect => {
             let (rx, ry) = (radius("rx")?, radius("ry")?);
             let radii =
                 [rx.or(ry), ry.or(rx)].map(|radius| radius.filter(|radius| radius.value > 0.0));
             let [Some(rx), Some(ry)] = radii else {
-                return Ok(Shape::Square);
+                return Ok(UsedShape::Square);
             };
             let size = [
                 positive("width", get("width")?)?,
                 positive("height", get("height")?)?,
             ];
             let radii = [clamp(rx, size[0]), clamp(ry, size[1])];
-            Ok(Shape::Rect([place("x")?, place("y")?], size, radii))
+            Ok(UsedShape::Rect([place("x")?, place("y")?], size, radii))
         }
-        Kind::Path => Ok(Shape::Square),
+        ElementKind::Path => Ok(UsedShape::Square),
     }
 }
 
@@ -126,14 +129,14 @@ fn clamp(radius: Length, side: Length) -> Length {
 
 /// Writes the path data of a shape to `out`; returns how far it lies from the shape at most, where that is to be measured.
 pub(in crate::document) fn path_data(
-    shape: &Shape,
+    shape: &UsedShape,
     options: &Options,
     scratch: &mut Scratch,
     out: &mut Vec<u8>,
 ) -> Result<f64, Reason> {
     out.clear();
     match shape {
-        Shape::Ellipse(center, radii) => {
+        UsedShape::Ellipse(center, radii) => {
             let [rx, ry] = radii.map(|radius| radius.value);
             check_size(&[center, radii], options, rx.min(ry))?;
             bezier::ellipse(
@@ -156,8 +159,8 @@ pub(in crate::document) fn path_data(
             text.curves(drawn, true);
             Ok(text.close())
         }
-        Shape::Rect(corner, size, radii) => rect(*corner, *size, *radii, options, scratch, out),
-        Shape::Square => Ok(0.0),
+        UsedShape::Rect(corner, size, radii) => rect(*corner, *size, *radii, options, scratch, out),
+        UsedShape::Square => Ok(0.0),
     }
 }
 
@@ -250,8 +253,9 @@ fn corner_truth(start: Point, to: (f64, f64), number: usize) -> Truth {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ElementKind::{Circle, Ellipse, Rect};
 
-    fn path(kind: Kind, attributes: &[(&str, &str)]) -> Result<String, Reason> {
+    fn path(kind: ElementKind, attributes: &[(&str, &str)]) -> Result<String, Reason> {
         let shape = read(kind, |name| {
             attributes
                 .iter()
@@ -270,7 +274,7 @@ mod tests {
 
     #[test]
     fn a_circle_starts_at_three_o_clock_and_closes_on_itself() {
-        let text = path(Kind::Circle, &[("cx", "12"), ("cy", "12"), ("r", "10")]).unwrap();
+        let text = path(Circle, &[("cx", "12"), ("cy", "12"), ("r", "10")]).unwrap();
         assert_eq!(
             text,
             "M22 12c0 5.5192-4.4808 10-10 10C6.4808 22 2 17.5192 2 12 2 6.4808 6.4808 2 12 2 17.5192 2 22 6.4808 22 12Z"
@@ -280,9 +284,9 @@ mod tests {
     #[test]
     fn radii_of_a_rectangle_are_shared_and_clamped() {
         let size = [("width", "10"), ("height", "4")];
-        let rounded = path(Kind::Rect, &[&size[..], &[("ry", "9")]].concat()).unwrap();
+        let rounded = path(Rect, &[&size[..], &[("ry", "9")]].concat()).unwrap();
         assert!(rounded.starts_with("M5 0c"), "{rounded}");
-        let straight = path(Kind::Rect, &[&size[..], &[("rx", "1")]].concat()).unwrap();
+        let straight = path(Rect, &[&size[..], &[("rx", "1")]].concat()).unwrap();
         assert!(
             straight.starts_with("M1 0H9c")
                 && straight.contains("V3c")
@@ -290,24 +294,20 @@ mod tests {
             "{straight}"
         );
         assert_eq!(
-            path(
-                Kind::Rect,
-                &[&size[..], &[("rx", "0"), ("ry", "9")]].concat()
-            )
-            .unwrap(),
+            path(Rect, &[&size[..], &[("rx", "0"), ("ry", "9")]].concat()).unwrap(),
             ""
         );
-        assert_eq!(path(Kind::Rect, &size).unwrap(), "");
+        assert_eq!(path(Rect, &size).unwrap(), "");
     }
 
     #[test]
     fn a_negative_radius_is_the_other_one() {
-        let ellipse = |rx, ry| path(Kind::Ellipse, &[("rx", rx), ("ry", ry)]).unwrap();
+        let ellipse = |rx, ry| path(Ellipse, &[("rx", rx), ("ry", ry)]).unwrap();
         assert_eq!(ellipse("2", "-1"), ellipse("2", "2"));
         assert_eq!(ellipse("-1", "2"), ellipse("2", "2"));
         let rect = |rx, ry| {
             let size = [("width", "10"), ("height", "4")];
-            path(Kind::Rect, &[&size[..], &[("rx", rx), ("ry", ry)]].concat()).unwrap()
+            path(Rect, &[&size[..], &[("rx", rx), ("ry", ry)]].concat()).unwrap()
         };
         assert_eq!(rect("-1", ".5"), rect(".5", ".5"));
         assert_eq!(rect("-1", "-1"), "");
@@ -316,22 +316,18 @@ mod tests {
     #[test]
     fn what_draws_nothing_is_told() {
         for (kind, attributes, code) in [
-            (Kind::Circle, &[("r", "0")][..], "not-drawn"),
-            (Kind::Circle, &[("r", "-1")], "not-drawn"),
-            (Kind::Circle, &[], "not-drawn"),
-            (Kind::Circle, &[("r", "50%")], "length"),
-            (Kind::Circle, &[("r", "auto")], "length"),
-            (Kind::Ellipse, &[("rx", "auto")], "not-drawn"),
-            (
-                Kind::Ellipse,
-                &[("rx", "auto"), ("ry", "auto")],
-                "not-drawn",
-            ),
-            (Kind::Ellipse, &[("rx", "auto"), ("ry", "3")], "length"),
-            (Kind::Rect, &[("rx", "3"), ("ry", "auto")], "length"),
-            (Kind::Ellipse, &[("rx", "-2"), ("ry", "-1")], "not-drawn"),
-            (Kind::Ellipse, &[("rx", "-2"), ("ry", "0")], "not-drawn"),
-            (Kind::Rect, &[("rx", "2"), ("width", "3")], "not-drawn"),
+            (Circle, &[("r", "0")][..], "not-drawn"),
+            (Circle, &[("r", "-1")], "not-drawn"),
+            (Circle, &[], "not-drawn"),
+            (Circle, &[("r", "50%")], "length"),
+            (Circle, &[("r", "auto")], "length"),
+            (Ellipse, &[("rx", "auto")], "not-drawn"),
+            (Ellipse, &[("rx", "auto"), ("ry", "auto")], "not-drawn"),
+            (Ellipse, &[("rx", "auto"), ("ry", "3")], "length"),
+            (Rect, &[("rx", "3"), ("ry", "auto")], "length"),
+            (Ellipse, &[("rx", "-2"), ("ry", "-1")], "not-drawn"),
+            (Ellipse, &[("rx", "-2"), ("ry", "0")], "not-drawn"),
+            (Rect, &[("rx", "2"), ("width", "3")], "not-drawn"),
         ] {
             assert_eq!(
                 path(kind, attributes).unwrap_err().code(),
@@ -339,16 +335,12 @@ mod tests {
                 "{attributes:?}"
             );
         }
-        assert!(
-            path(Kind::Ellipse, &[("ry", "3")])
-                .unwrap()
-                .starts_with("M3 0C")
-        );
+        assert!(path(Ellipse, &[("ry", "3")]).unwrap().starts_with("M3 0C"));
     }
 
     #[test]
     fn vertices_keep_the_digits_of_the_file() {
-        let text = path(Kind::Circle, &[("cx", ".12345678"), ("r", "1")]).unwrap();
+        let text = path(Circle, &[("cx", ".12345678"), ("r", "1")]).unwrap();
         assert!(text.starts_with("M1.12345678 0c"), "{text}");
         assert!(text.ends_with(" 1.12345678 0Z"), "{text}");
     }
@@ -372,12 +364,12 @@ mod tests {
             let all = [("rx", radii[0]), ("ry", radii[1])]
                 .into_iter()
                 .chain(sides);
-            read(Kind::Rect, |name| {
+            read(Rect, |name| {
                 let found = all.clone().find(|(known, _)| *known == name);
                 found.map(|(_, value)| Cow::Borrowed(value))
             })
         };
-        assert!(matches!(of(["auto", "auto"]), Ok(Shape::Square)));
+        assert!(matches!(of(["auto", "auto"]), Ok(UsedShape::Square)));
         // Browsers disagree on what the other one is then.
         for other in ["2", "5%"] {
             assert!(matches!(of(["auto", other]), Err(Reason::Length { .. })));

@@ -3,8 +3,8 @@
 use crate::document::Options;
 use crate::document::path::scratch::Scratch;
 use crate::document::reason::Reason;
-use crate::document::shape::element::{self, Shape};
-use crate::document::style::property::Kind;
+use crate::document::shape::element::{self, UsedShape};
+use crate::document::style::property::ElementKind;
 use crate::document::xml::scan::Scanner;
 
 /// Where the path data of a shape are.
@@ -19,7 +19,7 @@ pub(in crate::document) enum ShapeData {
 
 /// Works out the path data of a shape. `key` is a buffer for how it is spelled.
 pub(in crate::document) fn find(
-    kind: Kind,
+    kind: ElementKind,
     scanner: &Scanner<'_>,
     options: &Options,
     scratch: &mut Scratch,
@@ -42,7 +42,7 @@ pub(in crate::document) fn find(
         return Ok(ShapeData::Kept(index));
     }
     let shape = element::read(kind, |name| scanner.attribute(name))?;
-    if shape == Shape::Square {
+    if shape == UsedShape::Square {
         return Ok(ShapeData::Square);
     }
     let mut data = core::mem::take(&mut scratch.body.text);

@@ -1,7 +1,7 @@
 //! The tag of a shape becomes that of a path.
 
 use crate::document::splice::Splice;
-use crate::document::style::property::Kind;
+use crate::document::style::property::ElementKind;
 use crate::document::xml::attributes::Attribute;
 use crate::document::xml::node::Element;
 use crate::document::xml::scan::Scanner;
@@ -28,7 +28,7 @@ pub(in crate::document) fn arcs_elsewhere(
 /// The tag's name becomes `path`, the first geometry attribute `d`, or a `d` that has no meaning yet gets one; the other ones go
 /// with the space before them.
 pub(in crate::document) fn replace(
-    kind: Kind,
+    kind: ElementKind,
     element: &Element<'_>,
     attributes: &[Attribute<'_>],
     data: &[u8],
@@ -55,7 +55,7 @@ pub(in crate::document) fn replace(
 
 /// The tag of a path becomes that of a shape, whose attributes stand in place of `d`, up to its closing quote.
 pub(in crate::document) fn become_shape(
-    kind: Kind,
+    kind: ElementKind,
     element: &Element<'_>,
     d: &Attribute<'_>,
     attributes: &[u8],

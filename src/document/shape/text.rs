@@ -6,12 +6,12 @@ use crate::curve::segment_of;
 use crate::document::path::beziers::{Beziers, arguments};
 use crate::document::shape::length::Length;
 use crate::measure::radial;
-use crate::number::decimal::{Decimal, Form};
+use crate::number::decimal::{BelowOne, Decimal};
 use crate::path::PathText;
 use crate::shape::Truth;
 
 /// A point by its digits.
-type Place = [Decimal; 2];
+type ExactPoint = [Decimal; 2];
 
 /// Writes the path data of one shape.
 pub(in crate::document) struct ShapeText<'a> {
@@ -25,14 +25,19 @@ pub(in crate::document) struct ShapeText<'a> {
     pub(in crate::document) base: [Length; 2],
     /// Offsets whose digits are known: a point there is written exactly.
     pub(in crate::document) known: [Length; 2],
-    current: Place,
+    current: ExactPoint,
     /// What curves are measured against, and how far they lie from it at most.
     pub(in crate::document) truth: Option<Truth>,
     strayed: f64,
 }
 
 /// Writes points, counted from the origin where there is one.
-fn push_points(text: &mut PathText, out: &mut Vec<u8>, points: &[Place], origin: Option<Place>) {
+fn push_points(
+    text: &mut PathText,
+    out: &mut Vec<u8>,
+    points: &[ExactPoint],
+    origin: Option<ExactPoint>,
+) {
     for point in points {
         for (axis, number) in point.iter().enumerate() {
             text.push(
@@ -48,7 +53,7 @@ impl<'a> ShapeText<'a> {
     pub(in crate::document) fn new(asked: Option<u8>, decimals: u32, out: &'a mut Vec<u8>) -> Self {
         Self {
             out,
-            text: PathText::new(Form::Short),
+            text: PathText::new(BelowOne::Short),
             decimals,
             asked: asked.map(u32::from),
             base: [Length::zero(); 2],
@@ -59,7 +64,7 @@ impl<'a> ShapeText<'a> {
         }
     }
 
-    fn rounded(&self, place: Place) -> Place {
+    fn rounded(&self, place: ExactPoint) -> ExactPoint {
         place.map(|number| match self.asked {
             Some(decimals) if number.decimals > decimals => {
                 Decimal::round(number.value(), decimals)
@@ -69,7 +74,7 @@ impl<'a> ShapeText<'a> {
     }
 
     /// The place at an offset from the base.
-    pub(in crate::document) fn place(&self, offset: Point) -> Place {
+    pub(in crate::document) fn place(&self, offset: Point) -> ExactPoint {
         let axis = |value: f64, base: &Length, known: &Length| {
             let rounded = if value == known.value {
                 known.exact
@@ -89,14 +94,14 @@ impl<'a> ShapeText<'a> {
     }
 
     /// Begins the path.
-    pub(in crate::document) fn move_to(&mut self, place: Place) {
+    pub(in crate::document) fn move_to(&mut self, place: ExactPoint) {
         self.current = self.rounded(place);
         self.text.letter(self.out, b'M');
         push_points(&mut self.text, self.out, &[self.current], None);
     }
 
     /// A line along an axis.
-    pub(in crate::document) fn line_to(&mut self, letter: u8, place: Place) {
+    pub(in crate::document) fn line_to(&mut self, letter: u8, place: ExactPoint) {
         self.current = self.rounded(place);
         self.text.letter(self.out, letter);
         self.text
@@ -136,9 +141,9 @@ impl<'a> ShapeText<'a> {
     }
 
     /// Measures a segment from the current point, where there is something to measure it against.
-    fn measure(&mut self, places: &[Place]) {
+    fn measure(&mut self, places: &[ExactPoint]) {
         let Some(truth) = &self.truth else { return };
-        let point = |place: &Place| Point::new(place[0].value(), place[1].value());
+        let point = |place: &ExactPoint| Point::new(place[0].value(), place[1].value());
         let points: Vec<Point> = [&self.current]
             .into_iter()
             .chain(places)

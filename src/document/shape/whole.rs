@@ -5,10 +5,10 @@ use core::ops::Range;
 use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, Rect, Shape as _, Vec2};
 
 use crate::arcs::recognize::{MARGIN, Rules};
-use crate::arcs::turn::{Turn, turned};
+use crate::arcs::turn::{UprightEllipse, turned};
 use crate::contour::{Contour, Step};
 use crate::document::path::runs::{decimals, rules};
-use crate::document::style::property::Kind;
+use crate::document::style::property::ElementKind;
 use crate::joints::Tolerance;
 use crate::number::{push_shortest, round};
 use crate::path;
@@ -32,8 +32,8 @@ const NOISE: f64 = 1e-12;
 /// A whole shape.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::document) struct Whole {
-    pub(in crate::document) kind: Kind,
-    /// The values of its attributes, as [`Kind::geometry`] has them; a rectangle of equal radii has one of them.
+    pub(in crate::document) kind: ElementKind,
+    /// The values of its attributes, as [`ElementKind::geometry`] has them; a rectangle of equal radii has one of them.
     numbers: Vec<f64>,
     /// A bound, both ways, of its distance from the path.
     pub(in crate::document) strayed: f64,
@@ -141,14 +141,21 @@ fn ellipse(segments: &[PathSeg], bounds: Rect, rules: &Rules) -> Option<Whole> {
     let (center, size) = (bounds.center(), bounds.size());
     let (radii, is_circle) = evened(size.to_vec2() / 2.0, rules);
     let start = segments.first()?.start();
+    let has_joints = |turn: &UprightEllipse| {
+        let off = |segment: &PathSeg| turn.off(segment.start());
+        segments.iter().map(off).fold(0.0, f64::max) <= MARGIN * rules.moved()
+    };
+    // Joints that lie on a shape say which one was meant.
+    let joints_say = has_joints(&UprightEllipse { center, radii });
     let shape = |[cx, cy]: [f64; 2], [rx, ry]: [f64; 2]| {
-        let turn = Turn {
+        let turn = UprightEllipse {
             center: Point::new(cx, cy),
             radii: Vec2::new(rx, ry),
         };
-        let is_meant = segments
-            .iter()
-            .all(|segment| turn.off(segment.start()) <= MARGIN * rules.moved());
+        let is_meant = has_joints(&turn);
+        if joints_say && !is_meant {
+            return None;
+        }
         let rules = if is_meant {
             Rules {
                 part: rules.part.max(ROUGHEST),
@@ -161,9 +168,9 @@ fn ellipse(segments: &[PathSeg], bounds: Rect, rules: &Rules) -> Option<Whole> {
         let fits = (swept.abs() - 360.0).abs() < 1.0 && strayed <= rules.room(rx.max(ry));
         fits.then(|| Whole {
             kind: if is_circle {
-                Kind::Circle
+                ElementKind::Circle
             } else {
-                Kind::Ellipse
+                ElementKind::Ellipse
             },
             numbers: if is_circle {
                 vec![cx, cy, rx]
@@ -189,13 +196,13 @@ struct RoundRect {
 
 impl RoundRect {
     /// The corner on whose side of the middle a point lies: its ellipse, and the way from the middle to it.
-    fn corner(&self, p: Point) -> (Turn, Vec2) {
+    fn corner(&self, p: Point) -> (UprightEllipse, Vec2) {
         let middle = self.bounds.center();
         let out = Vec2::new((p.x - middle.x).signum(), (p.y - middle.y).signum());
         let half = self.bounds.size().to_vec2() / 2.0 - self.radii;
         let center = middle + Vec2::new(out.x * half.x, out.y * half.y);
         (
-            Turn {
+            UprightEllipse {
                 center,
                 radii: self.radii,
             },
@@ -277,7 +284,7 @@ fn round_rect(
         sense != 0.0 && (swept - 360.0 * sense).abs() < 1.0 && strayed <= rules.room(rx.max(ry));
     let start = segments.first()?.start();
     fits.then(|| Whole {
-        kind: Kind::Rect,
+        kind: ElementKind::Rect,
         numbers: if rx == ry {
             vec![x, y, width, height, rx]
         } else {

@@ -10,7 +10,7 @@ pub(super) const VALUES: [&str; 4] = ["to", "from", "by", "values"];
 
 /// Which element an animation changes.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub(super) enum Target {
+pub(super) enum AnimatedTarget {
     /// The element whose tag begins at this byte.
     Parent(usize),
     /// The elements with this id.
@@ -18,17 +18,17 @@ pub(super) enum Target {
 }
 
 /// The element of its link, or else its parent; browsers differ about an empty link.
-pub(super) fn target(element: &Element<'_>, scanner: &Scanner<'_>) -> Option<Target> {
+pub(super) fn target(element: &Element<'_>, scanner: &Scanner<'_>) -> Option<AnimatedTarget> {
     let mut links = element.link.into_iter();
     if links.any(|link| !scanner.attributes[link].value.trim().is_empty()) {
-        return scanner.linked_id(element).map(Target::Id);
+        return scanner.linked_id(element).map(AnimatedTarget::Id);
     }
     let parent = if element.empty {
         scanner.parent()
     } else {
         scanner.grandparent()
     };
-    parent.map(Target::Parent)
+    parent.map(AnimatedTarget::Parent)
 }
 
 /// What an animation of that attribute sets, and what its values read.

@@ -6,13 +6,13 @@
 use cssparser::{Delimiter, ParseError, Parser, Token};
 
 use super::property::{Effect, Properties};
-use super::rules::Rules;
+use super::rules::StyleRules;
 use super::selector::{self, Compound};
 
 /// What the style sheets of a document hold.
 #[derive(Debug, Default)]
-pub(in crate::document) struct Sheet {
-    pub(in crate::document) rules: Rules,
+pub(in crate::document) struct StyleSheets {
+    pub(in crate::document) rules: StyleRules,
     /// What `@keyframes` do.
     pub(in crate::document) keyframes: Effect,
     /// Whether it imports another sheet.
@@ -61,14 +61,14 @@ impl AtRule {
 }
 
 /// Adds the rules of a style sheet.
-pub(in crate::document) fn read(text: &str, sheet: &mut Sheet) {
+pub(in crate::document) fn read(text: &str, sheet: &mut StyleSheets) {
     let mut effect = Effect::default();
     items(&mut Parser::new(text), Block::Rules, &mut effect, sheet);
 }
 
 /// The declarations of a style attribute.
 pub(in crate::document) fn declarations(text: &str) -> Effect {
-    let (mut effect, mut sheet) = (Effect::default(), Sheet::default());
+    let (mut effect, mut sheet) = (Effect::default(), StyleSheets::default());
     items(
         &mut Parser::new(text),
         Block::Declarations,
@@ -159,7 +159,7 @@ pub(in crate::document) fn declares(text: &str, name: &str) -> bool {
 }
 
 /// Reads the rules and the declarations of a block; `effect` is that of the declarations that stand in it.
-fn items(input: &mut Parser<'_>, block: Block, effect: &mut Effect, sheet: &mut Sheet) {
+fn items(input: &mut Parser<'_>, block: Block, effect: &mut Effect, sheet: &mut StyleSheets) {
     let mut start = input.position();
     // What stood before the item: a bracket may make it none.
     let mut before = Some(';');
@@ -196,7 +196,7 @@ fn open(
     outer: Block,
     input: &mut Parser<'_>,
     effect: &mut Effect,
-    sheet: &mut Sheet,
+    sheet: &mut StyleSheets,
 ) {
     if let Some(name) = at_keyword(prelude) {
         match AtRule::named(&name) {
@@ -244,7 +244,7 @@ fn open(
 }
 
 /// Reads the block that has just begun.
-fn nested(input: &mut Parser<'_>, block: Block, effect: &mut Effect, sheet: &mut Sheet) {
+fn nested(input: &mut Parser<'_>, block: Block, effect: &mut Effect, sheet: &mut StyleSheets) {
     let mut was_read = false;
     let _: Result<(), ParseError<()>> = input.parse_nested_block(|input| {
         items(input, block, effect, sheet);
@@ -258,7 +258,7 @@ fn nested(input: &mut Parser<'_>, block: Block, effect: &mut Effect, sheet: &mut
 }
 
 /// A declaration or an at-rule without a block.
-fn statement(text: &str, block: Block, effect: &mut Effect, sheet: &mut Sheet) {
+fn statement(text: &str, block: Block, effect: &mut Effect, sheet: &mut StyleSheets) {
     if let Some(name) = at_keyword(text) {
         sheet.imports |= name.eq_ignore_ascii_case("import");
     } else if matches!(block, Block::Declarations | Block::Frame) {

@@ -4,12 +4,12 @@
 
 use std::collections::HashMap;
 
-use super::animation::{self, Target, target};
-use super::css::{self, Sheet};
+use super::animation::{self, AnimatedTarget, target};
+use super::css::{self, StyleSheets};
 use super::motion::{self, Motion};
 use super::on_element;
-use super::property::{Effect, Kind, Markers, Properties};
-use super::rules::Subject;
+use super::property::{Effect, ElementKind, Markers, Properties};
+use super::rules::SelectorSubject;
 use super::script;
 use crate::document::doubt::Trust;
 use crate::document::reason::Reason;
@@ -37,10 +37,10 @@ struct Changed {
 /// The facts.
 #[derive(Debug, Default)]
 pub(in crate::document) struct Facts {
-    sheet: Sheet,
+    sheet: StyleSheets,
     /// What holds for the whole document.
     everywhere: Vec<Reason>,
-    animated: HashMap<Target, Effect>,
+    animated: HashMap<AnimatedTarget, Effect>,
     changed: Changed,
     motion: Motion,
     /// Whether the path data of an Android drawable are animated.
@@ -53,7 +53,7 @@ pub(in crate::document) struct Facts {
 /// Whether an element or one of its attributes may change what holds for other elements.
 pub(in crate::document) fn is_sign(element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
     const NAMES: [&str; 6] = ["style", "animate", "set", "animateColor", "mpath", "link"];
-    element.android.is_some() && Kind::named(element.local).is_none()
+    element.android.is_some() && ElementKind::named(element.local).is_none()
         || NAMES.contains(&element.local) && element.namespace != Namespace::Other
         || scanner.attributes.iter().any(motion::moves_along)
         || script::may_run(element, scanner)
@@ -104,7 +104,7 @@ impl Facts {
                         collecting.css.push_str(text);
                     }
                 }
-                Node::Reference(resolved) => {
+                Node::Reference(_, resolved) => {
                     let collecting = within(&mut collecting, &scanner);
                     facts.reference(resolved, collecting, &scanner.doctype);
                 }
@@ -162,7 +162,7 @@ impl Facts {
             }
             "use" => self.has_uses = true,
             "mpath" => {
-                if let Some(Target::Id(id)) = target(element, scanner) {
+                if let Some(AnimatedTarget::Id(id)) = target(element, scanner) {
                     self.motion.follow(id);
                 }
             }
@@ -171,7 +171,7 @@ impl Facts {
         false
     }
 
-    fn animation(&mut self, name: &str, target: Option<Target>, scanner: &Scanner<'_>) {
+    fn animation(&mut self, name: &str, target: Option<AnimatedTarget>, scanner: &Scanner<'_>) {
         let effect = animation::effect(name, scanner);
         self.motion.animated(name, scanner);
         self.changed.classes |= name == "class";
@@ -211,7 +211,7 @@ impl Facts {
     /// Why an element of this kind cannot be replaced, if the document says so and it is not trusted.
     pub(in crate::document) fn forbid(
         &self,
-        kind: Kind,
+        kind: ElementKind,
         start: usize,
         class: Option<&str>,
         id: Option<&str>,
@@ -222,7 +222,7 @@ impl Facts {
             return Some(reason.clone());
         }
         let selector = self.sheet.rules.selected_by_name(kind, class, id);
-        let subject = Subject {
+        let subject = SelectorSubject {
             name: kind.name(),
             class,
             id,
@@ -250,15 +250,19 @@ impl Facts {
 
     /// What animations and keyframes do to an element.
     fn animated(&self, start: usize, id: Option<&str>) -> Effect {
-        let by_place = self.animated.get(&Target::Parent(start)).copied();
-        let by_id = id.and_then(|id| self.animated.get(&Target::Id(id.to_owned())).copied());
+        let by_place = self.animated.get(&AnimatedTarget::Parent(start)).copied();
+        let by_id = id.and_then(|id| {
+            self.animated
+                .get(&AnimatedTarget::Id(id.to_owned()))
+                .copied()
+        });
         let found = by_place.into_iter().chain(by_id);
         found.fold(self.sheet.keyframes, Effect::with)
     }
 
     /// Whether a style rule may round the corners of a rectangle.
     pub(in crate::document) fn may_round(&self, class: Option<&str>, id: Option<&str>) -> bool {
-        let subject = Subject {
+        let subject = SelectorSubject {
             name: "rect",
             class,
             id,
@@ -281,7 +285,7 @@ impl Facts {
         let id = id.as_deref();
         let used = id.and_then(|id| self.used.get(id)).copied();
         let inherited = inherited.with(used.unwrap_or_default());
-        let subject = Subject {
+        let subject = SelectorSubject {
             name: element.local,
             class: class.as_deref(),
             id,
@@ -338,14 +342,14 @@ pub(in crate::document) fn is_use(element: &Element<'_>) -> bool {
 }
 
 /// Why what a style does to an element of this kind forbids a replacement, if it does.
-pub(in crate::document) fn style_reason(kind: Kind, effect: Effect) -> Option<Reason> {
+pub(in crate::document) fn style_reason(kind: ElementKind, effect: Effect) -> Option<Reason> {
     let set = effect.sets.and(kind.sensitive());
     reads_reason(kind, effect)
         .or_else(|| (!set.is_empty()).then(|| Reason::StyleGeometry(set.first_name())))
 }
 
 /// The same of what values read with `attr()`.
-fn reads_reason(kind: Kind, effect: Effect) -> Option<Reason> {
+fn reads_reason(kind: ElementKind, effect: Effect) -> Option<Reason> {
     let read = effect.reads.and(kind.attributes());
     (!read.is_empty()).then(|| Reason::StyleReads(read.first_name()))
 }

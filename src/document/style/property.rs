@@ -153,18 +153,23 @@ impl Effect {
 
 /// The kinds of elements that are replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Kind {
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum ElementKind {
     /// `<circle>`
+    #[cfg_attr(feature = "cli", value(help = "<circle>"))]
     Circle,
     /// `<ellipse>`
+    #[cfg_attr(feature = "cli", value(help = "<ellipse>"))]
     Ellipse,
     /// `<rect>` with round corners
+    #[cfg_attr(feature = "cli", value(help = "<rect> with round corners"))]
     Rect,
     /// The arc commands of `<path>`
+    #[cfg_attr(feature = "cli", value(help = "Arc commands of <path>"))]
     Path,
 }
 
-impl Kind {
+impl ElementKind {
     /// All kinds, in the order in which they are reported.
     pub const ALL: [Self; 4] = [Self::Circle, Self::Ellipse, Self::Rect, Self::Path];
 
@@ -223,11 +228,23 @@ mod tests {
 
     #[test]
     fn each_kind_minds_its_own_geometry() {
-        assert!(Kind::Circle.sensitive().meets(Properties::named("r")));
-        assert!(!Kind::Circle.sensitive().meets(Properties::named("rx")));
-        assert!(Kind::Path.sensitive().meets(Properties::named("all")));
+        assert!(
+            ElementKind::Circle
+                .sensitive()
+                .meets(Properties::named("r"))
+        );
+        assert!(
+            !ElementKind::Circle
+                .sensitive()
+                .meets(Properties::named("rx"))
+        );
+        assert!(
+            ElementKind::Path
+                .sensitive()
+                .meets(Properties::named("all"))
+        );
         assert_eq!(
-            Kind::Rect
+            ElementKind::Rect
                 .sensitive()
                 .and(Properties::named("rx"))
                 .first_name(),

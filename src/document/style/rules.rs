@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use super::property::{Effect, Kind};
+use super::property::{Effect, ElementKind};
 use super::selector::Compound;
 use crate::document::xml::encoding::folded;
 
@@ -14,7 +14,7 @@ const MOST_ITEMS: usize = 64;
 
 /// What a selector is held against.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::document) struct Subject<'a> {
+pub(in crate::document) struct SelectorSubject<'a> {
     pub(in crate::document) name: &'a str,
     pub(in crate::document) class: Option<&'a str>,
     pub(in crate::document) id: Option<&'a str>,
@@ -41,7 +41,7 @@ struct Item {
 
 /// The rules.
 #[derive(Debug, Default)]
-pub(in crate::document) struct Rules {
+pub(in crate::document) struct StyleRules {
     anywhere: Said,
     by_class: HashMap<Rc<str>, Vec<Item>>,
     by_id: HashMap<Rc<str>, Vec<Item>>,
@@ -51,7 +51,7 @@ pub(in crate::document) struct Rules {
 
 impl Said {
     fn select(&mut self, compound: &Compound) {
-        for (kind, text) in Kind::ALL.into_iter().zip(&mut self.selected) {
+        for (kind, text) in ElementKind::ALL.into_iter().zip(&mut self.selected) {
             if compound.is_sensitive(kind) {
                 text.get_or_insert_with(|| compound.text.clone());
             }
@@ -82,7 +82,7 @@ impl Said {
     fn effect(&self, name: &str) -> Effect {
         let named = |name: &str| self.to_named.get(name).copied().unwrap_or_default();
         let effect = self.to_any.with(named(name));
-        if Kind::named(name).is_some() {
+        if ElementKind::named(name).is_some() {
             effect.with(named("path"))
         } else {
             effect
@@ -91,7 +91,7 @@ impl Said {
 }
 
 impl Item {
-    fn concerns(&self, subject: Subject<'_>) -> bool {
+    fn concerns(&self, subject: SelectorSubject<'_>) -> bool {
         let has = |class: &str| {
             let mut own = subject.class.unwrap_or_default().split_ascii_whitespace();
             own.any(|own| own == class)
@@ -101,10 +101,13 @@ impl Item {
     }
 }
 
-impl Rules {
+impl StyleRules {
     /// Takes up a compound selector, whatever its rule does.
     pub(in crate::document) fn select(&mut self, compound: Compound) {
-        if Kind::ALL.iter().any(|kind| compound.is_sensitive(*kind)) {
+        if ElementKind::ALL
+            .iter()
+            .any(|kind| compound.is_sensitive(*kind))
+        {
             let mut said = Said::default();
             said.select(&compound);
             self.add(compound, said);
@@ -157,7 +160,10 @@ impl Rules {
     }
 
     /// What rules say that may concern the element.
-    fn met<'r, 's>(&'r self, subject: Subject<'s>) -> impl Iterator<Item = &'r Said> + use<'r, 's> {
+    fn met<'r, 's>(
+        &'r self,
+        subject: SelectorSubject<'s>,
+    ) -> impl Iterator<Item = &'r Said> + use<'r, 's> {
         let classes = subject.class.unwrap_or_default().split_ascii_whitespace();
         let by_class = classes.filter_map(|class| self.by_class.get(class));
         let by_id = subject.id.and_then(|id| self.by_id.get(id));
@@ -172,11 +178,11 @@ impl Rules {
     /// The text of a selector that may single out the element by what a replacement changes.
     pub(in crate::document) fn selected_by_name(
         &self,
-        kind: Kind,
+        kind: ElementKind,
         class: Option<&str>,
         id: Option<&str>,
     ) -> Option<&str> {
-        let subject = Subject {
+        let subject = SelectorSubject {
             name: kind.name(),
             class,
             id,
@@ -186,7 +192,7 @@ impl Rules {
     }
 
     /// What the rules may do to an element, before or after it became a path.
-    pub(in crate::document) fn effect(&self, subject: Subject<'_>) -> Effect {
+    pub(in crate::document) fn effect(&self, subject: SelectorSubject<'_>) -> Effect {
         self.met(subject).fold(Effect::default(), |sum, said| {
             sum.with(said.effect(subject.name))
         })
@@ -208,8 +214,8 @@ mod tests {
     }
 
     /// The rules of a sheet that sets `r` and nothing else.
-    fn rules(text: &str) -> Rules {
-        let (mut rules, mut effect) = (Rules::default(), Effect::default());
+    fn rules(text: &str) -> StyleRules {
+        let (mut rules, mut effect) = (StyleRules::default(), Effect::default());
         effect.sets = Properties::named("r");
         for selectors in text.split_terminator("{r:1}").map(selector::read) {
             for compound in selectors.all {
@@ -222,8 +228,8 @@ mod tests {
         rules
     }
 
-    fn sets(rules: &Rules, class: &str, id: &str) -> Properties {
-        let subject = Subject {
+    fn sets(rules: &StyleRules, class: &str, id: &str) -> Properties {
+        let subject = SelectorSubject {
             name: "circle",
             class: Some(class),
             id: Some(id),
@@ -235,7 +241,7 @@ mod tests {
     fn classes_and_ids_narrow_a_selector() {
         let concerns = |text: &str| {
             rules(text)
-                .selected_by_name(Kind::Circle, Some("dot big"), Some("a"))
+                .selected_by_name(ElementKind::Circle, Some("dot big"), Some("a"))
                 .is_some()
         };
         for text in [

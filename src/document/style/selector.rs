@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use cssparser::{ParseError, Parser, Token};
 
-use super::property::{Kind, Properties};
+use super::property::{ElementKind, Properties};
 
 /// The most characters of a selector that a note quotes.
 const MOST_QUOTED: usize = 60;
@@ -47,14 +47,14 @@ impl Compound {
     }
 
     /// Whether it may single out elements of this kind by what a replacement changes.
-    pub(in crate::document) fn is_sensitive(&self, kind: Kind) -> bool {
+    pub(in crate::document) fn is_sensitive(&self, kind: ElementKind) -> bool {
         let names = |name: &Option<Rc<str>>| {
             name.as_deref()
                 .is_none_or(|name| name == kind.name() || name == "path")
         };
         // A selector for another element matches neither before nor after.
         let own = names(&self.name) && names(&self.outer_name);
-        let by_name = kind != Kind::Path && (self.of_type || self.name.is_some());
+        let by_name = kind != ElementKind::Path && (self.of_type || self.name.is_some());
         self.unknown || own && (by_name || self.attributes.meets(kind.attributes()))
     }
 }
@@ -259,7 +259,7 @@ mod tests {
         read(text).all
     }
 
-    fn sensitive(text: &str, kind: Kind) -> bool {
+    fn sensitive(text: &str, kind: ElementKind) -> bool {
         all(text).iter().any(|compound| compound.is_sensitive(kind))
     }
 
@@ -288,7 +288,7 @@ mod tests {
             ":/**/not(path)",
             "circle/**/:/**/hover",
         ] {
-            assert!(sensitive(text, Kind::Circle), "{text}");
+            assert!(sensitive(text, ElementKind::Circle), "{text}");
         }
         for text in [
             "rect",
@@ -305,17 +305,17 @@ mod tests {
             "text:not(path)",
             ".\\63ircle",
         ] {
-            assert!(!sensitive(text, Kind::Circle), "{text}");
+            assert!(!sensitive(text, ElementKind::Circle), "{text}");
         }
-        assert!(!sensitive("path:first-of-type", Kind::Path));
-        assert!(sensitive("path[d*=a]", Kind::Path));
+        assert!(!sensitive("path:first-of-type", ElementKind::Path));
+        assert!(sensitive("path[d*=a]", ElementKind::Path));
     }
 
     #[test]
     fn what_is_not_or_is_of_a_class_asks_for_the_class() {
         for text in [".a:not(path)", ":not(path).a", ".a:is(b, :where(path))"] {
             let all = all(text);
-            let mut sensitive = all.iter().filter(|c| c.is_sensitive(Kind::Circle));
+            let mut sensitive = all.iter().filter(|c| c.is_sensitive(ElementKind::Circle));
             assert!(
                 sensitive.all(|compound| compound.classes == ["a".into()]),
                 "{text}: {all:?}"
@@ -324,7 +324,7 @@ mod tests {
         let has = all(".a:has(path)");
         assert!(
             has.iter()
-                .any(|c| c.is_sensitive(Kind::Circle) && c.classes.is_empty())
+                .any(|c| c.is_sensitive(ElementKind::Circle) && c.classes.is_empty())
         );
     }
 
@@ -364,6 +364,6 @@ mod tests {
     #[test]
     fn nesting_ends() {
         let deep = format!("{}circle{}", ":is(".repeat(20_000), ")".repeat(20_000));
-        assert!(sensitive(&deep, Kind::Circle));
+        assert!(sensitive(&deep, ElementKind::Circle));
     }
 }

@@ -7,6 +7,9 @@ use core::cell::Cell;
 /// How deep entities may refer to one another.
 const MAX_DEPTH: usize = 16;
 
+/// Why the text of an entity that is declared elsewhere, if at all, cannot be had.
+pub(in crate::document) const UNDECLARED: &str = "is not declared in this file";
+
 /// The declarations of a document's internal subset.
 #[derive(Debug, Default)]
 pub(in crate::document) struct Doctype {
@@ -152,6 +155,19 @@ impl Doctype {
             Some(_) => Resolved::Unknown,
             None if self.external && !name.starts_with('#') => Resolved::Unknown,
             None => Resolved::Malformed,
+        }
+    }
+
+    /// Why the text of `&name;` cannot be had, or is no plain text.
+    pub(in crate::document) fn why_not(&self, name: &str) -> Option<&'static str> {
+        match self.resolve(name) {
+            Resolved::Text(text, true) if text.contains('<') => Some("holds markup"),
+            Resolved::Text(..) => None,
+            _ => Some(match self.entities.get(name) {
+                Some(Entity::External) => "has its text in another file",
+                Some(Entity::Text(_)) => "is too large, or has a part that cannot be read",
+                None => UNDECLARED,
+            }),
         }
     }
 

@@ -17,8 +17,8 @@ pub(in crate::document) enum Node<'a> {
     },
     /// Character data, and where they begin.
     Text(&'a str),
-    /// A reference in the content: what it stands for.
-    Reference(Resolved),
+    /// A reference in the content: where its `&` is, and what it stands for.
+    Reference(usize, Resolved),
     /// A processing instruction without its `<?` and `?>`.
     Instruction(&'a str),
     /// Anything without a meaning here: comments, the declaration, the DOCTYPE.

@@ -296,7 +296,7 @@ impl<'a> Scanner<'a> {
         match self.doctype.resolve(name) {
             Resolved::Malformed => Err(Fault::new(start, undeclared(name))),
             _ if self.open.is_empty() => Err(Fault::new(start, "text outside the root element")),
-            resolved => Ok(Node::Reference(resolved)),
+            resolved => Ok(Node::Reference(start, resolved)),
         }
     }
 

@@ -12,6 +12,17 @@ pub(in crate::document) fn text<'a>(raw: &'a str, doctype: &Doctype) -> Option<C
     traced(raw, doctype).map(|traced| Cow::Owned(traced.text))
 }
 
+/// Where the first reference of a value is that stands for no plain text, its name, and why.
+pub(in crate::document) fn unreadable<'a>(
+    raw: &'a str,
+    doctype: &Doctype,
+) -> Option<(usize, &'a str, &'static str)> {
+    raw.match_indices('&').find_map(|(at, _)| {
+        let name = raw[at + 1..].split(';').next()?;
+        Some((at, name, doctype.why_not(name)?))
+    })
+}
+
 /// A resolved value and the way back.
 #[derive(Debug)]
 pub(in crate::document) struct Traced {

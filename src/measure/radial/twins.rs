@@ -32,7 +32,7 @@ pub(super) struct Twins {
 impl Twins {
     /// A segment in the frame of an ellipse; `None` where it need not be measured, since one that was is its mirror image, nearly. `found` is
     /// the smaller distance on either side so far.
-    pub(super) fn to_measure(
+    pub(super) fn without_twin(
         &mut self,
         segment: &PathSeg,
         truth: &Truth,
@@ -161,7 +161,7 @@ mod tests {
         let mut twins = Twins::default();
         let mut measured = 0;
         for segment in segments {
-            let framed = twins.to_measure(segment, &truth, &exact, drawing.error.smaller());
+            let framed = twins.without_twin(segment, &truth, &exact, drawing.error.smaller());
             measured += usize::from(framed.is_some());
         }
         let singly = segments.iter().map(|segment| error([segment], &truth));
@@ -203,7 +203,7 @@ mod tests {
         let exact = truth.frame.exact(truth.radii);
         let mut twins = Twins::default();
         for segment in &drawing.curve.segments {
-            let framed = twins.to_measure(segment, &truth, &exact, drawing.error.smaller());
+            let framed = twins.without_twin(segment, &truth, &exact, drawing.error.smaller());
             assert!(framed.is_some());
         }
     }

@@ -14,7 +14,7 @@
 
 use kurbo::{CubicBez, Vec2};
 
-use super::{Fit, SIGNS, Segment};
+use super::{EllipseSegment, FittedHandles, SIGNS};
 use crate::numeric::linear;
 
 /// Where the extremes of a circle's segment lie, about.
@@ -85,15 +85,15 @@ fn between([c0, c1, c2]: [f64; 3], [first, middle, last]: [f64; 3]) -> [f64; 2] 
     }
 }
 
-impl Segment {
+impl EllipseSegment {
     /// The handles and the peak that are best to first order, from these handles, and where the extremes are; `None` where the
     /// exchange does not settle.
-    pub(super) fn start(&self, mut handles: [f64; 2]) -> Option<(Fit, [f64; 3])> {
+    pub(super) fn start(&self, mut handles: [f64; 2]) -> Option<(FittedHandles, [f64; 3])> {
         let excess = Excess::new(self.ends);
         let mut times = TIMES;
         for _ in 0..MOST_ROUNDS {
             let peak = self.leveled(&excess, &mut handles, times)?;
-            let fit = Fit { handles, peak };
+            let fit = FittedHandles { handles, peak };
             if self.exchanged(&excess, &fit, &mut times) < IN_PLACE {
                 return Some((fit, times));
             }
@@ -108,7 +108,7 @@ impl Segment {
             is_free: false,
             ..*self
         };
-        circle.cubic(&Fit { handles, peak: 0.0 })
+        circle.cubic(&FittedHandles { handles, peak: 0.0 })
     }
 
     /// One step of Newton's method for the handles with which the distance is as large, and of these signs, at these times; the
@@ -133,7 +133,7 @@ impl Segment {
     }
 
     /// Moves the times towards the extremes, by one step of Newton's method each, and tells how far the farthest went.
-    fn exchanged(&self, excess: &Excess, fit: &Fit, times: &mut [f64; 3]) -> f64 {
+    fn exchanged(&self, excess: &Excess, fit: &FittedHandles, times: &mut [f64; 3]) -> f64 {
         let coefficients = excess.coefficients(fit.handles);
         let cubic = self.on_circle(fit.handles);
         let [y, z] = between(coefficients, *times);
@@ -172,13 +172,13 @@ mod tests {
     use kurbo::ParamCurve;
 
     /// The rounds of the exchange from the circle's handles, and what it ends with.
-    fn exchange(segment: &Segment, size: f64) -> (usize, Fit, [f64; 3]) {
+    fn exchange(segment: &EllipseSegment, size: f64) -> (usize, FittedHandles, [f64; 3]) {
         let excess = Excess::new(segment.ends);
         let mut handles = [minimax::handle(&Span::from_degrees(size)); 2];
         let mut times = TIMES;
         for round in 1.. {
             let peak = segment.leveled(&excess, &mut handles, times).unwrap();
-            let fit = Fit { handles, peak };
+            let fit = FittedHandles { handles, peak };
             if segment.exchanged(&excess, &fit, &mut times) < IN_PLACE {
                 return (round, fit, times);
             }
@@ -188,7 +188,7 @@ mod tests {
     }
 
     /// Sampson's distance: the excess over twice the length of its half gradient, of the affine image of the circle's segment.
-    fn sampson(segment: &Segment, fit: &Fit, t: f64) -> f64 {
+    fn sampson(segment: &EllipseSegment, fit: &FittedHandles, t: f64) -> f64 {
         let point = segment.on_circle(fit.handles).eval(t).to_vec2();
         let gradient = Vec2::new(point.x / segment.radii.x, point.y);
         (point.hypot2() - 1.0) / (2.0 * gradient.hypot())
@@ -200,7 +200,7 @@ mod tests {
         for short in [0.9, 0.5, 0.2, 0.1] {
             for size in [30.0, 60.0, 90.0, 120.0] {
                 for from in (0..180).step_by(10).map(f64::from) {
-                    let segment = Segment::new(short, from, size, false);
+                    let segment = EllipseSegment::new(short, from, size, false);
                     let (rounds, fit, times) = exchange(&segment, size);
                     (taken, searches) = (taken + rounds, searches + 1);
                     let what = format!("{short} {size} {from}");

@@ -3,14 +3,14 @@
 use super::*;
 
 /// The steps until all has settled, from the start to first order or, off the ellipse, from the best on it.
-fn steps(segment: &Segment, span: &Span) -> usize {
+fn steps(segment: &EllipseSegment, span: &Span) -> usize {
     let (mut fit, mut times) = if segment.is_free {
-        let on_ellipse = Segment {
+        let on_ellipse = EllipseSegment {
             is_free: false,
             ..*segment
         };
         let best = on_ellipse.fit(span).unwrap();
-        let fit = Fit {
+        let fit = FittedHandles {
             peak: FREE_PEAK * best.peak,
             ..best
         };
@@ -36,14 +36,14 @@ fn a_search_takes_three_steps_or_so() {
     for short in [0.9, 0.5, 0.2, 0.1] {
         for size in [30.0, 60.0, 90.0, 120.0] {
             for from in (0..180).step_by(10).map(f64::from) {
-                let segment = Segment::new(short, from, size, false);
+                let segment = EllipseSegment::new(short, from, size, false);
                 taken[0] += steps(&segment, &Span::from_degrees(size));
                 searches += 1;
             }
         }
     }
     for short in (2..100).map(|percent| f64::from(percent) / 100.0) {
-        let segment = Segment::new(short, 0.0, 90.0, true);
+        let segment = EllipseSegment::new(short, 0.0, 90.0, true);
         taken[1] += steps(&segment, &Span::from_degrees(90.0));
     }
     assert!(

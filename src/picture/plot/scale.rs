@@ -17,7 +17,7 @@ pub(super) struct Tick {
 
 /// How an axis places values.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum ScaleKind {
     /// Round decimal steps.
     Linear,
     /// Steps that divide a turn.
@@ -31,7 +31,7 @@ pub(super) enum Kind {
 /// An axis with its range, wide enough for its data.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Axis {
-    pub(super) kind: Kind,
+    pub(super) kind: ScaleKind,
     low: f64,
     high: f64,
     /// Labels are in units of ten to this power.
@@ -41,7 +41,7 @@ pub(super) struct Axis {
 
 impl Axis {
     /// An axis for these values with about `count` ticks.
-    pub(super) fn new(kind: Kind, values: impl Iterator<Item = f64>, count: f64) -> Self {
+    pub(super) fn new(kind: ScaleKind, values: impl Iterator<Item = f64>, count: f64) -> Self {
         let (mut low, mut high) = values
             .filter(|v| v.abs() < LARGEST && (!kind.is_log() || *v >= SMALLEST))
             .map(|v| if v.abs() < SMALLEST { 0.0 } else { v })
@@ -63,14 +63,14 @@ impl Axis {
             step: 1.0,
         };
         match axis.kind {
-            Kind::Linear => axis.fit_linear(count),
-            Kind::Degrees => axis.fit_degrees(count),
-            Kind::Log => {
+            ScaleKind::Linear => axis.fit_linear(count),
+            ScaleKind::Degrees => axis.fit_degrees(count),
+            ScaleKind::Log => {
                 // A margin of a twentieth of a decade keeps marks off the frame.
                 (axis.low, axis.high) = (low / 1.2, high * 1.2);
                 axis.step = (libm::log10(high / low) / count).ceil().max(1.0);
             }
-            Kind::Given(_) => (axis.low, axis.high) = (low / 1.06, high * 1.06),
+            ScaleKind::Given(_) => (axis.low, axis.high) = (low / 1.06, high * 1.06),
         }
         axis
     }
@@ -137,9 +137,9 @@ impl Axis {
     /// The ticks, ascending.
     pub(super) fn ticks(&self) -> Vec<Tick> {
         match &self.kind {
-            Kind::Linear | Kind::Degrees => self.even_ticks(),
-            Kind::Log => self.decades(),
-            Kind::Given(values) => values
+            ScaleKind::Linear | ScaleKind::Degrees => self.even_ticks(),
+            ScaleKind::Log => self.decades(),
+            ScaleKind::Given(values) => values
                 .iter()
                 .map(|&value| Tick {
                     value,
@@ -155,7 +155,11 @@ impl Axis {
         let last = (self.high / self.step + 1e-9).floor() as i64;
         // As many decimals as the step has, on every tick.
         let decimals = usize::from(decimals_of(Precision::Fixed(9).round(self.step / unit)));
-        let sign = if self.kind == Kind::Degrees { "°" } else { "" };
+        let sign = if self.kind == ScaleKind::Degrees {
+            "°"
+        } else {
+            ""
+        };
         (first..=last.min(first + 50))
             .map(|i| {
                 let value = i as f64 * self.step;
@@ -197,7 +201,7 @@ impl Axis {
     }
 }
 
-impl Kind {
+impl ScaleKind {
     const fn is_log(&self) -> bool {
         matches!(self, Self::Log | Self::Given(_))
     }
@@ -240,7 +244,7 @@ mod tests {
 
     #[test]
     fn ticks_are_round() {
-        let axis = Axis::new(Kind::Linear, [-1.9e-4, 2.7e-4].into_iter(), 6.0);
+        let axis = Axis::new(ScaleKind::Linear, [-1.9e-4, 2.7e-4].into_iter(), 6.0);
         assert_eq!(
             (axis.exponent, labels(&axis)),
             (
@@ -248,9 +252,9 @@ mod tests {
                 ["−2", "−1", "0", "1", "2", "3"].map(String::from).to_vec()
             )
         );
-        let turn = Axis::new(Kind::Degrees, [0.0, 360.0].into_iter(), 9.0);
+        let turn = Axis::new(ScaleKind::Degrees, [0.0, 360.0].into_iter(), 9.0);
         assert_eq!(labels(&turn)[..3], ["0°", "45°", "90°"]);
-        let log = Axis::new(Kind::Log, [3e-6, 0.02].into_iter(), 8.0);
+        let log = Axis::new(ScaleKind::Log, [3e-6, 0.02].into_iter(), 8.0);
         assert_eq!(labels(&log), ["10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²"]);
     }
 
@@ -268,7 +272,7 @@ mod tests {
             vec![-3e200, 5e200],
             vec![f64::NAN],
         ] {
-            for kind in [Kind::Linear, Kind::Degrees, Kind::Log] {
+            for kind in [ScaleKind::Linear, ScaleKind::Degrees, ScaleKind::Log] {
                 let axis = Axis::new(kind, values.iter().copied(), 6.0);
                 for &value in values.iter().filter(|&&v| axis.shows(v)) {
                     let at = axis.position(value);

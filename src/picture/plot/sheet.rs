@@ -35,7 +35,7 @@ const JOINT_DASH: [f64; 2] = [2.0, 3.0];
 pub(super) fn groups(chart: &Chart, size: Vec2) -> Vec<Group> {
     let lines = || chart.series.iter().flat_map(Series::points);
     let points = || lines().chain(chart.control_points.iter().flatten());
-    let mut sheet = Sheet {
+    let mut sheet = ChartSheet {
         chart,
         x: Axis::new(chart.x_kind.clone(), points().map(|p| p.0), size.x / 90.0),
         y: Axis::new(chart.y_kind.clone(), points().map(|p| p.1), size.y / 70.0),
@@ -69,7 +69,7 @@ pub(super) fn lowered(mut group: Group, by: f64) -> Group {
 }
 
 /// A chart while it is laid out.
-struct Sheet<'a> {
+struct ChartSheet<'a> {
     chart: &'a Chart,
     x: Axis,
     y: Axis,
@@ -81,7 +81,7 @@ struct Sheet<'a> {
     words: Vec<Mark>,
 }
 
-impl Sheet<'_> {
+impl ChartSheet<'_> {
     fn draw(&mut self) {
         let legend_height = self.legend();
         let widest = |texts: &mut dyn Iterator<Item = &str>| {

@@ -16,8 +16,8 @@ pub(in crate::shape) fn cotangent_between([from, to]: [Point; 2], given: Given) 
         }
         // The inscribed angle is what half the sweep leaves of half a turn.
         Given::Through(on) => {
-            let (u, v) = (differences(from, on), differences(to, on));
-            dot(u, v).divided(cross(u, v))
+            let [cross, dot] = products_about(on, [from, to]);
+            dot.divided(cross)
         }
         // How far the centre lies beside the chord, over half of its length.
         Given::Center(center) => {
@@ -26,6 +26,12 @@ pub(in crate::shape) fn cotangent_between([from, to]: [Point; 2], given: Given) 
         }
         _ => return None,
     })
+}
+
+/// (from - on) × (to - on) and (from - on)·(to - on) to the last digit: they cancel for points near a line, and on a semicircle.
+pub(in crate::shape) fn products_about(on: Point, [from, to]: [Point; 2]) -> [Double; 2] {
+    let (u, v) = (differences(from, on), differences(to, on));
+    [cross(u, v), dot(u, v)]
 }
 
 /// The centre and the radius of the circle through two ends by that cotangent, each rounded once.

@@ -24,14 +24,17 @@ impl Term {
 }
 
 /// The power coefficients of one coordinate, and its derivatives at both ends.
-pub(super) struct Equation {
+pub(super) struct CoordinateEquation {
     pub(super) power: [Term; 4],
     pub(super) slopes: [Term; 2],
 }
 
 /// That of one coordinate of the control points.
 #[inline]
-pub(super) fn equation_of(points: &[Point], coordinate: impl Fn(&Point) -> f64) -> Equation {
+pub(super) fn equation_of(
+    points: &[Point],
+    coordinate: impl Fn(&Point) -> f64,
+) -> CoordinateEquation {
     let mut coordinates = [0.0; 4];
     let coordinates = &mut coordinates[..points.len()];
     for (own, point) in coordinates.iter_mut().zip(points) {
@@ -41,7 +44,7 @@ pub(super) fn equation_of(points: &[Point], coordinate: impl Fn(&Point) -> f64) 
 }
 
 /// The equation of a cubic whose coordinates have few digits, in whole units of the last of them.
-fn equation_in_units(coordinates: &[f64]) -> Option<Equation> {
+fn equation_in_units(coordinates: &[f64]) -> Option<CoordinateEquation> {
     /// Up to here no two decimals have one float.
     const MOST: i64 = 1_000_000_000_000_000;
     let &[a, b, c, d] = coordinates else {
@@ -59,14 +62,14 @@ fn equation_in_units(coordinates: &[f64]) -> Option<Equation> {
     let is_short = |units: &i64| units.abs() < MOST;
     let term = |units| Term::Decimal(Decimal { units, decimals });
     let all = power.iter().chain(&slopes).all(is_short);
-    all.then(|| Equation {
+    all.then(|| CoordinateEquation {
         power: power.map(term),
         slopes: slopes.map(term),
     })
 }
 
 /// The equation of any coordinates.
-fn equation(coordinates: &[f64]) -> Equation {
+fn equation(coordinates: &[f64]) -> CoordinateEquation {
     /// With more decimals than this noise in the last digits is no concern.
     const MOST_DECIMALS: u8 = 12;
     // Whole multiples of decimals are decimals: no noise in the last digits.
@@ -84,7 +87,7 @@ fn equation(coordinates: &[f64]) -> Equation {
     } else {
         [slope(0), slope(degree - 1)]
     };
-    Equation {
+    CoordinateEquation {
         power: power::coefficients(coordinates).map(|c| Term::Float(tidy(c))),
         slopes: slopes.map(Term::Float),
     }

@@ -8,7 +8,7 @@ use crate::approximate::Drawing;
 use crate::curve::{Curve, points_of};
 use crate::error::Result;
 use crate::method::Rule;
-use crate::number::decimal::{After, Form};
+use crate::number::decimal::{After, BelowOne};
 use crate::number::memo::Memo;
 use crate::path;
 
@@ -40,7 +40,7 @@ pub(crate) fn push_drawing(
         out.remove(start);
         return Ok(());
     };
-    let mut line = Line { out, memo };
+    let mut line = LineWriter { out, memo };
     line.head(kind, round, drawing.rule);
     line.segments(&drawing.curve, &drawing.angles);
     line.error(drawing);
@@ -55,12 +55,12 @@ pub(crate) fn push_drawing(
 }
 
 /// A line that is being written.
-struct Line<'a> {
+struct LineWriter<'a> {
     out: &'a mut Vec<u8>,
     memo: &'a mut Memo,
 }
 
-impl Line<'_> {
+impl LineWriter<'_> {
     fn text(&mut self, text: &str) {
         self.out.extend_from_slice(text.as_bytes());
     }
@@ -86,7 +86,7 @@ impl Line<'_> {
             self.out.push(if i == 0 { b'[' } else { b',' });
             match term {
                 Term::Decimal(decimal) => {
-                    decimal.write(self.out, After::Letter, Form::Plain);
+                    decimal.write(self.out, After::Letter, BelowOne::Plain);
                 }
                 Term::Float(x) => self.number(x),
             }

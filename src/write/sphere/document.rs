@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::path;
 use crate::picture::figure::{Figure, Hidden};
-use crate::sphere::{Line, Part, Picture};
+use crate::sphere::{Part, Picture, SphereLine};
 use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
 
 /// The JSON of a sphere.
@@ -115,9 +115,9 @@ impl SphereDocument {
 
 fn part_document(part: &Part) -> PartDocument {
     let (line, latitude, longitude) = match part.line {
-        Line::Parallel(latitude) => ("parallel", Some(latitude.degrees()), None),
-        Line::Meridian(longitude) => ("meridian", None, Some(longitude.degrees())),
-        Line::Outline => ("outline", None, None),
+        SphereLine::Parallel(latitude) => ("parallel", Some(latitude.degrees()), None),
+        SphereLine::Meridian(longitude) => ("meridian", None, Some(longitude.degrees())),
+        SphereLine::Outline => ("outline", None, None),
     };
     PartDocument {
         line,

@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 
 use super::SplineDrawing;
 use crate::path;
-use crate::spline::{Ends, Parametrization, Quadrature, Spline};
+use crate::spline::{Parametrization, Quadrature, Spline, SplineEnds};
 use crate::write::json::{PowerDocument, segment_document};
 
 /// The JSON of a spline.
@@ -77,10 +77,10 @@ impl<'a> SplineDocument<'a> {
         let options = &spline.options;
         let gauss2 = options.parametrization == Parametrization::ArcLength(Quadrature::Gauss2);
         let (ends, end_derivatives) = match options.ends {
-            Ends::Cyclic => ("cyclic", None),
-            Ends::Free => ("free", None),
-            Ends::Natural => ("natural", None),
-            Ends::Fixed(given) => ("fixed", Some(given.map(|d| [d.x, d.y]))),
+            SplineEnds::Cyclic => ("cyclic", None),
+            SplineEnds::Free => ("free", None),
+            SplineEnds::Natural => ("natural", None),
+            SplineEnds::Fixed(given) => ("fixed", Some(given.map(|d| [d.x, d.y]))),
         };
         Self {
             version: 1,
@@ -94,7 +94,7 @@ impl<'a> SplineDocument<'a> {
             ends,
             end_derivatives,
             transform: (transform != Affine::IDENTITY).then(|| transform.as_coeffs()),
-            closed: options.ends == Ends::Cyclic,
+            closed: options.ends == SplineEnds::Cyclic,
             segments: drawing,
             path: path::data([curve], false),
         }

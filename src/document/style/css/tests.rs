@@ -1,16 +1,16 @@
-use super::super::property::Kind;
-use super::super::rules::Subject;
+use super::super::property::ElementKind;
+use super::super::rules::SelectorSubject;
 use super::*;
 
-fn sheet(text: &str) -> Sheet {
-    let mut sheet = Sheet::default();
+fn sheet(text: &str) -> StyleSheets {
+    let mut sheet = StyleSheets::default();
     read(text, &mut sheet);
     sheet
 }
 
 /// What the sheet does to a circle of that class.
-fn effect(sheet: &Sheet, class: &str) -> Properties {
-    let subject = Subject {
+fn effect(sheet: &StyleSheets, class: &str) -> Properties {
+    let subject = SelectorSubject {
         name: "circle",
         class: Some(class),
         id: None,
@@ -87,7 +87,7 @@ fn attributes_that_values_read_are_found() {
 fn sizes_along_the_text_are_width_and_height() {
     for name in ["inline-size", "block-size", "-webkit-logical-width"] {
         let set = declarations(&format!("{name}: 5px")).sets;
-        assert!(set.meets(Kind::Rect.sensitive()), "{name}");
+        assert!(set.meets(ElementKind::Rect.sensitive()), "{name}");
     }
 }
 
@@ -102,7 +102,7 @@ fn broken_sheets_end() {
     let deep = sheet(&"a{".repeat(5000));
     assert!(
         deep.rules
-            .selected_by_name(Kind::Rect, None, None)
+            .selected_by_name(ElementKind::Rect, None, None)
             .is_some()
     );
 }

@@ -1,6 +1,6 @@
 //! Conversions: well-formed, every byte elsewhere the same, done after one pass, within the tolerance, and what is left is named.
 
-use curveto::document::{self, Kind, Note, Only, Options, Target};
+use curveto::document::{self, ElementKind, Note, Only, Options, Target};
 use curveto::{Cut, Method, Rule, Tolerance};
 
 use super::{Check, ensure, is_tame};
@@ -70,7 +70,7 @@ pub fn documents(input: &[u8]) -> Check {
         1 => {
             // A closed shape may be cut anywhere, which the judge does not know.
             let mut options = cut(Cut::Tolerance(Tolerance::Relative(1e-5)));
-            options.only = Only::of(&[Kind::Path]);
+            options.only = Only::of(&[ElementKind::Path]);
             (options, Some(1.01e-5))
         }
         2 => {

@@ -258,14 +258,16 @@ pub fn diff(input: &[u8]) -> Check {
     if count(&old) + count(&new) > 200 {
         return Ok(());
     }
-    let own = compare(&old, &old, 0.0);
+    let own = compare(&old, &old, 0.0).map_err(|error| error.to_string())?;
     ensure(own.is_within() && own.distance() == 0.0, || {
         format!("it differs from itself: {own:?}")
     })?;
     let ([a], [b]) = (&old[..], &new[..]) else {
         return Ok(());
     };
-    let (there, back) = (compare(&old, &new, 0.0), compare(&new, &old, 0.0));
+    let (Ok(there), Ok(back)) = (compare(&old, &new, 0.0), compare(&new, &old, 0.0)) else {
+        return Err("200 segments are refused".to_owned());
+    };
     let slack = noise(&a.segments) + noise(&b.segments);
     let stated = there.distance();
     ensure(
