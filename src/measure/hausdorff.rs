@@ -18,13 +18,12 @@ use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2}
 use super::unit_for;
 use crate::curve::{control_points, largest_coordinate};
 use crate::numeric::bernstein::Polynomial;
+pub(crate) use along::product;
+
 use along::along;
 
 /// How far where the tolerance lies between the distance found and its bound.
 const CLOSE_GOAL: f64 = 1e-9;
-
-/// How far the bound may lie above a distance of which only the tolerance is asked.
-const DECIDED: f64 = 1.0;
 
 /// How many parts are halved, beside some for each segment: where the distance is the same all along, it takes many.
 const MOST_PARTS: usize = 20_000;
@@ -59,17 +58,6 @@ pub(crate) fn hausdorff(chains: [&[PathSeg]; 2], tolerance: f64, goal: f64) -> A
         place: place.map(|(point, segment)| ((point.to_vec2() * unit).to_point(), segment)),
         on_second,
     }
-}
-
-/// Whether two chains lie within a tolerance of each other.
-pub(crate) fn are_within(chains: [&[PathSeg]; 2], tolerance: f64) -> bool {
-    let (unit, [a, b]) = in_unit(chains);
-    let aim = Aim {
-        tolerance: tolerance / unit,
-        goal: DECIDED,
-    };
-    let is_within = |from: &Chain, to: &Chain| from.farthest_from(to, aim).at_most <= aim.tolerance;
-    is_within(&a, &b) && is_within(&b, &a)
 }
 
 /// Two chains in a unit that suits their coordinates.
@@ -288,7 +276,7 @@ fn key(segment: &PathSeg) -> Vec<u64> {
 }
 
 /// How far a point lies from a rectangle.
-fn away(area: &Rect, p: Point) -> f64 {
+pub(crate) fn away(area: &Rect, p: Point) -> f64 {
     let x = (area.x0 - p.x).max(p.x - area.x1).max(0.0);
     let y = (area.y0 - p.y).max(p.y - area.y1).max(0.0);
     Vec2::new(x, y).hypot2().sqrt()
