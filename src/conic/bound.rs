@@ -173,6 +173,7 @@ impl Search<'_> {
             place.normal * (depth / most)
         });
         self.lets(points, steps, sign, most)
+            || (sign < 0.0 && self.roughly(points, places, sign) <= most)
     }
 
     /// The same by a quadratic vector with these values at the ends and in the middle, each 1 where it is the longest that it may be.

@@ -167,6 +167,7 @@ impl Frame {
         let axis = self.second(self.vertex);
         let ahead = axis.cross(offset - self.offset(self.vertex));
         let side = ahead.signum() * axis.cross(self.derivative(self.vertex)).signum();
+        let tip = self.derivative(self.vertex).hypot() / axis.hypot();
         let (mut low, mut high) = (0.0, self.farthest());
         let start = side * (self.opposite_about(offset) - self.vertex);
         let mut away = if start > 0.0 { start } else { 0.5 * self.half };
@@ -175,20 +176,24 @@ impl Frame {
             let (near, tangent) = (self.offset(x), self.derivative(x));
             let arm = offset - near;
             let aim = side * arm.dot(tangent);
+            let square = tangent.hypot2();
+            let slope = arm.dot(self.second(x)) - square;
             let noise = 0.5 * f64::EPSILON * (offset.hypot() + near.hypot());
-            if aim.abs() <= noise * tangent.hypot() {
+            let is_stationary = aim.abs() <= noise * tangent.hypot();
+            if is_stationary && slope < 0.0 {
                 break;
             }
-            if aim > 0.0 {
+            // Farther than the centre of curvature the vertex is no nearest point, but a farthest one.
+            if aim > 0.0 || is_stationary {
                 low = away;
             } else {
                 high = away;
             }
-            let square = tangent.hypot2();
-            let slope = arm.dot(self.second(x)) - square;
-            // Where the point is farther than the centre of curvature the step is that of Gauss and Newton.
-            let step = aim / if slope < 0.0 { -slope } else { square };
-            let next = away + step.min(LONGEST_STEP.max(0.1 * away));
+            let next = if slope < 0.0 {
+                away - (aim / slope).max(-LONGEST_STEP.max(0.1 * away))
+            } else {
+                2.0 * away + tip
+            };
             let next = if next > low && next < high {
                 next
             } else if high.is_finite() {
@@ -299,6 +304,33 @@ mod tests {
             let expected = 2.0 / libm::pow(1.0 + 4.0 * nearest * nearest, 1.5);
             let found = Frame::new(&parabola(a, b)).largest_curvature();
             assert!((found / expected - 1.0).abs() < 1e-12, "{a} {b}: {found}");
+        }
+    }
+
+    #[test]
+    fn the_nearest_point_is_where_the_normal_started() {
+        let thin = [(0.0, 0.0), (100.0, 100.0), (1e-4, 0.0)];
+        let wide = [(0.0, 0.0), (-1.0, 7.0), (9.0, -2.0)];
+        for points in [thin, wide] {
+            let [from, control, to] = points.map(Point::from);
+            for weight in [0.99995, 1.0, 1.5, 1e4, 1e9] {
+                let frame = Frame::new(&Conic::new(from, control, to, weight).unwrap());
+                let sharpest = frame.largest_curvature();
+                for i in -12..=12 {
+                    let x = frame.half * f64::from(i) / 8.0;
+                    let outward = frame.seen_from(Vec2::ZERO, x).outward;
+                    // Inside up to half of the smallest radius, outside anywhere.
+                    for away in [-0.5 / sharpest, 0.5 / sharpest, 1.0] {
+                        let q = frame.offset(x) + away * outward;
+                        let found = frame.offset(frame.nearest(q));
+                        let off = (found - frame.offset(x)).hypot();
+                        assert!(
+                            off <= 1e-12 * q.hypot() + 1e-6 * away.abs(),
+                            "{points:?} {weight} {i} {away}: {off}"
+                        );
+                    }
+                }
+            }
         }
     }
 

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use crate::judges::oracle::conic::Branch;
-use crate::judges::oracle::{Point, int, real, to_f64};
+use crate::judges::oracle::{Point, Real, int, real, to_f64};
 use crate::judges::random::uniform;
 use curveto::conic::Conic;
 use curveto::curve::control_points;
@@ -50,7 +50,18 @@ fn case(dice: &mut Dice) -> Option<Case> {
         _ => size,
     };
     let away = dice.point(away).to_vec2();
-    let [from, control, to] = [(); 3].map(|()| dice.point(size) + away);
+    let [from, mut control, mut to] = [(); 3].map(|()| dice.point(size) + away);
+    // Thin triangles: both ends side by side, the control point at one of them, or all three in a row.
+    let thin = dice.logarithmic(1e-8, 1.0);
+    match dice.within(0.0, 6.0) as u8 {
+        0 => to = from + thin * (to - from),
+        1 => control = from + thin * (control - from),
+        2 => {
+            let along = dice.within(-2.0, 3.0) * (to - from);
+            control = from + along + thin * (control - from);
+        }
+        _ => {}
+    }
     let weight = match dice.within(0.0, 4.0) as u8 {
         0 => dice.within(0.9999, 1.0001),
         1 => 1.0 + dice.logarithmic(1e-6, 1.0),
@@ -131,12 +142,14 @@ fn judge(case: &Case, fineness: u32) -> Option<Verdict> {
     let farthest = drawing.error.peak().max(gap);
     let is_sharp =
         drawing.report().true_largest_curvature * farthest >= 0.5 || gap > from.distance(to) / 4.0;
+    let mut most = truth.clone();
     if is_sharp {
-        // By the digits of `f64`.
-        let back = branch.back(&segments) * (1.0 - 1e-12) - 2.0 * f64::EPSILON * largest;
-        let there = truth.into_iter().map(|d| to_f64(&d));
-        let most = there.fold(back, f64::max);
-        truth = [real(most), real(most)];
+        // By the digits of `f64`, of which a hairpin leaves fewer.
+        let back = branch.back(&segments);
+        let there = truth.iter().map(to_f64).fold(0.0, f64::max);
+        let less = back * (1.0 - 1e-12) - 256.0 * f64::EPSILON * largest;
+        truth = [(); 2].map(|()| real(there.max(less)));
+        most = [(); 2].map(|()| real(there.max(back)));
     }
     let unit = largest.next_up() - largest;
     let mut verdict = Verdict {
@@ -147,13 +160,14 @@ fn judge(case: &Case, fineness: u32) -> Option<Verdict> {
     };
     let stated = [drawing.error.outward, drawing.error.inward];
     assert!(drawing.error.peak().is_finite(), "{case:?}");
-    for (stated, truth) in stated.into_iter().zip(&truth) {
-        let excess = to_f64(&(real(stated) - truth));
-        let truth = to_f64(truth);
+    for (i, stated) in stated.into_iter().enumerate() {
+        let above = |truth: &Real| to_f64(&(real(stated) - truth));
+        let (excess, truth) = (above(&truth[i]), to_f64(&truth[i]));
         if truth > unit * 2.0_f64.powi(-42) {
             verdict.least = verdict.least.min(excess / truth);
         }
-        verdict.beyond = verdict.beyond.max((excess - 1e-9 * truth) / unit);
+        let beyond = above(&most[i]) - 1e-9 * to_f64(&most[i]);
+        verdict.beyond = verdict.beyond.max(beyond / unit);
         let _ = write!(verdict.words, "{stated:e} stated, {truth:e} true; ");
     }
     let _ = write!(
@@ -231,21 +245,51 @@ fn what_is_stated_of_sharp_conics_is_a_bound() {
             Precision::Full,
         ),
     ];
-    for ([from, control, to], weight, method, count, precision) in cases {
-        let conic = Conic::new(from.into(), control.into(), to.into(), weight).unwrap();
-        let options = Options {
-            rule: method.into(),
-            cut: Cut::Count(count),
-            precision: Some(precision),
-            ..Options::default()
-        };
-        let verdict = judge(&Case { conic, options }, 1).unwrap();
-        assert!(
-            verdict.least >= 0.0 && verdict.beyond <= 4.0,
-            "{}",
-            verdict.words
-        );
+    for case in cases {
+        assert_bound(case);
     }
+}
+
+/// Triangles of which nothing was stated, or after minutes, while the search came to no end where they are thinner than the error.
+#[test]
+fn what_is_stated_of_thin_triangles_is_a_bound() {
+    let thin = [(0.0, 0.0), (100.0, 100.0), (0.01, 0.0)];
+    let thinner = [
+        (-0.731_301_012_423_247_7, -0.274_971_817_499_230_8),
+        (89.523_030_887_959_19, 61.244_718_844_249_08),
+        (-0.731_299_832_176_637, -0.274_971_252_923_950_86),
+    ];
+    let flat = [
+        (0.0, 0.0),
+        (-2.979_551_596_278_744, 3.989_525_324_385_637e-5),
+        (6.199_690_150_549_655, -2.009_761_648_629_191_8e-5),
+    ];
+    for case in [
+        (thin, 4.0, Method::Minimax, 2, Precision::Fixed(3)),
+        (thin, 1e4, Method::Minimax, 3, Precision::Fixed(1)),
+        (thinner, 1.598, Method::Goldapp, 3, Precision::Full),
+        (flat, 122_191.93, Method::Minimax, 2, Precision::Fixed(0)),
+    ] {
+        assert_bound(case);
+    }
+}
+
+type Known = ([(f64, f64); 3], f64, Method, usize, Precision);
+
+fn assert_bound(([from, control, to], weight, method, count, precision): Known) {
+    let conic = Conic::new(from.into(), control.into(), to.into(), weight).unwrap();
+    let options = Options {
+        rule: method.into(),
+        cut: Cut::Count(count),
+        precision: Some(precision),
+        ..Options::default()
+    };
+    let verdict = judge(&Case { conic, options }, 1).unwrap();
+    assert!(
+        verdict.least >= 0.0 && verdict.beyond <= 4.0,
+        "{}",
+        verdict.words
+    );
 }
 
 #[test]
