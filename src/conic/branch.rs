@@ -183,6 +183,22 @@ impl Branch {
 
     /// A point of a curve about P1: its distance along the normal is the root of a quadratic.
     pub(super) fn place(&self, frame: &Frame, q: &Twice) -> Place {
+        let place = self.sought(frame, q);
+        let far =
+            |end: &Twice| Vec2::new(less(q[0], end[0]).value(), less(q[1], end[1]).value()).hypot();
+        let [from, to] = self.arms.each_ref().map(far);
+        if place.distance.abs() <= 1.01 * from.min(to) {
+            return place;
+        }
+        // No nearest point lies farther away than the ends: nothing was found.
+        Place {
+            distance: 0.0,
+            inside: Some(self.arms[usize::from(to < from)]),
+            ..place
+        }
+    }
+
+    fn sought(&self, frame: &Frame, q: &Twice) -> Place {
         let offset = self.unit * Vec2::new(q[0].value(), q[1].value());
         let nearest = frame.nearest(offset);
         let foot = frame.seen_from(offset, nearest);

@@ -167,7 +167,7 @@ impl Frame {
         let axis = self.second(self.vertex);
         let ahead = axis.cross(offset - self.offset(self.vertex));
         let side = ahead.signum() * axis.cross(self.derivative(self.vertex)).signum();
-        let tip = self.derivative(self.vertex).hypot() / axis.hypot();
+        let tip = (self.derivative(self.vertex).hypot() / axis.hypot()).min(LONGEST_STEP);
         let (mut low, mut high) = (0.0, self.farthest());
         let start = side * (self.opposite_about(offset) - self.vertex);
         let mut away = if start > 0.0 { start } else { 0.5 * self.half };
