@@ -4,24 +4,27 @@
 //! The first is a [`Shape`] like any other ([`Conic::arc`]); the second is one quadratic Bézier, exactly; the third is drawn here, as
 //! is an ellipse so near to a parabola that its centre is out of reach.
 
+mod back;
+mod bound;
+mod branch;
 mod error;
 mod frame;
 mod report;
 mod samples;
+mod tolerance;
 
-use kurbo::{Affine, PathSeg, Point, QuadBez, Vec2};
+use kurbo::{PathSeg, Point, QuadBez, Vec2};
 
 use crate::angle::Angle;
 use crate::approximate::{Options, automatic_precision};
 use crate::curve::{Curve, with_handles};
-use crate::error::{
-    Error, JointsError, ReachError, Remedy, Result, RuleName, ShapeError, finite, positive,
-};
+use crate::error::{Error, JointsError, Result, ShapeError, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS, quarters};
 use crate::method::{Method, Rule};
 use crate::number::Precision;
 use crate::radial_error::{RadialError, within};
-use crate::shape::{Arc, Shape, Truth};
+use crate::shape::{Arc, Given, Shape, Truth, conic_placement};
+use branch::Branch;
 use frame::Frame;
 pub use report::Report;
 pub use samples::Sample;
@@ -67,15 +70,6 @@ const NEXT_TO_PARABOLA: f64 = 1.0 - 1e-4;
 
 /// The largest weight: beyond, a conic is its control polygon.
 const LARGEST_WEIGHT: f64 = 1e9;
-
-/// How closely the end of a segment is found, by halves of what is left.
-const HALVINGS: u32 = 30;
-
-/// The most segments that a tolerance may ask for.
-const MOST_FOR_TOLERANCE: usize = 10_000;
-
-/// The parts of a tolerance for which joints are tried, the largest first: rounding takes its share.
-const PARTS: [f64; 6] = [1.0, 0.97, 0.94, 0.91, 0.8, 0.5];
 
 /// A conic that was drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -161,12 +155,8 @@ impl Conic {
         if w >= NEXT_TO_PARABOLA {
             return Ok(None);
         }
-        let (from, to) = (self.from.to_vec2(), self.to.to_vec2());
-        let apart = (1.0 - w) * (1.0 + w);
-        let x = (self.control.to_vec2() - (from + to) / 2.0) * (w / apart);
-        let y = (to - from) / (2.0 * apart.sqrt());
-        let center = (from + to) / 2.0 - x * w;
-        let placement = Affine::new([x.x, x.y, y.x, y.y, center.x, center.y]);
+        let ends = [self.from, self.to];
+        let placement = conic_placement(ends, self.control, w);
         let truth = Truth::of(placement)?;
         let first = truth.placement().inverse() * self.from;
         let sweep = 4.0 * libm::asin(((1.0 - w) / 2.0).sqrt()).to_degrees();
@@ -178,7 +168,11 @@ impl Conic {
             Angle::from_degrees(sweep.copysign(placement.determinant())),
         )?;
         Ok(Some(Shape::Arc(Arc {
-            ends: Some([self.from, self.to]),
+            ends: Some(ends),
+            given: Given::Conic {
+                control: self.control,
+                weight: w,
+            },
             ..arc
         })))
     }
@@ -210,7 +204,8 @@ impl Conic {
         let [from, control, to] = [self.from, self.control, self.to].map(|p| map * p);
         let conic = Self::new(from, control, to, self.weight)?;
         let method = conic.method(options.rule)?;
-        let finish = |segments: Vec<PathSeg>| conic.finish(segments, method, options);
+        let branch = Branch::new(self, map);
+        let finish = |segments: Vec<PathSeg>| conic.finish(segments, method, &branch, options);
         match (&options.cut, method) {
             (Cut::Quarters, None) => finish(conic.equal(1, None)?),
             (&Cut::Tolerance(tolerance), None) => {
@@ -223,7 +218,7 @@ impl Conic {
             (&Cut::Count(count), _) => finish(conic.equal(count, method)?),
             (&Cut::Tolerance(tolerance), Some(method)) => {
                 let tolerance = positive("tolerance", tolerance.for_radius(conic.size()))?;
-                conic.within(tolerance, method, options)
+                conic.within(tolerance, method, &branch, options)
             }
             _ => Err(Error::Joints(JointsError::NoAngles)),
         }
@@ -290,69 +285,12 @@ impl Conic {
         })
     }
 
-    /// The fewest segments within a tolerance after rounding: each is as long as it can be.
-    fn within(&self, tolerance: f64, method: Method, options: &Options) -> Result<Drawing> {
-        for part in PARTS {
-            let segments = self.pieces(&self.marched(part * tolerance, method)?, Some(method))?;
-            let drawing = self.finish(segments, Some(method), options)?;
-            if drawing.error.peak() <= tolerance {
-                return Ok(drawing);
-            }
-        }
-        Err(Error::ToleranceOutOfReach {
-            method: RuleName::Method(method.id()),
-            tolerance,
-            why: ReachError::Rounding,
-            remedy: Remedy::MoreDecimalsOrTolerance,
-        })
-    }
-
-    /// Joints each as far from the one before as the tolerance lets it be.
-    fn marched(&self, tolerance: f64, method: Method) -> Result<Vec<f64>> {
-        let frame = Frame::new(self);
-        let end = frame.half;
-        let reaches = |from: f64, to: f64| -> Result<bool> {
-            let piece = self.piece(&frame, [from, to], Some(method))?;
-            Ok(error::is_within(
-                self,
-                &frame,
-                [from, to],
-                &[piece],
-                tolerance,
-            ))
-        };
-        let mut joints = vec![-end];
-        let mut from = -end;
-        while !reaches(from, end)? {
-            let (mut low, mut high) = (from, end);
-            for _ in 0..HALVINGS {
-                let middle = f64::midpoint(low, high);
-                if reaches(from, middle)? {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            if low <= from || joints.len() > MOST_FOR_TOLERANCE {
-                return Err(Error::ToleranceOutOfReach {
-                    method: RuleName::Method(method.id()),
-                    tolerance,
-                    why: ReachError::Segments(MOST_FOR_TOLERANCE),
-                    remedy: Remedy::LargerTolerance("minimax"),
-                });
-            }
-            from = low;
-            joints.push(from);
-        }
-        joints.push(end);
-        Ok(joints)
-    }
-
     /// The drawing, measured as it is written. Points that were given stay as they are unless a precision is asked for.
     fn finish(
         &self,
         segments: Vec<PathSeg>,
         method: Option<Method>,
+        branch: &Branch,
         options: &Options,
     ) -> Result<Drawing> {
         let curve = Curve {
@@ -363,9 +301,7 @@ impl Conic {
             finite("coordinate of a control point", p.x)?;
             finite("coordinate of a control point", p.y)?;
         }
-        let frame = Frame::new(self);
-        let ends = [-frame.half, frame.half];
-        let measured = |curve: &Curve| error::error(self, &frame, ends, &curve.segments);
+        let measured = |curve: &Curve| error::error(branch, self, &curve.segments);
         let given = [self.from, self.control, self.to];
         let (precision, kept) = match (options.precision, method, &options.cut) {
             (Some(precision), ..) => (precision, &[][..]),

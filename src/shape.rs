@@ -6,7 +6,7 @@ pub mod machine;
 mod outline;
 mod svg_arc;
 
-pub(crate) use frame::Exact;
+pub(crate) use frame::{Exact, conic_placement};
 pub(crate) use outline::Axes;
 pub use outline::{Outline, Truth, UnitArc};
 
@@ -94,6 +94,8 @@ pub(crate) enum Given {
     Through(Point),
     /// A centre, which moves to the bisector of the chord.
     Center(Point),
+    /// The point where the tangents at the ends meet, and its weight.
+    Conic { control: Point, weight: f64 },
 }
 
 /// A straight line.

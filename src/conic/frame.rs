@@ -16,7 +16,10 @@ use super::{Conic, Kind};
 use crate::numeric::foot::Foot;
 
 /// The most steps of Newton's method.
-const MOST_STEPS: usize = 60;
+const MOST_STEPS: usize = 100;
+
+/// The longest step away from the vertex: farther out a hyperbola's points run away as e^θ.
+const LONGEST_STEP: f64 = 1.0;
 
 /// How far aside of the normal a point may lie whose nearest point is found, as a part of its distance from the control point.
 const SETTLED: f64 = 1e-9;
@@ -31,6 +34,8 @@ pub(super) struct Frame {
     v: Vec2,
     /// h.
     pub(super) half: f64,
+    /// The θ of the sharpest place of the whole branch.
+    vertex: f64,
 }
 
 impl Frame {
@@ -41,12 +46,26 @@ impl Frame {
             Kind::Parabola => 1.0,
             Kind::Hyperbola => 2.0 * libm::asinh(((w - 1.0) / 2.0).sqrt()),
         };
+        let (u, v) = (conic.from - conic.control, conic.to - conic.control);
         Self {
             kind,
             origin: conic.control,
-            u: conic.from - conic.control,
-            v: conic.to - conic.control,
+            u,
+            v,
             half,
+            vertex: vertex(kind, half, [u, v]),
+        }
+    }
+
+    /// The same where U and V are known better than the points are.
+    pub(super) fn with_arms(self, arms: [Vec2; 2]) -> Self {
+        let [u, v] = arms;
+        let vertex = vertex(self.kind, self.half, arms);
+        Self {
+            u,
+            v,
+            vertex,
+            ..self
         }
     }
 
@@ -72,12 +91,14 @@ impl Frame {
         self.u * (u / scale / scale) + self.v * (v / scale / scale)
     }
 
+    /// The square roots of the parts of p(θ) - P1 along U and V, over a common divisor.
+    pub(super) fn shares(&self, x: f64) -> [f64; 2] {
+        [self.half - x, self.half + x].map(|x| self.sine(x / 2.0))
+    }
+
     /// p(θ) - P1.
     fn offset(&self, x: f64) -> Vec2 {
-        let (s, t) = (
-            self.sine((self.half - x) / 2.0),
-            self.sine(f64::midpoint(self.half, x)),
-        );
+        let [s, t] = self.shares(x);
         self.arms(s * s, t * t)
     }
 
@@ -110,7 +131,11 @@ impl Frame {
 
     /// How far the parts of p along U and V are, and the θ of the conic's point on the line through P1 and p.
     pub(super) fn opposite(&self, p: Point) -> f64 {
-        let (offset, area) = (p - self.origin, self.u.cross(self.v));
+        self.opposite_about(p - self.origin)
+    }
+
+    fn opposite_about(&self, offset: Vec2) -> f64 {
+        let area = self.u.cross(self.v);
         let along = offset.cross(self.v) / area;
         let across = self.u.cross(offset) / area;
         let (s, t) = (along.max(0.0).sqrt(), across.max(0.0).sqrt());
@@ -126,22 +151,66 @@ impl Frame {
         }
     }
 
-    /// The nearest point near the line through P1 and p; outward is towards P1.
+    /// The nearest point of the whole branch; outward is towards P1.
     pub(super) fn foot(&self, p: Point) -> Foot {
         let offset = p - self.origin;
-        let mut x = self.opposite(p);
+        self.seen_from(offset, self.nearest(offset))
+    }
+
+    /// The θ of the point of the whole branch that is nearest to one about P1.
+    ///
+    /// It lies on the same side of the vertex as the point, and there is the only place from where the distance is stationary: in the frame of
+    /// the axes, x = a cosh s and y = b sinh s, such a place is where b y0 / sinh s + a x0 / cosh s = a² + b², and the left side falls where x0 is
+    /// positive; where it is not, b y0 + a x0 tanh s = (a² + b²) sinh s, of which one side falls and the other rises.
+    pub(super) fn nearest(&self, offset: Vec2) -> f64 {
+        // p'' lies along the axis there.
+        let axis = self.second(self.vertex);
+        let ahead = axis.cross(offset - self.offset(self.vertex));
+        let side = ahead.signum() * axis.cross(self.derivative(self.vertex)).signum();
+        let tip = (self.derivative(self.vertex).hypot() / axis.hypot()).min(LONGEST_STEP);
+        let (mut low, mut high) = (0.0, self.farthest());
+        let start = side * (self.opposite_about(offset) - self.vertex);
+        let mut away = if start > 0.0 { start } else { 0.5 * self.half };
         for _ in 0..MOST_STEPS {
-            let (arm, tangent) = (offset - self.offset(x), self.derivative(x));
+            let x = self.vertex + side * away;
+            let (near, tangent) = (self.offset(x), self.derivative(x));
+            let arm = offset - near;
+            let aim = side * arm.dot(tangent);
             let square = tangent.hypot2();
             let slope = arm.dot(self.second(x)) - square;
-            // Where the point is farther than the centre of curvature the step is that of Gauss and Newton.
-            let step = arm.dot(tangent) / if slope < 0.0 { -slope } else { square };
-            let step = step.clamp(-self.half, self.half);
-            x += step;
-            if step.abs() <= 1e-16 * self.half {
+            let noise = 0.5 * f64::EPSILON * (offset.hypot() + near.hypot());
+            let is_stationary = aim.abs() <= noise * tangent.hypot();
+            if is_stationary && slope < 0.0 {
                 break;
             }
+            // Farther than the centre of curvature the vertex is no nearest point, but a farthest one.
+            if aim > 0.0 || is_stationary {
+                low = away;
+            } else {
+                high = away;
+            }
+            let next = if slope < 0.0 {
+                away - (aim / slope).max(-LONGEST_STEP.max(0.1 * away))
+            } else {
+                2.0 * away + tip
+            };
+            let next = if next > low && next < high {
+                next
+            } else if high.is_finite() {
+                f64::midpoint(low, high)
+            } else {
+                2.0 * low + LONGEST_STEP.min(self.half)
+            };
+            if next == away {
+                break;
+            }
+            away = next;
         }
+        self.vertex + side * away
+    }
+
+    /// The distance of a point about P1 from this place along the normal.
+    pub(super) fn seen_from(&self, offset: Vec2, x: f64) -> Foot {
         let tangent = self.derivative(x);
         let side = 1.0_f64.copysign(self.u.cross(self.v));
         let outward = Vec2::new(-tangent.y, tangent.x) * (side / tangent.hypot());
@@ -157,22 +226,64 @@ impl Frame {
         Foot { distance, outward }
     }
 
-    /// Whether points that lie so far from the arc at most have normals that cover it: it bends no sharper than that.
-    pub(super) fn is_covered(&self, distance: f64) -> bool {
-        distance * self.largest_curvature() < 0.5
+    /// How far from the vertex a place may lie.
+    const fn farthest(&self) -> f64 {
+        match self.kind {
+            Kind::Ellipse => core::f64::consts::PI,
+            Kind::Parabola | Kind::Hyperbola => f64::INFINITY,
+        }
     }
 
-    /// The largest curvature of the arc: |p' × p''| is constant, so that it is where |p'| is least, and |p'|² is convex.
+    /// Whether points that lie so far from the arc between two parameters at most have normals that cover it: it bends no sharper than that.
+    pub(super) fn is_covered(&self, between: [f64; 2], distance: f64) -> bool {
+        distance * self.largest_between(between) < 0.5
+    }
+
+    /// The largest curvature of the arc.
     pub(super) fn largest_curvature(&self) -> f64 {
-        let grows = |x: f64| self.derivative(x).dot(self.second(x));
-        let h = self.half;
-        let x = match (grows(-h) > 0.0, grows(h) > 0.0) {
-            (true, _) => -h,
-            (false, false) => h,
-            (false, true) => crate::numeric::root(grows, -h, h),
-        };
+        self.largest_between(self.ends())
+    }
+
+    /// The parameters of the ends.
+    pub(super) const fn ends(&self) -> [f64; 2] {
+        [-self.half, self.half]
+    }
+
+    /// The largest curvature between two parameters: |p' × p''| is constant, so that it is where |p'| is least.
+    fn largest_between(&self, [from, to]: [f64; 2]) -> f64 {
+        self.curvature(self.vertex.clamp(from, to))
+    }
+
+    /// The curvature at θ.
+    pub(super) fn curvature(&self, x: f64) -> f64 {
         let tangent = self.derivative(x);
         (tangent.cross(self.second(x)) / tangent.hypot2() / tangent.hypot()).abs()
+    }
+}
+
+/// Where |p'| is least on the whole branch: |p'|² = A + B cosh 2θ + C sinh 2θ, of an ellipse with the circular functions, and of a parabola
+/// a square of a linear function.
+fn vertex(kind: Kind, h: f64, [u, v]: [Vec2; 2]) -> f64 {
+    let (squares, apart) = (
+        u.hypot2() + v.hypot2(),
+        (u.hypot() - v.hypot()) * (u.hypot() + v.hypot()),
+    );
+    let both = 2.0 * u.dot(v);
+    match kind {
+        Kind::Parabola => (u - v).dot(u + v) / (u + v).hypot2(),
+        Kind::Ellipse => {
+            let (sine, cosine) = (libm::sin(2.0 * h), libm::cos(2.0 * h));
+            0.5 * libm::atan2(sine * apart, cosine * squares + both)
+        }
+        // The ratio of the factors of e^-θ and e^θ in p', where it is none of nearly equal numbers.
+        Kind::Hyperbola if h > 0.5 => {
+            let less = libm::exp(-2.0 * h);
+            0.5 * libm::log((u + less * v).hypot() / (v + less * u).hypot())
+        }
+        Kind::Hyperbola => {
+            let (sine, cosine) = (libm::sinh(2.0 * h), libm::cosh(2.0 * h));
+            0.5 * libm::atanh(sine * apart / (cosine * squares + both))
+        }
     }
 }
 
@@ -193,6 +304,33 @@ mod tests {
             let expected = 2.0 / libm::pow(1.0 + 4.0 * nearest * nearest, 1.5);
             let found = Frame::new(&parabola(a, b)).largest_curvature();
             assert!((found / expected - 1.0).abs() < 1e-12, "{a} {b}: {found}");
+        }
+    }
+
+    #[test]
+    fn the_nearest_point_is_where_the_normal_started() {
+        let thin = [(0.0, 0.0), (100.0, 100.0), (1e-4, 0.0)];
+        let wide = [(0.0, 0.0), (-1.0, 7.0), (9.0, -2.0)];
+        for points in [thin, wide] {
+            let [from, control, to] = points.map(Point::from);
+            for weight in [0.99995, 1.0, 1.5, 1e4, 1e9] {
+                let frame = Frame::new(&Conic::new(from, control, to, weight).unwrap());
+                let sharpest = frame.largest_curvature();
+                for i in -12..=12 {
+                    let x = frame.half * f64::from(i) / 8.0;
+                    let outward = frame.seen_from(Vec2::ZERO, x).outward;
+                    // Inside up to half of the smallest radius, outside anywhere.
+                    for away in [-0.5 / sharpest, 0.5 / sharpest, 1.0] {
+                        let q = frame.offset(x) + away * outward;
+                        let found = frame.offset(frame.nearest(q));
+                        let off = (found - frame.offset(x)).hypot();
+                        assert!(
+                            off <= 1e-12 * q.hypot() + 1e-6 * away.abs(),
+                            "{points:?} {weight} {i} {away}: {off}"
+                        );
+                    }
+                }
+            }
         }
     }
 

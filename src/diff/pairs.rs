@@ -6,7 +6,7 @@ use kurbo::Rect;
 
 use super::{Difference, Distance, Pair, Place, Side, Track};
 use crate::error::{Error, Result, UnmeasurableError};
-use crate::measure::hausdorff::{Effort, hausdorff_in};
+use crate::measure::hausdorff::{Effort, hausdorff};
 
 /// How far the bound may lie above the distance, as a part of it.
 const GOAL: f64 = 1e-4;
@@ -153,7 +153,7 @@ fn distance(old: &Track, new: &Track, tolerance: f64, steps: &mut Effort) -> Dis
     if are_equal || old.segments.is_empty() || new.segments.is_empty() {
         return Distance::default();
     }
-    let apart = hausdorff_in(steps, [&old.segments, &new.segments], tolerance, GOAL);
+    let apart = hausdorff(steps, [&old.segments, &new.segments], tolerance, GOAL);
     let Some((point, segment)) = apart.place else {
         return Distance::default();
     };

@@ -18,13 +18,12 @@ use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point};
 
 use super::unit_for;
 use crate::curve::largest_coordinate;
+pub(crate) use along::product;
+pub(crate) use chain::away;
 use chain::{ChainFoot, CubicChain, STEPS_OF_A_CUBIC};
 
 /// How far where the tolerance lies between the distance found and its bound.
 const CLOSE_GOAL: f64 = 1e-9;
-
-/// How far the bound may lie above a distance of which only the tolerance is asked.
-const DECIDED: f64 = 1.0;
 
 /// How many parts are halved, beside some for each segment: where the distance is the same all along, it takes many.
 const MOST_PARTS: usize = 20_000;
@@ -46,13 +45,8 @@ pub(crate) struct Apart {
 }
 
 /// The distance of two chains that have segments, the larger of both ways. The bound lies by `goal` above it at most, as a part of it, but in
-/// hard cases, and decides on a tolerance that lies between.
-pub(crate) fn hausdorff(chains: [&[PathSeg]; 2], tolerance: f64, goal: f64) -> Apart {
-    hausdorff_in(&mut Effort::unlimited(), chains, tolerance, goal)
-}
-
-/// The same in a limited number of steps; where they do not suffice, the bound is infinite.
-pub(crate) fn hausdorff_in(
+/// hard cases, and decides on a tolerance that lies between. Where the steps do not suffice, it is infinite.
+pub(crate) fn hausdorff(
     steps: &mut Effort,
     chains: [&[PathSeg]; 2],
     tolerance: f64,
@@ -76,21 +70,6 @@ pub(crate) fn hausdorff_in(
     }
 }
 
-/// Whether two chains lie within a tolerance of each other.
-pub(crate) fn are_within(chains: [&[PathSeg]; 2], tolerance: f64) -> bool {
-    let (unit, [a, b]) = in_unit(chains);
-    let aim = Aim {
-        tolerance: tolerance / unit,
-        goal: DECIDED,
-        found: 0.0,
-    };
-    let is_within = |from: &CubicChain, to: &CubicChain| {
-        let steps = &mut Effort::unlimited();
-        from.farthest_from(to, aim, steps).at_most <= aim.tolerance
-    };
-    is_within(&a, &b) && is_within(&b, &a)
-}
-
 /// Two chains in a unit that suits their coordinates.
 fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [CubicChain; 2]) {
     let largest = chains.map(largest_coordinate).into_iter();
@@ -111,10 +90,6 @@ struct Aim {
 pub(crate) struct Effort(pub(crate) u64);
 
 impl Effort {
-    const fn unlimited() -> Self {
-        Self(u64::MAX)
-    }
-
     const fn take(&mut self, count: u64) {
         self.0 = self.0.saturating_sub(count);
     }
@@ -261,7 +236,13 @@ mod tests {
     fn distance(old: &str, new: &str) -> f64 {
         let track = |data| Track::new(&contours(data).unwrap()[0], Affine::IDENTITY).unwrap();
         let (old, new) = (track(old), track(new));
-        hausdorff([&old.segments, &new.segments], 0.0, 1e-4).at_most
+        hausdorff(
+            &mut Effort(u64::MAX),
+            [&old.segments, &new.segments],
+            0.0,
+            1e-4,
+        )
+        .at_most
     }
 
     #[test]
@@ -295,7 +276,7 @@ mod tests {
         let whole = CubicBez::new((0.0, 0.0), (30.0, 80.0), (70.0, -40.0), (100.0, 10.0));
         let (a, b) = (whole.subsegment(0.0..0.3), whole.subsegment(0.3..1.0));
         let [whole, a, b] = [whole, a, b].map(PathSeg::Cubic);
-        let found = hausdorff([&[whole], &[a, b]], 0.0, 1e-4).at_most;
+        let found = hausdorff(&mut Effort(u64::MAX), [&[whole], &[a, b]], 0.0, 1e-4).at_most;
         assert!(found < 1e-11, "{found}");
     }
 
@@ -310,8 +291,8 @@ mod tests {
     fn tangles_take_steps_that_grow_less_than_the_square() {
         let taken = |count| {
             let [a, b] = [1, 2].map(|seed| tangle(count, seed));
-            let mut steps = Effort::unlimited();
-            let apart = hausdorff_in(&mut steps, [&a, &b], 0.0, 1e-4);
+            let mut steps = Effort(u64::MAX);
+            let apart = hausdorff(&mut steps, [&a, &b], 0.0, 1e-4);
             assert!(apart.at_most.is_finite());
             (u64::MAX - steps.0) as f64
         };

@@ -23,7 +23,6 @@ mod tangents;
 mod twins;
 
 pub(crate) use known::Known;
-pub(crate) use search::visit_between;
 
 use core::iter;
 
@@ -178,7 +177,7 @@ impl Profile {
     }
 
     fn is_circle(&self) -> bool {
-        self.radii.x == self.radii.y
+        self.radii.x == self.radii.y && !self.exact.is_conic
     }
 
     fn larger_radius(&self) -> f64 {

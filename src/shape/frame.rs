@@ -1,7 +1,10 @@
 //! The frame in which a true shape is the unit circle, in twice the digits of `f64`: what was given is taken as exact, and what
 //! was computed from it, as centres, sweeps and the images of a map, is computed anew.
 
+mod conic;
 mod inscribed;
+
+pub(crate) use conic::placement as conic_placement;
 
 use kurbo::{Affine, Point, Vec2};
 
@@ -103,6 +106,10 @@ impl Frame {
                 given: match arc.given {
                     Given::Through(on) => Given::Through(point(on)),
                     Given::Center(center) => Given::Center(point(center)),
+                    Given::Conic { control, weight } => Given::Conic {
+                        control: point(control),
+                        weight,
+                    },
                     given => given,
                 },
                 ..arc
@@ -113,6 +120,11 @@ impl Frame {
 
     /// The frame, ready for points of the plane, where the shape has become one of these radii.
     pub(crate) fn exact(&self, radii: Vec2) -> Exact {
+        if let Some(Inscribed { ends, given, .. }) = self.arc
+            && let Given::Conic { control, weight } = given
+        {
+            return self.conic(ends, control, weight);
+        }
         let axis = match self.axis {
             Axis::Vector(v) => [v.x, v.y].map(Double::of),
             Axis::Angle(angle) => angle.exact_direction(),
@@ -128,6 +140,7 @@ impl Frame {
             radii: own_radii,
             level: Level::Radius(Double::of(-1.0)),
             unit: 1.0,
+            is_conic: false,
         };
         if own_radii.is_some() {
             let unit = if is_circle { radii.x } else { 1.0 } / self.enlarged;
@@ -171,6 +184,7 @@ impl Frame {
                 let [cos, sin] = Angle::from_degrees(sweep / 2.0).exact_direction();
                 cos.divided(sin)
             }
+            Given::Conic { .. } => return None,
             Given::Enlarged(_) => Double::of(0.0),
             Given::Bulge(_) | Given::Through(_) | Given::Center(_) => {
                 return cotangent_between(arc.ends, arc.given);
@@ -261,6 +275,8 @@ pub(crate) struct Exact {
     level: Level,
     /// What the excess in this frame is multiplied by to be that of the shape that the map made.
     pub(crate) unit: f64,
+    /// Whether it is that of a conic: nothing but the radii, which are rounded, says that this is a circle.
+    pub(crate) is_conic: bool,
 }
 
 impl Exact {

@@ -75,10 +75,19 @@ impl Truth {
 
     /// The same ellipse by an arc of it between these ends.
     pub(crate) fn through(self, ends: [Point; 2], sweep: Angle, given: Given) -> Self {
-        Self {
+        let mut truth = Self {
             frame: self.frame.through(ends, sweep, given),
             ..self
+        };
+        if matches!(given, Given::Conic { .. }) && !truth.is_circle() {
+            truth.know_area();
         }
+        truth
+    }
+
+    /// Takes the smaller radius, the second, from the exact frame.
+    fn know_area(&mut self) {
+        self.radii.y = self.frame.exact(self.radii).area() / self.radii.x;
     }
 
     /// The same ellipse with all lengths multiplied by a power of two, which is exact.
@@ -220,7 +229,7 @@ impl Outline {
             ..Truth::of(placement)?
         };
         if cancels(placement) && !truth.is_circle() {
-            truth.radii.y = truth.frame.exact(truth.radii).area() / truth.radii.x;
+            truth.know_area();
         }
         Ok(Self {
             placement,

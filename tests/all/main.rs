@@ -14,6 +14,7 @@ mod chen_rounds;
 mod chen_uneven;
 mod cli;
 mod conic;
+mod conic_truth;
 mod convert;
 mod convert_cli;
 mod convert_meaning;

@@ -11,6 +11,7 @@ use crate::judges::oracle::{
     to_f64,
 };
 use crate::judges::random::uniform;
+use curveto::conic::Conic;
 use curveto::curve::control_points;
 use curveto::number::Precision;
 use curveto::shape::endpoint::{SvgArc, from_bulge, parse_svg_arc, through};
@@ -293,9 +294,39 @@ fn image(center: Point, [first, second]: [Point; 2]) -> Exact {
     }
 }
 
+/// A conic of a weight below 1: the unit circle's arc from -h to h, cos h = w, under the map that takes its ends and (1/w, 0) to the points.
+fn conics(dice: &mut Dice) -> Option<Case> {
+    let size = dice.logarithmic(1e-3, 1e3);
+    let away = dice.logarithmic(1e-2, 1e6) * size;
+    let away = dice.point(away).to_vec2();
+    let points = [(); 3].map(|()| dice.point(size) + away);
+    let weight = if dice.coin() {
+        dice.within(0.0, 0.9999)
+    } else {
+        dice.logarithmic(1e-6, 1.0)
+    };
+    conic(points, weight)
+}
+
+fn conic([from, control, to]: [kurbo::Point; 3], weight: f64) -> Option<Case> {
+    let shape = Conic::new(from, control, to, weight).ok()?.arc().ok()??;
+    let [a, m, b] = [from, control, to].map(exact_point);
+    let w = real(weight);
+    let apart = int(1) - &w * &w;
+    let middle = [0, 1].map(|i| (&a[i] + &b[i]) * ratio(1, 2));
+    let first = [0, 1].map(|i| (&m[i] - &middle[i]) * &w / &apart);
+    let second = [0, 1].map(|i| (&b[i] - &a[i]) * ratio(1, 2) / root_of(&apart));
+    let center = [0, 1].map(|i| &middle[i] - &first[i] * &w);
+    Some(Case {
+        shape,
+        exact: image(center, [first, second]),
+        transform: Affine::IDENTITY,
+    })
+}
+
 type Class = (&'static str, fn(&mut Dice) -> Option<Case>);
 
-const CLASSES: [Class; 11] = [
+const CLASSES: [Class; 12] = [
     ("circles far away", circles),
     ("ellipses up to 1:30", |dice| by_center(dice, 30.0)),
     ("ellipses up to 1:1,000,000", |dice| by_center(dice, 1e6)),
@@ -305,6 +336,7 @@ const CLASSES: [Class; 11] = [
     ("arcs through near points", by_near_points),
     ("arcs about a centre", about_centers),
     ("arcs by their bulge", by_bulge),
+    ("conics of a weight below 1", conics),
     ("skewed and mirrored", transformed),
     ("nearly flattened by a map", flattened),
 ];

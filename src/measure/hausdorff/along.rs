@@ -63,7 +63,7 @@ pub(super) fn along(a: &CubicBez, b: &CubicBez, [u0, u1]: [f64; 2]) -> f64 {
 }
 
 /// The convolution, whose length is that of both together less one.
-fn product<const N: usize>(a: &[f64], b: &[f64]) -> [f64; N] {
+pub(crate) fn product<const N: usize>(a: &[f64], b: &[f64]) -> [f64; N] {
     let mut out = [0.0; N];
     for (i, a) in a.iter().enumerate() {
         for (j, b) in b.iter().enumerate() {

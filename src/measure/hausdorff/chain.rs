@@ -206,7 +206,7 @@ pub(super) fn key(segment: &PathSeg) -> Vec<u64> {
 }
 
 /// How far a point lies from a rectangle.
-fn away(area: &Rect, p: Point) -> f64 {
+pub(crate) fn away(area: &Rect, p: Point) -> f64 {
     let x = (area.x0 - p.x).max(p.x - area.x1).max(0.0);
     let y = (area.y0 - p.y).max(p.y - area.y1).max(0.0);
     Vec2::new(x, y).hypot2().sqrt()

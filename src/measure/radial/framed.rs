@@ -23,7 +23,7 @@ impl FramedPoints {
             #[inline(always)]
             || {
                 let framed = Self::new(segment, exact);
-                if truth.is_circle() {
+                if truth.is_circle() && !exact.is_conic {
                     framed
                 } else {
                     framed.raised(exact)

@@ -4,6 +4,7 @@
 #![allow(unreachable_pub)]
 
 pub mod bezier;
+pub mod conic;
 pub mod ellipse;
 mod equioscillating;
 pub mod methods;

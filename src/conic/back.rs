@@ -1,0 +1,289 @@
+//! A bound on how far any point of a conic's arc lies from a curve.
+//!
+//! A part of the arc with the end points p0 and p2, the control point p1 and the weight w is N/D with D = (1-s)² + 2w s(1-s) + s². Let A be a
+//! cubic that runs along the curve beside it, or stays at one of its points. Where |N - D A|² - E² D², of degree 22, has no positive
+//! Bernstein coefficient, no point of the part is farther from the curve than E. Halves of such a part are such parts, of the weight
+//! √((1+w)/2).
+
+use std::collections::VecDeque;
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::bound::{MOST_FOR_TOLERANCE, SLACK, at, floor, piece};
+use super::branch::{Branch, Cubic, less};
+use crate::measure::hausdorff::{away, product};
+use crate::numeric::bernstein::Polynomial;
+use crate::numeric::double::{Double, Twice};
+
+const MOST_CUTS: u32 = 64;
+const MOST_PARTS: usize = 16_000;
+
+/// The most steps that settle a nearest point.
+const MOST_SETTLING: usize = 4;
+
+/// What the roundings of a coefficient leave of it, as a part of the sizes that it is the sum of.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A point of the curve: of which cubic, where and how far away.
+#[derive(Clone, Copy)]
+struct Foot {
+    cubic: usize,
+    t: f64,
+    distance: f64,
+}
+
+/// A part of the arc, and the points of the curve that are nearest to its ends.
+#[derive(Clone, Copy)]
+struct Part {
+    points: [Twice; 3],
+    weight: Double,
+    feet: [Foot; 2],
+    cuts: u32,
+}
+
+/// Bounds how far the arc of a conic of this weight lies from segments, by no less than what is known; beyond a limit it may be any that is beyond.
+pub(super) fn bound(
+    branch: &Branch,
+    weight: f64,
+    segments: &[kurbo::PathSeg],
+    known: f64,
+    limit: Option<f64>,
+) -> f64 {
+    let cubics: Vec<Cubic> = segments.iter().map(|s| branch.cubic(s)).collect();
+    let search = Search {
+        cubics: &cubics,
+        boxes: cubics.iter().map(box_of).collect(),
+        floor: floor(segments) / branch.unit,
+        limit: limit.map_or(f64::INFINITY, |limit| limit / branch.unit),
+    };
+    let least = branch.noise();
+    let start = limit.map_or(known, |limit| limit) / branch.unit - least;
+    (search.bound(branch, weight, start.max(least)) + least) * branch.unit
+}
+
+struct Search<'a> {
+    cubics: &'a [Cubic],
+    boxes: Vec<Rect>,
+    limit: f64,
+    /// Below it no distance that is one is stated.
+    floor: f64,
+}
+
+impl Search<'_> {
+    fn bound(&self, branch: &Branch, weight: f64, mut bound: f64) -> f64 {
+        let least = branch.noise();
+        let [from, to] = branch.arms;
+        let whole = Part {
+            points: [from, [Double::of(0.0); 2], to],
+            weight: Double::of(weight),
+            feet: [from, to].map(|q| self.nearest(&q, 0)),
+            cuts: MOST_CUTS,
+        };
+        let mut pending = VecDeque::from([whole]);
+        let most = if self.limit.is_finite() {
+            MOST_FOR_TOLERANCE
+        } else {
+            MOST_PARTS
+        };
+        let mut left = most + 64 * self.cubics.len();
+        while let Some(part) = pending.pop_front() {
+            let halves = self.halves(&part);
+            let middle = halves[0].feet[1];
+            for foot in [part.feet[0], middle, part.feet[1]] {
+                if foot.distance > least {
+                    bound = bound.max(self.floor).max(foot.distance * (1.0 + SLACK));
+                }
+            }
+            if bound > self.limit {
+                return bound;
+            }
+            if self.is_within(&part, middle, bound) {
+                continue;
+            }
+            if part.cuts == 0 || left == 0 {
+                bound = bound.max(self.roughly(&part, middle));
+                continue;
+            }
+            left -= 1;
+            pending.extend(halves);
+        }
+        bound
+    }
+
+    /// A bound by a single point of the curve.
+    fn roughly(&self, part: &Part, middle: Foot) -> f64 {
+        let near = at(&self.cubics[middle.cubic], middle.t);
+        let far = part.points.iter().map(|p| apart(p, &near).hypot());
+        far.fold(0.0, f64::max) * (1.0 + ROUNDING)
+    }
+
+    fn halves(&self, part: &Part) -> [Part; 2] {
+        let [a, b, c] = part.points;
+        let w = part.weight;
+        let whole = w.plus(Double::of(1.0));
+        let control = |p: Twice| [0, 1].map(|i| b[i].times(w).plus(p[i]).divided(whole));
+        let (first, second) = (control(a), control(c));
+        let middle = [0, 1].map(|i| first[i].plus(second[i]).scaled(0.5));
+        let [from, to] = part.feet;
+        let foot = self.nearest(&middle, from.cubic);
+        let half = |points, feet| Part {
+            points,
+            weight: whole.scaled(0.5).sqrt(),
+            feet,
+            cuts: part.cuts - 1,
+        };
+        [
+            half([a, first, middle], [from, foot]),
+            half([middle, second, c], [foot, to]),
+        ]
+    }
+
+    /// The nearest point of the curve, looked for on the cubic of this number first.
+    fn nearest(&self, q: &Twice, first: usize) -> Foot {
+        let mut best = self.foot(first, q);
+        let p = Point::new(q[0].value(), q[1].value());
+        for cubic in 0..self.cubics.len() {
+            if cubic != first && away(&self.boxes[cubic], p) < best.distance {
+                let foot = self.foot(cubic, q);
+                if foot.distance < best.distance {
+                    best = foot;
+                }
+            }
+        }
+        self.settled(best, q)
+    }
+
+    /// The same after some steps of Newton's method in numbers of 106 bits, while they lead nearer: at a hairpin the digits of `f64` say little
+    /// of it.
+    fn settled(&self, mut foot: Foot, q: &Twice) -> Foot {
+        let cubic = &self.cubics[foot.cubic];
+        let steps: [Vec2; 3] = core::array::from_fn(|i| apart(&cubic[i + 1], &cubic[i]));
+        for _ in 0..MOST_SETTLING {
+            let (s, t) = (1.0 - foot.t, foot.t);
+            let first = 3.0 * (s * s * steps[0] + 2.0 * s * t * steps[1] + t * t * steps[2]);
+            let second = 6.0 * (s * (steps[1] - steps[0]) + t * (steps[2] - steps[1]));
+            let arm = apart(&at(cubic, t), q);
+            let t = t - arm.dot(first) / (first.hypot2() + arm.dot(second));
+            let distance = apart(&at(cubic, t), q).hypot();
+            if !(0.0..=1.0).contains(&t) || distance >= foot.distance {
+                break;
+            }
+            foot = Foot {
+                t,
+                distance,
+                ..foot
+            };
+        }
+        foot
+    }
+
+    /// The nearest point of a cubic: an end, or where (A - q)·A' changes its sign.
+    fn foot(&self, cubic: usize, q: &Twice) -> Foot {
+        let points = self.cubics[cubic].map(|p| apart(&p, q));
+        let part = |of: fn(&Vec2) -> f64| {
+            let value = Polynomial::new(&points.each_ref().map(of));
+            value.times(&value.differences())
+        };
+        let slope = part(|v| v.x).minus(&part(|v| v.y).scaled(-1.0));
+        let inner = slope.sign_changes();
+        let at = |t: f64| Foot {
+            cubic,
+            t,
+            distance: apart(&at(&self.cubics[cubic], t), q).hypot(),
+        };
+        let nearer = |a: Foot, b: Foot| if b.distance < a.distance { b } else { a };
+        inner.iter().map(at).fold(nearer(at(0.0), at(1.0)), nearer)
+    }
+
+    /// Whether no point of a part is farther than that, by what runs beside it.
+    fn is_within(&self, part: &Part, middle: Foot, most: f64) -> bool {
+        let [from, to] = part.feet;
+        let lets = |cubic: usize, ends: [f64; 2]| {
+            let own = piece(&self.cubics[cubic], ends);
+            is_beside(
+                part,
+                &own,
+                [slope(part, &own, 0), slope(part, &own, 1)],
+                most,
+            )
+        };
+        if from.cubic == to.cubic {
+            return lets(from.cubic, [from.t, to.t]) || lets(middle.cubic, [middle.t; 2]);
+        }
+        let forth = f64::from(from.cubic < to.cubic);
+        lets(from.cubic, [from.t, forth])
+            || lets(to.cubic, [1.0 - forth, to.t])
+            || lets(middle.cubic, [middle.t; 2])
+    }
+}
+
+/// A box of the control points.
+fn box_of(cubic: &Cubic) -> Rect {
+    let [a, b, c, d] = cubic.map(|[x, y]| Point::new(x.value(), y.value()));
+    Rect::from_points(a, d).union_pt(b).union_pt(c)
+}
+
+fn apart(p: &Twice, q: &Twice) -> Vec2 {
+    Vec2::new(less(p[0], q[0]).value(), less(p[1], q[1]).value())
+}
+
+/// How fast the nearest point of a cubic runs at an end of a part, A'·q' / (A'·A' - (q - A)·A''), a third of it.
+fn slope(part: &Part, cubic: &Cubic, end: usize) -> f64 {
+    let (near, next, last) = [(0, 1, 2), (3, 2, 1)][end];
+    let first = 3.0 * apart(&cubic[next], &cubic[near]);
+    let second = 6.0 * (apart(&cubic[last], &cubic[next]) - apart(&cubic[next], &cubic[near]));
+    let own = 2.0 * part.weight.value() * apart(&part.points[1], &part.points[2 * end]);
+    let square = first.hypot2();
+    let below = square - apart(&part.points[2 * end], &cubic[near]).dot(second);
+    let slope = first.dot(own) / if below > 0.1 * square { below } else { square };
+    if slope.is_finite() {
+        (slope / 3.0).clamp(0.0, 1.0)
+    } else {
+        1.0 / 3.0
+    }
+}
+
+/// Whether no point of a part is farther than that from the point of a cubic that runs beside it: at first and at last by these steps to the
+/// next of four parameters.
+fn is_beside(part: &Part, cubic: &Cubic, [first, last]: [f64; 2], most: f64) -> bool {
+    let weights = [1.0, 2.0 * part.weight.value(), 1.0];
+    // Bernstein coefficients times their binomials: products are convolutions.
+    let (g, h) = (
+        [0.0, 3.0 * first, 3.0 * (1.0 - last), 1.0],
+        [1.0, 3.0 * (1.0 - first), 3.0 * last, 0.0],
+    );
+    let (gg, hh): ([f64; 7], [f64; 7]) = (product(&g, &g), product(&h, &h));
+    let shares: [[f64; 10]; 4] = [
+        product(&hh, &h),
+        product(&hh, &g).map(|x| 3.0 * x),
+        product(&gg, &h).map(|x| 3.0 * x),
+        product(&gg, &g),
+    ];
+    // N - D A, how far it may be off, and D E.
+    let (mut arms, mut off, mut whole) = ([Vec2::ZERO; 12], [0.0; 12], [0.0; 12]);
+    for (i, p) in part.points.iter().enumerate() {
+        for (q, share) in cubic.iter().zip(&shares) {
+            let arm = apart(p, q);
+            let size = ROUNDING * arm.hypot();
+            for (k, share) in share.iter().enumerate() {
+                let weight = weights[i] * share;
+                arms[i + k] += weight * arm;
+                off[i + k] += weight * size;
+                whole[i + k] += weight * most;
+            }
+        }
+    }
+    let sizes: [f64; 12] = core::array::from_fn(|k| arms[k].hypot());
+    (0..23_usize).all(|k| {
+        let mut sum = 0.0;
+        let mut size = 0.0;
+        for i in k.saturating_sub(11)..=k.min(11) {
+            let j = k - i;
+            let allowed = whole[i] * whole[j];
+            sum += arms[i].dot(arms[j]) + sizes[i] * off[j] + off[i] * sizes[j] + off[i] * off[j]
+                - allowed;
+            size += sizes[i] * sizes[j] + allowed;
+        }
+        sum + ROUNDING * size <= 0.0
+    })
+}
