@@ -315,7 +315,10 @@ impl Conic {
             }
         };
         let curve = curve.rounded(precision, kept);
-        let exact = method.is_none() && curve.segments.len() == 1 && precision == Precision::Full;
+        // A map rounds the points.
+        let is_mapped = options.transform != kurbo::Affine::IDENTITY;
+        let is_whole = method.is_none() && curve.segments.len() == 1;
+        let exact = is_whole && precision == Precision::Full && !is_mapped;
         let error = if exact {
             RadialError::default()
         } else {

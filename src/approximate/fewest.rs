@@ -20,8 +20,8 @@ use equal::fewest_equal;
 /// From this part of a tolerance on rounding tells which count serves.
 const COARSE: f64 = 0.05;
 
-/// How many counts beyond the estimate are tried.
-const MOST_TRIES: usize = 64;
+/// How many counts beyond twice the estimate are looked at.
+const MOST_BEYOND_TWICE: usize = 64;
 
 /// How many counts are tried from the one on that marching takes.
 const MOST_BEYOND: usize = 8;
@@ -290,7 +290,7 @@ impl Request<'_> {
             _ => (self.least_count(tolerance), MOST_SEGMENTS),
         };
         // Rounding and the error of joints beyond the estimate ask for a few more segments; a rule whose error does not fall ends here.
-        first..=last.min(2 * first + MOST_TRIES)
+        first..=last.min(2 * first + MOST_BEYOND_TWICE)
     }
 
     fn rounding(&self, tolerance: f64) -> f64 {

@@ -204,7 +204,7 @@ fn bytes_up_to(most: u64, bytes: &mut Vec<u8>, input: impl Read, name: &str) -> 
 ///
 /// # Errors
 ///
-/// Where they are no UTF-8; what is UTF-16 is called so, as in SVG.
+/// Where they are no UTF-8; what has another encoding by its first bytes, as UTF-16, is called so, as in SVG.
 pub(crate) fn in_utf8(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
     if let Err(error @ document::Error::Encoding { .. }) = document::decode(&bytes) {
         return Err(anyhow::anyhow!("{name}:{error}").into());

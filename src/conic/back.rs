@@ -1,7 +1,7 @@
 //! A bound on how far any point of a conic's arc lies from a curve.
 //!
 //! A part of the arc with the end points p0 and p2, the control point p1 and the weight w is N/D with D = (1-s)² + 2w s(1-s) + s². Let A be a
-//! cubic that runs along the curve beside it, or stays at one of its points. Where |N - D A|² - E² D², of degree 22, has no positive
+//! cubic of the curve and g, of degree 3, the parameter that runs along it beside the arc, or stays at one of its points. Where |N - D A(g)|² - E² D², of degree 22, has no positive
 //! Bernstein coefficient, no point of the part is farther from the curve than E. Halves of such a part are such parts, of the weight
 //! √((1+w)/2).
 
@@ -10,11 +10,12 @@ use std::collections::VecDeque;
 use kurbo::{Point, Rect, Vec2};
 
 use super::bound::{MOST_FOR_TOLERANCE, SLACK, at, floor, piece};
-use super::branch::{Branch, Cubic, less};
+use super::branch::{Branch, Cubic, arm};
 use crate::measure::hausdorff::{away, product};
 use crate::numeric::bernstein::Polynomial;
 use crate::numeric::double::{Double, Twice};
 
+/// How often a part is halved at most, and how many parts are, beside some for each segment: what is left is bounded roughly.
 const MOST_CUTS: u32 = 64;
 const MOST_PARTS: usize = 16_000;
 
@@ -57,7 +58,7 @@ pub(super) fn bound(
         limit: limit.map_or(f64::INFINITY, |limit| limit / branch.unit),
     };
     let least = branch.noise();
-    let start = limit.map_or(known, |limit| limit) / branch.unit - least;
+    let start = limit.unwrap_or(known) / branch.unit - least;
     (search.bound(branch, weight, start.max(least)) + least) * branch.unit
 }
 
@@ -113,7 +114,7 @@ impl Search<'_> {
     /// A bound by a single point of the curve.
     fn roughly(&self, part: &Part, middle: Foot) -> f64 {
         let near = at(&self.cubics[middle.cubic], middle.t);
-        let far = part.points.iter().map(|p| apart(p, &near).hypot());
+        let far = part.points.iter().map(|p| arm(p, &near).hypot());
         far.fold(0.0, f64::max) * (1.0 + ROUNDING)
     }
 
@@ -157,14 +158,14 @@ impl Search<'_> {
     /// of it.
     fn settled(&self, mut foot: Foot, q: &Twice) -> Foot {
         let cubic = &self.cubics[foot.cubic];
-        let steps: [Vec2; 3] = core::array::from_fn(|i| apart(&cubic[i + 1], &cubic[i]));
+        let steps: [Vec2; 3] = core::array::from_fn(|i| arm(&cubic[i + 1], &cubic[i]));
         for _ in 0..MOST_SETTLING {
             let (s, t) = (1.0 - foot.t, foot.t);
             let first = 3.0 * (s * s * steps[0] + 2.0 * s * t * steps[1] + t * t * steps[2]);
             let second = 6.0 * (s * (steps[1] - steps[0]) + t * (steps[2] - steps[1]));
-            let arm = apart(&at(cubic, t), q);
-            let t = t - arm.dot(first) / (first.hypot2() + arm.dot(second));
-            let distance = apart(&at(cubic, t), q).hypot();
+            let way = arm(&at(cubic, t), q);
+            let t = t - way.dot(first) / (first.hypot2() + way.dot(second));
+            let distance = arm(&at(cubic, t), q).hypot();
             if !(0.0..=1.0).contains(&t) || distance >= foot.distance {
                 break;
             }
@@ -179,7 +180,7 @@ impl Search<'_> {
 
     /// The nearest point of a cubic: an end, or where (A - q)·A' changes its sign.
     fn foot(&self, cubic: usize, q: &Twice) -> Foot {
-        let points = self.cubics[cubic].map(|p| apart(&p, q));
+        let points = self.cubics[cubic].map(|p| arm(&p, q));
         let part = |of: fn(&Vec2) -> f64| {
             let value = Polynomial::new(&points.each_ref().map(of));
             value.times(&value.differences())
@@ -189,7 +190,7 @@ impl Search<'_> {
         let at = |t: f64| Foot {
             cubic,
             t,
-            distance: apart(&at(&self.cubics[cubic], t), q).hypot(),
+            distance: arm(&at(&self.cubics[cubic], t), q).hypot(),
         };
         let nearer = |a: Foot, b: Foot| if b.distance < a.distance { b } else { a };
         inner.iter().map(at).fold(nearer(at(0.0), at(1.0)), nearer)
@@ -223,18 +224,14 @@ fn box_of(cubic: &Cubic) -> Rect {
     Rect::from_points(a, d).union_pt(b).union_pt(c)
 }
 
-fn apart(p: &Twice, q: &Twice) -> Vec2 {
-    Vec2::new(less(p[0], q[0]).value(), less(p[1], q[1]).value())
-}
-
 /// How fast the nearest point of a cubic runs at an end of a part, A'·q' / (A'·A' - (q - A)·A''), a third of it.
 fn slope(part: &Part, cubic: &Cubic, end: usize) -> f64 {
     let (near, next, last) = [(0, 1, 2), (3, 2, 1)][end];
-    let first = 3.0 * apart(&cubic[next], &cubic[near]);
-    let second = 6.0 * (apart(&cubic[last], &cubic[next]) - apart(&cubic[next], &cubic[near]));
-    let own = 2.0 * part.weight.value() * apart(&part.points[1], &part.points[2 * end]);
+    let first = 3.0 * arm(&cubic[next], &cubic[near]);
+    let second = 6.0 * (arm(&cubic[last], &cubic[next]) - arm(&cubic[next], &cubic[near]));
+    let own = 2.0 * part.weight.value() * arm(&part.points[1], &part.points[2 * end]);
     let square = first.hypot2();
-    let below = square - apart(&part.points[2 * end], &cubic[near]).dot(second);
+    let below = square - arm(&part.points[2 * end], &cubic[near]).dot(second);
     let slope = first.dot(own) / if below > 0.1 * square { below } else { square };
     if slope.is_finite() {
         (slope / 3.0).clamp(0.0, 1.0)
@@ -263,7 +260,7 @@ fn is_beside(part: &Part, cubic: &Cubic, [first, last]: [f64; 2], most: f64) -> 
     let (mut arms, mut off, mut whole) = ([Vec2::ZERO; 12], [0.0; 12], [0.0; 12]);
     for (i, p) in part.points.iter().enumerate() {
         for (q, share) in cubic.iter().zip(&shares) {
-            let arm = apart(p, q);
+            let arm = arm(p, q);
             let size = ROUNDING * arm.hypot();
             for (k, share) in share.iter().enumerate() {
                 let weight = weights[i] * share;

@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 
 use kurbo::{PathSeg, Vec2};
 
-use super::branch::{Branch, Cubic, Place, less};
+use super::branch::{Branch, Cubic, Place, arm};
 use super::frame::Frame;
 use crate::curve::largest_coordinate;
 use crate::numeric::double::{Double, Twice};
@@ -204,7 +204,6 @@ impl Search<'_> {
 
     /// A bound that is larger by as little as a part is long, or so.
     fn roughly(&self, points: &Cubic, places: &[Place; 3], sign: f64) -> f64 {
-        // An end of the arc lies in the region, and on its rim.
         let from = |p: Twice| {
             points
                 .iter()
@@ -217,12 +216,9 @@ impl Search<'_> {
             let rim = places.iter().filter_map(|place| self.branch.outside(place));
             rim.map(from).fold(f64::INFINITY, f64::min)
         };
+        // An end of the arc lies in the region, and on its rim.
         rough.min(from(self.branch.arms[0])) * (1.0 + 16.0 * f64::EPSILON)
     }
-}
-
-fn arm(p: &Twice, from: &Twice) -> Vec2 {
-    Vec2::new(less(p[0], from[0]).value(), less(p[1], from[1]).value())
 }
 
 /// How far the points of a part are from the region at most, by points of it: those between two of them are in it as well.

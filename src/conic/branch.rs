@@ -9,7 +9,7 @@ use kurbo::{Affine, PathSeg, Point, Vec2};
 use super::Conic;
 use super::frame::Frame;
 use crate::measure::unit_for;
-use crate::numeric::double::{Double, Twice};
+use crate::numeric::double::{Double, Twice, cross};
 use crate::numeric::foot::Foot;
 
 /// What numbers of 106 bits leave of a distance, as a part of the size, and of a coefficient, as a part of the sizes that it is the sum of.
@@ -25,7 +25,7 @@ const SHARP: f64 = 8.0;
 /// How far within the branch points beside it are, as a part of their distance from P1.
 const BESIDE: f64 = 1.0 / (1_u128 << 98) as f64;
 
-/// The products of two cubics: which coefficients make which, and how many times.
+/// The binomials of a cubic's Bernstein form.
 const WEIGHTS: [f64; 4] = [1.0, 3.0, 3.0, 1.0];
 
 /// The control points of a cubic about P1.
@@ -60,12 +60,9 @@ pub(super) struct Place {
     shares: [f64; 2],
 }
 
-pub(super) fn less(a: Double, b: Double) -> Double {
-    a.plus(b.scaled(-1.0))
-}
-
-fn cross(u: &Twice, v: &Twice) -> Double {
-    less(u[0].times(v[1]), u[1].times(v[0]))
+/// From one point to another, in the digits of `f64`.
+pub(super) fn arm(to: &Twice, from: &Twice) -> Vec2 {
+    Vec2::new(to[0].minus(from[0]).value(), to[1].minus(from[1]).value())
 }
 
 impl Branch {
@@ -85,7 +82,7 @@ impl Branch {
         let reach = arms.iter().flatten().map(|x| x.value().abs());
         let unit = unit_for(reach.fold(f64::MIN_POSITIVE, f64::max));
         let arms = arms.map(|arm| arm.map(|x| x.scaled(1.0 / unit)));
-        let area = cross(&arms[0], &arms[1]);
+        let area = cross(arms[0], arms[1]);
         let lengths = arms.map(|[x, y]| Vec2::new(x.value(), y.value()).hypot());
         Self {
             unit,
@@ -107,13 +104,13 @@ impl Branch {
     /// A point of the plane about P1.
     pub(super) fn about(&self, p: Point) -> Twice {
         let [x, y] = self.origin;
-        [less(Double::of(p.x), x), less(Double::of(p.y), y)].map(|x| x.scaled(1.0 / self.unit))
+        [Double::of(p.x).minus(x), Double::of(p.y).minus(y)].map(|x| x.scaled(1.0 / self.unit))
     }
 
-    /// What numbers of 106 bits leave of a distance.
+    /// What numbers of 106 bits leave of a distance: of a thin triangle cross products leave as much less as it is thinner.
     pub(super) fn noise(&self) -> f64 {
         let [x, y] = self.origin.map(|x| x.value().abs() / self.unit);
-        NOISE * (1.0 + x + y)
+        NOISE * (1.0 + x + y) + (16.0 * self.beside).min(f64::EPSILON / 4.0)
     }
 
     /// A segment about P1 as a cubic.
@@ -136,8 +133,8 @@ impl Branch {
     /// A, B and C.
     fn coordinates(&self, q: &Twice) -> [Double; 3] {
         let [u, v] = &self.arms;
-        let (a, c) = (cross(q, v), cross(u, q));
-        [a, less(less(self.area, a), c), c]
+        let (a, c) = (cross(*q, *v), cross(*u, *q));
+        [a, self.area.minus(a).minus(c), c]
     }
 
     /// Whether a cubic lies wholly in the region, or wholly out of it.
@@ -162,7 +159,7 @@ impl Branch {
         let sizes = squares.value().abs() + products.value().abs();
         side * a.value() >= 0.0
             && side * c.value() >= 0.0
-            && less(products, squares).value() >= ROUNDING * sizes
+            && products.minus(squares).value() >= ROUNDING * sizes
     }
 
     /// Whether all of F's coefficients have this sign for certain.
@@ -174,7 +171,7 @@ impl Branch {
                 let (a, c) = (all[i][0], all[k - i][2]);
                 let (squares, products) = (b.times(other), a.times(c).times(self.square));
                 let weight = WEIGHTS[i] * WEIGHTS[k - i];
-                sum = sum.plus(less(squares, products).scaled(weight));
+                sum = sum.plus(squares.minus(products).scaled(weight));
                 sizes += weight * (squares.value().abs() + products.value().abs());
             }
             sign * sum.value() >= ROUNDING * sizes
@@ -184,8 +181,7 @@ impl Branch {
     /// A point of a curve about P1: its distance along the normal is the root of a quadratic.
     pub(super) fn place(&self, frame: &Frame, q: &Twice) -> Place {
         let place = self.sought(frame, q);
-        let far =
-            |end: &Twice| Vec2::new(less(q[0], end[0]).value(), less(q[1], end[1]).value()).hypot();
+        let far = |end: &Twice| arm(q, end).hypot();
         let [from, to] = self.arms.each_ref().map(far);
         if place.distance.abs() <= 1.01 * from.min(to) {
             return place;
@@ -234,9 +230,7 @@ impl Branch {
     /// The same by a point of the branch where the normal, in the digits of `f64`, misses a tip.
     fn beside(&self, q: &Twice, shares: [f64; 2], foot: &Foot) -> Place {
         let near = self.beyond(shares, true);
-        let arm = near.map_or(Vec2::ZERO, |p| {
-            Vec2::new(less(q[0], p[0]).value(), less(q[1], p[1]).value())
-        });
+        let arm = near.map_or(Vec2::ZERO, |p| arm(q, &p));
         let length = arm.hypot().copysign(foot.distance);
         Place {
             normal: if length == 0.0 {
@@ -256,14 +250,17 @@ impl Branch {
         let normal = [n.x, n.y].map(Double::of);
         let [a, b, c] = self.coordinates(q);
         let [u, v] = &self.arms;
-        let (da, dc) = (cross(&normal, v), cross(u, &normal));
+        let (da, dc) = (cross(normal, *v), cross(*u, normal));
         let db = da.plus(dc).scaled(-1.0);
         let times = |x: Double, y: Double| self.square.times(x).times(y);
-        let excess = less(b.times(b), times(a, c));
-        let slope = less(b.times(db).scaled(2.0), times(a, dc).plus(times(c, da)));
-        let bend = less(db.times(db), times(da, dc));
+        let excess = b.times(b).minus(times(a, c));
+        let slope = b
+            .times(db)
+            .scaled(2.0)
+            .minus(times(a, dc).plus(times(c, da)));
+        let bend = db.times(db).minus(times(da, dc));
         // A line that grazes a tip leaves few digits of this.
-        let square = less(slope.times(slope), excess.times(bend).scaled(4.0));
+        let square = slope.times(slope).minus(excess.times(bend).scaled(4.0));
         if square.value() < 0.0 {
             return Vec::new();
         }
@@ -272,7 +269,7 @@ impl Branch {
         let sum = slope + root.copysign(slope);
         // The other branch may be met first, where both A and C have the other sign.
         let side = 1.0_f64.copysign(self.area.value());
-        let is_met = |x: &f64| side * less(a.plus(c), da.plus(dc).scaled(*x)).value() >= 0.0;
+        let is_met = |x: &f64| side * a.plus(c).minus(da.plus(dc).scaled(*x)).value() >= 0.0;
         let both = [2.0 * excess / sum, sum / (2.0 * bend)];
         both.into_iter().filter(is_met).collect()
     }
@@ -288,7 +285,7 @@ impl Branch {
             0.0
         };
         let step = Double::of(depth);
-        let to = |x: Double, n: f64| less(x, step.times(Double::of(n)));
+        let to = |x: Double, n: f64| x.minus(step.times(Double::of(n)));
         let inside = [to(q[0], n.x), to(q[1], n.y)];
         self.holds(&inside).then_some(inside)
     }

@@ -12,7 +12,7 @@ use crate::method::Method;
 const HALVINGS: u32 = 30;
 
 /// The most segments that a tolerance may ask for.
-const MOST_FOR_TOLERANCE: usize = 10_000;
+const MOST_SEGMENTS: usize = 10_000;
 
 /// The parts of a tolerance for which joints are tried, the largest first: rounding takes its share.
 const PARTS: [f64; 6] = [1.0, 0.97, 0.94, 0.91, 0.8, 0.5];
@@ -75,11 +75,11 @@ impl Conic {
                     high = middle;
                 }
             }
-            if low <= from || joints.len() > MOST_FOR_TOLERANCE {
+            if low <= from || joints.len() > MOST_SEGMENTS {
                 return Err(Error::ToleranceOutOfReach {
                     method: RuleName::Method(method.id()),
                     tolerance,
-                    why: ReachError::Segments(MOST_FOR_TOLERANCE),
+                    why: ReachError::Segments(MOST_SEGMENTS),
                     remedy: Remedy::LargerTolerance("minimax"),
                 });
             }

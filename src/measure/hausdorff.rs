@@ -127,7 +127,7 @@ impl CubicChain {
             let undecided = search.at_least <= aim.tolerance && aim.tolerance < part.at_most;
             let goal = if undecided { CLOSE_GOAL } else { aim.goal };
             let enough = (search.at_least * (1.0 + goal)).max(search.at_least + NOISE);
-            if part.at_most <= enough || left == 0 {
+            if part.at_most <= enough || left == 0 || search.steps.0 == 0 {
                 search.at_most = part.at_most;
                 break;
             }

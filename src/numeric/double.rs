@@ -1,7 +1,13 @@
-//! Twice the digits of `f64`, for the one difference that needs them: |p|² - r² of points that lie almost on the circle.
+//! Twice the digits of `f64`, for what cancels: |p|² - r² of points that lie almost on the circle, frames of true shapes, conics.
 
 /// A vector in twice the digits.
 pub(crate) type Twice = [Double; 2];
+
+/// u×v.
+#[inline(always)]
+pub(crate) fn cross(u: Twice, v: Twice) -> Double {
+    u[0].times(v[1]).minus(u[1].times(v[0]))
+}
 
 /// An unevaluated sum of two `f64`, the second at most half a unit in the last place of the first.
 ///
@@ -85,10 +91,15 @@ impl Double {
         )
     }
 
-    /// The product with a small whole number or a power of two.
+    /// The product with a number of `f64`.
     #[inline(always)]
     pub(crate) fn scaled(self, factor: f64) -> Self {
         self.times(Self::of(factor))
+    }
+
+    #[inline(always)]
+    pub(crate) fn minus(self, other: Self) -> Self {
+        self.plus(other.scaled(-1.0))
     }
 
     /// The quotient by a number that is not 0.

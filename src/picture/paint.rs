@@ -94,7 +94,7 @@ impl FromStr for Paint {
     }
 }
 
-/// The colour spaces of CSS that `color()` takes there alone.
+/// The colour spaces that `color()` takes in CSS, but not here.
 const OTHER_SPACES: [&str; 5] = [
     "display-p3",
     "display-p3-linear",

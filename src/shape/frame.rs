@@ -10,7 +10,7 @@ use kurbo::{Affine, Point, Vec2};
 
 use super::Given;
 use crate::angle::Angle;
-use crate::numeric::double::{Double, Twice};
+use crate::numeric::double::{Double, Twice, cross};
 pub(super) use inscribed::{circle_between, cotangent_between, products_about};
 
 /// The sweep in degrees up to which a sweep and a chord tell more than the centre: towards a whole turn the chord shrinks to nothing.
@@ -215,11 +215,6 @@ fn differences(a: Point, b: Point) -> Twice {
 #[inline(always)]
 fn dot(u: Twice, v: Twice) -> Double {
     u[0].times(v[0]).plus(u[1].times(v[1]))
-}
-
-#[inline(always)]
-fn cross(u: Twice, v: Twice) -> Double {
-    u[0].times(v[1]).plus(u[1].times(v[0]).scaled(-1.0))
 }
 
 /// The inverse of an affine map.

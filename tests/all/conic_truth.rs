@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use crate::judges::oracle::conic::Branch;
 use crate::judges::oracle::{Point, Real, int, real, to_f64};
-use crate::judges::random::uniform;
+use crate::judges::random::{Dice, uniform};
 use curveto::conic::Conic;
 use curveto::curve::control_points;
 use curveto::kurbo;
@@ -20,22 +20,6 @@ const METHODS: [Method; 4] = [
     Method::Goldapp,
     Method::Curvature,
 ];
-
-struct Dice(u64);
-
-impl Dice {
-    fn within(&mut self, from: f64, to: f64) -> f64 {
-        from + (to - from) * uniform(&mut self.0)
-    }
-
-    fn logarithmic(&mut self, from: f64, to: f64) -> f64 {
-        self.within(from.ln(), to.ln()).exp()
-    }
-
-    fn point(&mut self, size: f64) -> kurbo::Point {
-        kurbo::Point::new(self.within(-size, size), self.within(-size, size))
-    }
-}
 
 #[derive(Debug)]
 struct Case {
@@ -62,7 +46,8 @@ fn case(dice: &mut Dice) -> Option<Case> {
         }
         _ => {}
     }
-    let weight = match dice.within(0.0, 4.0) as u8 {
+    let weight = match dice.within(0.0, 5.0) as u8 {
+        4 => 1.0,
         0 => dice.within(0.9999, 1.0001),
         1 => 1.0 + dice.logarithmic(1e-6, 1.0),
         2 => dice.logarithmic(1.0, 100.0),
@@ -190,6 +175,8 @@ fn campaign(count: u64, seed: u64, fineness: u32) -> Vec<Verdict> {
             judge(&case(&mut dice)?, fineness)
         })
         .collect();
+    // Refused are what a precision leaves no points of.
+    assert!(2 * verdicts.len() as u64 > count, "{}", verdicts.len());
     for is_sharp in [false, true] {
         let of = || verdicts.iter().filter(|v| v.is_sharp == is_sharp);
         let least = of().map(|v| v.least).fold(f64::INFINITY, f64::min);

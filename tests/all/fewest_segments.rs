@@ -329,6 +329,7 @@ fn fewest_by_force(
         let mut low = high;
         while !is_within(low) {
             (low, high) = (low / 1.07, low);
+            assert!(low > 0.01, "nothing is within {tolerance}");
         }
         if low == left {
             return count;

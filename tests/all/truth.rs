@@ -10,7 +10,7 @@ use crate::judges::oracle::{
     real::{power_of_two, ratio},
     to_f64,
 };
-use crate::judges::random::uniform;
+use crate::judges::random::{Dice, uniform};
 use curveto::conic::Conic;
 use curveto::curve::control_points;
 use curveto::number::Precision;
@@ -24,27 +24,6 @@ struct Case {
     shape: Shape,
     exact: Exact,
     transform: Affine,
-}
-
-/// A source of random numbers.
-struct Dice(u64);
-
-impl Dice {
-    fn within(&mut self, from: f64, to: f64) -> f64 {
-        from + (to - from) * uniform(&mut self.0)
-    }
-
-    fn logarithmic(&mut self, from: f64, to: f64) -> f64 {
-        self.within(from.ln(), to.ln()).exp()
-    }
-
-    fn point(&mut self, size: f64) -> kurbo::Point {
-        kurbo::Point::new(self.within(-size, size), self.within(-size, size))
-    }
-
-    fn coin(&mut self) -> bool {
-        uniform(&mut self.0) < 0.5
-    }
 }
 
 fn level() -> Point {

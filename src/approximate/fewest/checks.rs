@@ -181,7 +181,7 @@ fn counts_begin_where_a_rule_may_serve() {
     }
     // On a circle it is as any other, which tries twice as many as the estimate and a few.
     let counts = request(&closed, &options(Method::MinimaxEllipseFree, None)).counts(1e-3);
-    assert!(*counts.start() > 4 && *counts.end() == 2 * counts.start() + MOST_TRIES);
+    assert!(*counts.start() > 4 && *counts.end() == 2 * counts.start() + MOST_BEYOND_TWICE);
     // A handle of 0.5523 is a quarter's: a few more than 4 segments.
     for (k, last) in [
         (4.0 / 3.0 * (f64::sqrt(2.0) - 1.0), 7),

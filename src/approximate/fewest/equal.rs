@@ -5,9 +5,10 @@ use core::ops::RangeInclusive;
 /// How many counts are tried one by one, from the least on and below the one that halving finds: on an ellipse even and odd ones differ.
 const FEW: usize = 16;
 
-/// From so many segments on halving alone decides, and to such a part of their number: the last one of hundreds of thousands is not worth
-/// the seconds that it takes.
+/// From so many segments on halving alone decides.
 const MANY: usize = 1000;
+
+/// The part of their number to which it does: the last one of hundreds of thousands is not worth the seconds that it takes.
 const FINEST: usize = 4096;
 
 /// The first of these counts that gives something. All of them are tried where they are `uneven`; else what one of them gives, larger ones

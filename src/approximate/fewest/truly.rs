@@ -68,7 +68,7 @@ impl March<'_> {
             request.within(joints, None, tolerance).ok()?
         };
         let ways = self.ways(limit, most)?;
-        let fewest = ways.len() - 1;
+        let mut fewest = ways.len() - 1;
         let mut found = within(&ways);
         let (mut low, mut high) = (LEAST * limit, limit);
         for _ in 0..NARROWINGS {
@@ -82,7 +82,10 @@ impl March<'_> {
             let even: Vec<f64> = pairs
                 .map(|(way, back)| f64::midpoint(*way, self.whole - back))
                 .collect();
-            found = within(&even).or_else(|| within(&ways)).or(found);
+            if let Some(nearer) = within(&even).or_else(|| within(&ways)) {
+                fewest = ways.len() - 1;
+                found = Some(nearer);
+            }
         }
         found
     }
@@ -109,7 +112,10 @@ impl March<'_> {
     /// ellipse a longer one may err less.
     fn longest(&self, way: f64, limit: f64) -> Option<f64> {
         let mut high = self.largest.min(self.whole - way);
-        let mut low = high;
+        if self.is_within(way, high, limit) {
+            return Some(high);
+        }
+        let mut low = high / STEP;
         while !self.is_within(way, low, limit) {
             (low, high) = (low / STEP, low);
             if low < SHORTEST {
@@ -118,7 +124,7 @@ impl March<'_> {
         }
         for _ in 0..HALVINGS {
             let middle = f64::midpoint(low, high);
-            if low == high || self.is_within(way, middle, limit) {
+            if self.is_within(way, middle, limit) {
                 low = middle;
             } else {
                 high = middle;

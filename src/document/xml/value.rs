@@ -69,8 +69,8 @@ pub(in crate::document) fn words(source: &str, doctype: &Doctype) -> String {
         out.push_str(before);
         let is_name = |c: char| c.is_alphanumeric() || "#:-_.".contains(c);
         let end = after.find(|c| !is_name(c)).unwrap_or(after.len());
-        let (name, behind) = after.split_at(end);
-        rest = behind;
+        let (name, left) = after.split_at(end);
+        rest = left;
         match doctype.resolve(name) {
             Resolved::Text(text, _) => out.push_str(&text),
             Resolved::Unknown => out.push('\\'),

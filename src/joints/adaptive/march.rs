@@ -14,15 +14,15 @@ const SHORT: f64 = 0.01;
 /// The part of a segment up to which the last one may not be needed from the other end on.
 const STUB: f64 = 0.1;
 
+/// How closely the length of a segment on the circle is found, as a part of its error.
+const ROUGHLY: f64 = 0.05;
+
 /// How far below the error of equal angles it may lie, and how closely it is narrowed down, both as ratios.
 const WIDE: f64 = 1000.0;
 const NARROW: f64 = 1.02;
 
 /// The ratio of the lengths that are tried where a longer segment may err less.
 const LONGER: f64 = 1.1;
-
-/// How closely the length of a segment on the circle is found, as a part of its error.
-const ROUGHLY: f64 = 0.05;
 
 /// How well the longest of them is known then, as a part of it.
 const SETTLED: f64 = 3e-4;
@@ -78,12 +78,12 @@ impl Balance {
         if let Some(size) = self.longest_by_lobes(way, allowed, guess, largest) {
             return size;
         }
-        let Some([safe, beyond]) = sizes else {
+        let Some([safe, nowhere]) = sizes else {
             return self.settled(way, allowed, guess);
         };
         // The sharp ends of a flat ellipse are harmless at a joint, so that a longer segment may err less than a shorter one.
         let from = self.past_axis(way);
-        let most = most.min(beyond);
+        let most = most.min(nowhere);
         let least = safe.min(most);
         // How far beyond what is allowed, by its logarithm.
         let beyond = |size: f64| {

@@ -164,9 +164,13 @@ fn pieces(cubics: &[CubicBez]) -> Vec<CubicPiece> {
     let cell = size(&all) / n.sqrt();
     let mut pieces = Vec::with_capacity(cubics.len());
     for (segment, (&cubic, area)) in cubics.iter().zip(&boxes).enumerate() {
-        let wanted = (size(area) / cell).ceil().min(1.0 + MOST_IN_ALL / n);
         // A drawing of one point has no size.
-        let count = wanted.clamp(1.0, MOST_PIECES) as usize;
+        let wanted = if cell > 0.0 {
+            (size(area) / cell).ceil()
+        } else {
+            1.0
+        };
+        let count = wanted.min(1.0 + MOST_IN_ALL / n).clamp(1.0, MOST_PIECES) as usize;
         for k in 0..count {
             let [from, to] = [k, k + 1].map(|k| k as f64 / count as f64);
             let cubic = if count == 1 {

@@ -9,7 +9,7 @@
 
 use kurbo::Vec2;
 
-use crate::numeric::double::{Double, Twice};
+use crate::numeric::double::{Double, Twice, cross};
 use crate::shape::Exact;
 
 /// A little more than the roundings of what is formed of the differences.
@@ -85,8 +85,4 @@ impl Tangents {
             Vec2::new(apart(0), apart(1)).hypot() * (1.0 + ROUNDING),
         ]
     }
-}
-
-fn cross(u: Twice, v: Twice) -> Double {
-    u[0].times(v[1]).plus(u[1].times(v[0]).scaled(-1.0))
 }

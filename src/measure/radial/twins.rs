@@ -1,7 +1,7 @@
 //! Segments that an axis of an ellipse or its centre mirrors onto one another: they stray alike, so that one of them is measured for all.
 //!
 //! The distance of a point changes by no more than the point moves. So a segment strays no farther than its mirror image and the largest
-//! distance between their control points.
+//! distance between their control points, and where that image was not measured itself but has one that was, than this and both distances.
 
 use kurbo::{PathSeg, Point, Vec2};
 
@@ -24,7 +24,7 @@ const FAR: f64 = 1e-9;
 #[derive(Default)]
 pub(super) struct Twins {
     measured: Vec<FramedPoints>,
-    /// The control points of all, and how far they lie from images of what was measured.
+    /// The control points of the first ones, measured or not, and how far they lie from images of what was.
     seen: Vec<(([Point; 4], usize), f64)>,
     pub(super) apart: f64,
 }

@@ -12,6 +12,27 @@ pub(crate) fn uniform(seed: &mut u64) -> f64 {
     (*seed >> 11) as f64 / (1_u64 << 53) as f64
 }
 
+/// A source of random numbers.
+pub(crate) struct Dice(pub(crate) u64);
+
+impl Dice {
+    pub(crate) fn within(&mut self, from: f64, to: f64) -> f64 {
+        from + (to - from) * uniform(&mut self.0)
+    }
+
+    pub(crate) fn logarithmic(&mut self, from: f64, to: f64) -> f64 {
+        self.within(from.ln(), to.ln()).exp()
+    }
+
+    pub(crate) fn point(&mut self, size: f64) -> curveto::kurbo::Point {
+        curveto::kurbo::Point::new(self.within(-size, size), self.within(-size, size))
+    }
+
+    pub(crate) fn coin(&mut self) -> bool {
+        uniform(&mut self.0) < 0.5
+    }
+}
+
 fn pick(list: &[&'static str]) -> impl Strategy<Value = &'static str> + use<> {
     prop::sample::select(list.to_vec())
 }

@@ -59,21 +59,21 @@ impl Rough {
         square(self.point(r), q)
     }
 
-    /// The r up to 1 that is nearest, behind the end too, and the square of its distance.
+    /// The r up to 1 that is nearest, before the start too, and the square of its distance.
     fn nearest(&self, q: [f64; 2]) -> (f64, f64) {
         let (w, first) = (self.weight, self.first());
-        // Behind the end up to where the branch goes to infinity or half around; evenly up to the first place; then by ratios.
-        let behind = if w > 1.0 {
+        // Before the start up to where the branch goes to infinity or half around; evenly up to the first place; then by ratios.
+        let before = if w > 1.0 {
             1.0 / (w + (w * w - 1.0).sqrt())
         } else {
             1.0
         };
-        let behind = |s: f64| -0.9 * behind * s * s;
+        let before = |s: f64| -0.9 * before * s * s;
         let near = |s: f64| s * first;
         let far = |s: f64| self.place(s);
         let on_grid: Vec<f64> = self.grid.iter().map(|p| square(*p, q)).collect();
         let found = [
-            at(&behind, valley(&|s| self.square(q, behind(s)), 40)),
+            at(&before, valley(&|s| self.square(q, before(s)), 40)),
             at(&near, valley(&|s| self.square(q, near(s)), 8)),
             at(&far, valley_of(&|s| self.square(q, far(s)), &on_grid)),
         ];
