@@ -4,6 +4,7 @@ use crate::approximate::{Request, Sketch};
 use crate::joints::Joints;
 use crate::joints::adaptive::Balance;
 use crate::measure::radial;
+use crate::method::Method;
 use crate::place::Placed;
 use crate::shape::UnitArc;
 
@@ -12,7 +13,7 @@ const MOST: usize = 32;
 
 /// The ratio of the lengths that are tried, from the largest down, and how often the step to the first that serves is halved.
 const STEP: f64 = 1.1;
-const HALVINGS: u32 = 10;
+const HALVINGS: u32 = 8;
 
 /// The shortest length that is tried, in degrees.
 const SHORTEST: f64 = 1.0;
@@ -37,11 +38,17 @@ impl Request<'_> {
             return None;
         }
         let parts = if balance.is_sharp() { PARTS.len() } else { 1 };
-        [false, true].into_iter().find_map(|is_back| {
+        // A closed shape's end is its start.
+        let ways: &[bool] = if self.outline.unit.closed {
+            &[false]
+        } else {
+            &[false, true]
+        };
+        ways.iter().find_map(|&is_back| {
             let march = March {
                 request: self,
+                balance,
                 whole: self.outline.unit.sweep.degrees().abs(),
-                largest: balance.largest_angle(),
                 is_back,
             };
             let mut parts = PARTS[..parts].iter();
@@ -53,8 +60,8 @@ impl Request<'_> {
 /// A march along an arc, from its start or from its end on.
 struct March<'a> {
     request: &'a Request<'a>,
+    balance: &'a Balance,
     whole: f64,
-    largest: f64,
     is_back: bool,
 }
 
@@ -94,11 +101,12 @@ impl March<'_> {
     fn ways(&self, limit: f64, most: usize) -> Option<Vec<f64>> {
         let mut ways = vec![0.0];
         let mut way = 0.0;
+        let largest = self.largest(limit);
         while way < self.whole {
             if ways.len() > most {
                 return None;
             }
-            let (left, size) = (self.whole - way, self.longest(way, limit)?);
+            let (left, size) = (self.whole - way, self.longest(way, largest, limit)?);
             way = if size < left { way + size } else { self.whole };
             ways.push(way);
         }
@@ -108,10 +116,22 @@ impl March<'_> {
         Some(ways)
     }
 
+    /// A length of which no longer segment is within a limit.
+    fn largest(&self, limit: f64) -> f64 {
+        let rule = self.request.options.rule;
+        // Of these the circle tells nothing.
+        let sees_ellipse = rule.method().is_some_and(Method::sees_ellipse);
+        if sees_ellipse {
+            return self.balance.largest_angle();
+        }
+        let radius = self.request.outline.truth.larger_radius();
+        self.balance.sizes(limit / radius)[1]
+    }
+
     /// The longest segment from a way on that is within a limit. It is looked for from above: where a joint hides the sharp end of a flat
     /// ellipse a longer one may err less.
-    fn longest(&self, way: f64, limit: f64) -> Option<f64> {
-        let mut high = self.largest.min(self.whole - way);
+    fn longest(&self, way: f64, largest: f64, limit: f64) -> Option<f64> {
+        let mut high = largest.min(self.whole - way);
         if self.is_within(way, high, limit) {
             return Some(high);
         }
