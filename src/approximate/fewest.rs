@@ -131,7 +131,7 @@ impl Request<'_> {
                 }
             }
         };
-        let found = fewest_equal(counts, self.is_uneven(tolerance), at);
+        let found = fewest_equal(counts, balance.is_none() || self.is_uneven(tolerance), at);
         let found = found.or_else(|| {
             let beyond = || self.fewest_by_doubling(balance.as_ref(), first, tolerance);
             serves.then(beyond).flatten()

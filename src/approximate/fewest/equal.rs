@@ -11,7 +11,7 @@ const MANY: usize = 1000;
 /// The part of their number to which it does: the last one of hundreds of thousands is not worth the seconds that it takes.
 const FINEST: usize = 4096;
 
-/// The first of these counts that gives something. All of them are tried where they are `uneven`; else what one of them gives, larger ones
+/// The first of these counts that gives something. All of them are tried where they are `uneven`, but for many; else what one of them gives, larger ones
 /// give too, but for a few: they are halved, since trying one after the other would take as long as the square of their number.
 pub(super) fn fewest_equal<T>(
     counts: RangeInclusive<usize>,
@@ -20,8 +20,8 @@ pub(super) fn fewest_equal<T>(
 ) -> Option<T> {
     let (first, last) = counts.into_inner();
     let tried = match () {
-        () if uneven => last,
         () if first > MANY => first.saturating_sub(1),
+        () if uneven => last,
         () => last.min(first + FEW),
     };
     let found = (first..=tried).find_map(&mut at);
