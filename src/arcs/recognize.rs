@@ -179,7 +179,7 @@ fn meant(
     // What the tangents say does not depend on the constant of the cubics; what the middle says, not on the rounding of handles.
     let guesses = [by_tangents(cubics, found), Some(*found)];
     let pencil = Pencil::new(cubics, found, rules);
-    let (mut tried, mut enlarged) = ([0.0; 2], None);
+    let mut tried = [0.0; 2];
     for decimals in 0..=most.min(limit) {
         for (guess, tried) in guesses.iter().flatten().zip(&mut tried) {
             if let Some(pencil) = &pencil {
@@ -196,34 +196,19 @@ fn meant(
                 match worth(&given) {
                     Worth::Look => {}
                     Worth::None => continue,
-                    Worth::NoMore => return enlarged,
+                    Worth::NoMore => return None,
                 }
             }
-            let Some(drawn) = near_enough(cubics, given, rules, Some(explained)) else {
-                continue;
-            };
-            let over = drawn.arc.radii.x - drawn.given.radii.x;
-            if !is_enlarged(&drawn.given, &drawn.arc) || over <= rules.moved() {
-                return Some(drawn);
+            let drawn = near_enough(cubics, given, rules, Some(explained));
+            if drawn.is_some() {
+                return drawn;
             }
-            // What renderers enlarge by more than rounding explains was not meant where a few digits more say the radius of the ends.
-            enlarged = enlarged.or(Some(drawn));
         }
     }
-    if rules.drawn_only || enlarged.is_some() {
-        return enlarged;
+    if rules.drawn_only {
+        return None;
     }
-    only_near(cubics, found, rules, (most, limit))
-}
-
-/// The arc with the fewest decimals that the tolerance needs, up to a limit of them, by the text, where most would be more. Nobody meant a radius
-/// that is only near: it is rounded by little, however wide the tolerance is.
-fn only_near(
-    cubics: &[CubicBez],
-    found: &Arc,
-    rules: &Rules,
-    (most, limit): (u8, u8),
-) -> Option<Found> {
+    // Nobody meant a radius that is only near: it is rounded by little, however wide the tolerance is.
     let least = Precision::moving_at_most(
         NEAR_PART * rules.room(size(cubics, larger(found))),
         larger(found),

@@ -27,9 +27,6 @@ const SEEN: f64 = 4.0;
 /// The most joints between which arcs are sought.
 const MOST_JOINTS: usize = 24;
 
-/// How many joints determine a circle, and one more.
-const SAYING: usize = 4;
-
 /// The arcs at the beginning of a chain; of a whole turn its halves, where its joints let it.
 pub(crate) fn arcs(cubics: &[CubicBez], rules: &Rules) -> Vec<Found> {
     let Some(found) = run(cubics, rules) else {
@@ -146,7 +143,7 @@ fn together(cubics: &[CubicBez], arcs: &[Found], rules: &Rules) -> Option<Vec<Fo
     if is_even && arcs.len() <= least && round(first.radii.x, 0) == first.radii.x {
         return None;
     }
-    let points = Points::of(cubics, arcs, rules)?;
+    let points = Points::of(cubics, arcs)?;
     let known = is_even
         .then(|| points.explain(first.radii.x, rules))
         .flatten();
@@ -205,14 +202,12 @@ struct Points {
     off: f64,
     /// The radius of the circle nearest to the joints, and of that one.
     guesses: [f64; 2],
-    /// Whether the joints lie on their circle up to rounding, and say by that which one was meant.
-    joints_say: bool,
     /// How far some point lies, at least, from any circle that is larger by one.
     least: f64,
 }
 
 impl Points {
-    fn of(cubics: &[CubicBez], arcs: &[Found], rules: &Rules) -> Option<Self> {
+    fn of(cubics: &[CubicBez], arcs: &[Found]) -> Option<Self> {
         let closed = cubics.first()?.p0 == cubics.last()?.p3;
         let last = cubics.last().filter(|_| !closed).map(|cubic| cubic.p3);
         let joints: Vec<Point> = cubics.iter().map(|cubic| cubic.p0).chain(last).collect();
@@ -221,9 +216,7 @@ impl Points {
             .flat_map(|cubic| [0.25, 0.5, 0.75].map(|t| cubic.eval(t)));
         let all: Vec<Point> = joints.iter().copied().chain(others).collect();
         let (center, radius) = nearest_circle(&all, None)?;
-        let of_joints = nearest_circle(&joints, None);
-        let by_joints = of_joints.map_or(radius, |(_, radius)| radius);
-        let say = |(center, radius)| farthest(&joints, center, radius) <= MARGIN * rules.moved();
+        let by_joints = nearest_circle(&joints, None).map_or(radius, |(_, radius)| radius);
         // Of an arc of half the sweep h such a circle lies 1 - s cos a from it where its centre moves by s: by ±(1 - cos h)/(1 + cos h)
         // at its top and its ends if that is least, and from a quarter turn on by 1.
         let sweep: f64 = arcs.iter().map(|found| found.arc.sweep.degrees()).sum();
@@ -232,7 +225,6 @@ impl Points {
             least: (1.0 - cos) / (1.0 + cos),
             off: farthest(&all, center, radius),
             guesses: [by_joints, radius],
-            joints_say: joints.len() >= SAYING && of_joints.is_some_and(say),
             joints,
             all,
         })
@@ -253,9 +245,6 @@ impl Points {
             .or_else(|| nearest_circle(&self.all, Some(radius)))?;
         if farthest(&self.joints, center, radius) <= MARGIN * rules.moved() {
             return Some((turn(center), rules.of_what_is_meant()));
-        }
-        if self.joints_say {
-            return None;
         }
         let (center, _) = nearest_circle(&self.all, Some(radius))?;
         let explained = MARGIN * self.off + rules.moved();

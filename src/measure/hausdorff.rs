@@ -128,7 +128,9 @@ impl CubicChain {
             let goal = if undecided { CLOSE_GOAL } else { aim.goal };
             let enough = (search.at_least * (1.0 + goal)).max(search.at_least + NOISE);
             if part.at_most <= enough || left == 0 || search.steps.0 == 0 {
-                search.at_most = part.at_most;
+                // As near to the tolerance as it is known, it is within.
+                let is_near = undecided && part.at_most <= enough && aim.tolerance > NOISE;
+                search.at_most = if is_near { aim.tolerance } else { part.at_most };
                 break;
             }
             left -= 1;

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::corpora::files;
 use crate::judges::independent::{self, Center, P, Segment};
-use crate::judges::program::{printed, run, words};
+use crate::judges::program::{printed, run};
 use crate::judges::way_back::{apart, outlines, skeleton};
 
 fn options(tolerance: Option<Tolerance>, shapes: bool) -> Options {
@@ -215,24 +215,6 @@ fn half_a_turn_has_the_radius_that_its_ends_have() {
     let half =
         path("M38.47 21.1C41.51 19.7 45.1 21.03 46.5 24.07C47.9 27.11 46.57 30.7 43.53 32.1");
     assert_eq!(half, "M38.47 21.1A6.05 6.05 0 0 1 43.53 32.1");
-}
-
-#[test]
-fn whole_turns_have_one_radius_in_paths_in_files_and_as_circles() {
-    for (radius, method) in [(52.1, "curvature"), (52.1, "minimax"), (52.3, "curvature")] {
-        let shape = format!("circle {radius} --center 80.7,8.6 -p 1 -m {method}");
-        let data = printed(&words(&shape));
-        let data = data.trim();
-        let expected = format!("A{radius} {radius} 0 0 1");
-        for arcs in [path(data), printed(&["path", data, "--to", "arcs"])] {
-            assert_eq!(arcs.matches(&expected).count(), 2, "{shape}: {arcs}");
-        }
-        let whole = element(&format!("<path d=\"{data}\"/>"));
-        assert!(
-            whole.contains(&format!("r=\"{radius}\"")),
-            "{shape}: {whole}"
-        );
-    }
 }
 
 /// Where rounding moved the ends of both halves too near to each other or too far apart, a whole turn is parted elsewhere.

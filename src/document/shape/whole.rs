@@ -141,21 +141,14 @@ fn ellipse(segments: &[PathSeg], bounds: Rect, rules: &Rules) -> Option<Whole> {
     let (center, size) = (bounds.center(), bounds.size());
     let (radii, is_circle) = evened(size.to_vec2() / 2.0, rules);
     let start = segments.first()?.start();
-    let has_joints = |turn: &UprightEllipse| {
-        let off = |segment: &PathSeg| turn.off(segment.start());
-        segments.iter().map(off).fold(0.0, f64::max) <= MARGIN * rules.moved()
-    };
-    // Joints that lie on a shape say which one was meant.
-    let joints_say = has_joints(&UprightEllipse { center, radii });
     let shape = |[cx, cy]: [f64; 2], [rx, ry]: [f64; 2]| {
         let turn = UprightEllipse {
             center: Point::new(cx, cy),
             radii: Vec2::new(rx, ry),
         };
-        let is_meant = has_joints(&turn);
-        if joints_say && !is_meant {
-            return None;
-        }
+        let is_meant = segments
+            .iter()
+            .all(|segment| turn.off(segment.start()) <= MARGIN * rules.moved());
         let rules = if is_meant {
             Rules {
                 part: rules.part.max(ROUGHEST),
