@@ -19,7 +19,9 @@ impl Request<'_> {
             return false;
         };
         let chance = 2.0 * 2_f64.sqrt() * tolerance * power(10.0, i32::from(decimals));
-        if chance >= 1.0 || method.card().ends != Ends::OnCircle {
+        let card = method.card();
+        // Numbers for some angles only are refused by those.
+        if chance >= 1.0 || card.ends != Ends::OnCircle || card.order == 0 {
             return false;
         }
         let truth = &self.outline.truth;
@@ -46,6 +48,8 @@ mod tests {
             (Method::Chen2, 9, 3e-10, true),
             (Method::Chen2, 9, 4e-10, false),
             (Method::Minimax, 1, 0.02, false),
+            // It serves quarters only, and says so.
+            (Method::LancasterDrawellipse, 10, 1e-12, false),
             // Joints that are off the circle may be anywhere.
             (Method::MinimaxFree, 8, 3.3e-10, false),
         ] {
