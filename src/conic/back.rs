@@ -11,8 +11,7 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::bound::{MOST_FOR_TOLERANCE, SLACK, at, floor, piece};
 use super::branch::{Branch, Cubic, arm};
-use crate::measure::hausdorff::{away, product};
-use crate::numeric::bernstein::Polynomial;
+use crate::measure::hausdorff::{away, distance_slope, product};
 use crate::numeric::double::{Double, Twice};
 
 /// How often a part is halved at most, and how many parts are, beside some for each segment: what is left is bounded roughly.
@@ -27,7 +26,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A point of the curve: of which cubic, where and how far away.
 #[derive(Clone, Copy)]
-struct Foot {
+struct CurveFoot {
     cubic: usize,
     t: f64,
     distance: f64,
@@ -35,10 +34,10 @@ struct Foot {
 
 /// A part of the arc, and the points of the curve that are nearest to its ends.
 #[derive(Clone, Copy)]
-struct Part {
+struct ArcPart {
     points: [Twice; 3],
     weight: Double,
-    feet: [Foot; 2],
+    feet: [CurveFoot; 2],
     cuts: u32,
 }
 
@@ -51,7 +50,7 @@ pub(super) fn bound(
     limit: Option<f64>,
 ) -> f64 {
     let cubics: Vec<Cubic> = segments.iter().map(|s| branch.cubic(s)).collect();
-    let search = Search {
+    let search = ArcSearch {
         cubics: &cubics,
         boxes: cubics.iter().map(box_of).collect(),
         floor: floor(segments) / branch.unit,
@@ -62,7 +61,7 @@ pub(super) fn bound(
     (search.bound(branch, weight, start.max(least)) + least) * branch.unit
 }
 
-struct Search<'a> {
+struct ArcSearch<'a> {
     cubics: &'a [Cubic],
     boxes: Vec<Rect>,
     limit: f64,
@@ -70,11 +69,11 @@ struct Search<'a> {
     floor: f64,
 }
 
-impl Search<'_> {
+impl ArcSearch<'_> {
     fn bound(&self, branch: &Branch, weight: f64, mut bound: f64) -> f64 {
         let least = branch.noise();
         let [from, to] = branch.arms;
-        let whole = Part {
+        let whole = ArcPart {
             points: [from, [Double::of(0.0); 2], to],
             weight: Double::of(weight),
             feet: [from, to].map(|q| self.nearest(&q, 0)),
@@ -112,13 +111,13 @@ impl Search<'_> {
     }
 
     /// A bound by a single point of the curve.
-    fn roughly(&self, part: &Part, middle: Foot) -> f64 {
+    fn roughly(&self, part: &ArcPart, middle: CurveFoot) -> f64 {
         let near = at(&self.cubics[middle.cubic], middle.t);
         let far = part.points.iter().map(|p| arm(p, &near).hypot());
         far.fold(0.0, f64::max) * (1.0 + ROUNDING)
     }
 
-    fn halves(&self, part: &Part) -> [Part; 2] {
+    fn halves(&self, part: &ArcPart) -> [ArcPart; 2] {
         let [a, b, c] = part.points;
         let w = part.weight;
         let whole = w.plus(Double::of(1.0));
@@ -127,7 +126,7 @@ impl Search<'_> {
         let middle = [0, 1].map(|i| first[i].plus(second[i]).scaled(0.5));
         let [from, to] = part.feet;
         let foot = self.nearest(&middle, from.cubic);
-        let half = |points, feet| Part {
+        let half = |points, feet| ArcPart {
             points,
             weight: whole.scaled(0.5).sqrt(),
             feet,
@@ -140,7 +139,7 @@ impl Search<'_> {
     }
 
     /// The nearest point of the curve, looked for on the cubic of this number first.
-    fn nearest(&self, q: &Twice, first: usize) -> Foot {
+    fn nearest(&self, q: &Twice, first: usize) -> CurveFoot {
         let mut best = self.foot(first, q);
         let p = Point::new(q[0].value(), q[1].value());
         for cubic in 0..self.cubics.len() {
@@ -156,7 +155,7 @@ impl Search<'_> {
 
     /// The same after some steps of Newton's method in numbers of 106 bits, while they lead nearer: at a hairpin the digits of `f64` say little
     /// of it.
-    fn settled(&self, mut foot: Foot, q: &Twice) -> Foot {
+    fn settled(&self, mut foot: CurveFoot, q: &Twice) -> CurveFoot {
         let cubic = &self.cubics[foot.cubic];
         let steps: [Vec2; 3] = core::array::from_fn(|i| arm(&cubic[i + 1], &cubic[i]));
         for _ in 0..MOST_SETTLING {
@@ -169,7 +168,7 @@ impl Search<'_> {
             if !(0.0..=1.0).contains(&t) || distance >= foot.distance {
                 break;
             }
-            foot = Foot {
+            foot = CurveFoot {
                 t,
                 distance,
                 ..foot
@@ -179,25 +178,20 @@ impl Search<'_> {
     }
 
     /// The nearest point of a cubic: an end, or where (A - q)·A' changes its sign.
-    fn foot(&self, cubic: usize, q: &Twice) -> Foot {
-        let points = self.cubics[cubic].map(|p| arm(&p, q));
-        let part = |of: fn(&Vec2) -> f64| {
-            let value = Polynomial::new(&points.each_ref().map(of));
-            value.times(&value.differences())
-        };
-        let slope = part(|v| v.x).minus(&part(|v| v.y).scaled(-1.0));
-        let inner = slope.sign_changes();
-        let at = |t: f64| Foot {
+    fn foot(&self, cubic: usize, q: &Twice) -> CurveFoot {
+        let arms = self.cubics[cubic].map(|p| arm(&p, q));
+        let inner = distance_slope(&arms).sign_changes();
+        let at = |t: f64| CurveFoot {
             cubic,
             t,
             distance: arm(&at(&self.cubics[cubic], t), q).hypot(),
         };
-        let nearer = |a: Foot, b: Foot| if b.distance < a.distance { b } else { a };
+        let nearer = |a: CurveFoot, b: CurveFoot| if b.distance < a.distance { b } else { a };
         inner.iter().map(at).fold(nearer(at(0.0), at(1.0)), nearer)
     }
 
     /// Whether no point of a part is farther than that, by what runs beside it.
-    fn is_within(&self, part: &Part, middle: Foot, most: f64) -> bool {
+    fn is_within(&self, part: &ArcPart, middle: CurveFoot, most: f64) -> bool {
         let [from, to] = part.feet;
         let lets = |cubic: usize, ends: [f64; 2]| {
             let own = piece(&self.cubics[cubic], ends);
@@ -225,7 +219,7 @@ fn box_of(cubic: &Cubic) -> Rect {
 }
 
 /// How fast the nearest point of a cubic runs at an end of a part, A'·q' / (A'·A' - (q - A)·A''), a third of it.
-fn slope(part: &Part, cubic: &Cubic, end: usize) -> f64 {
+fn slope(part: &ArcPart, cubic: &Cubic, end: usize) -> f64 {
     let (near, next, last) = [(0, 1, 2), (3, 2, 1)][end];
     let first = 3.0 * arm(&cubic[next], &cubic[near]);
     let second = 6.0 * (arm(&cubic[last], &cubic[next]) - arm(&cubic[next], &cubic[near]));
@@ -242,7 +236,7 @@ fn slope(part: &Part, cubic: &Cubic, end: usize) -> f64 {
 
 /// Whether no point of a part is farther than that from the point of a cubic that runs beside it: at first and at last by these steps to the
 /// next of four parameters.
-fn is_beside(part: &Part, cubic: &Cubic, [first, last]: [f64; 2], most: f64) -> bool {
+fn is_beside(part: &ArcPart, cubic: &Cubic, [first, last]: [f64; 2], most: f64) -> bool {
     let weights = [1.0, 2.0 * part.weight.value(), 1.0];
     // Bernstein coefficients times their binomials: products are convolutions.
     let (g, h) = (

@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 
 use kurbo::{PathSeg, Vec2};
 
-use super::branch::{Branch, Cubic, Place, arm};
+use super::branch::{Branch, BranchPlace, Cubic, arm};
 use super::frame::Frame;
 use crate::curve::largest_coordinate;
 use crate::numeric::double::{Double, Twice};
@@ -28,9 +28,9 @@ pub(super) const MOST_FOR_TOLERANCE: usize = 200;
 const FIRST: u32 = 12;
 
 /// A part of a curve, with what is known of its ends.
-struct Part {
+struct CurvePart {
     points: Cubic,
-    ends: [Place; 2],
+    ends: [BranchPlace; 2],
     cuts: u32,
 }
 
@@ -42,7 +42,7 @@ pub(super) fn bound(
     limit: Option<f64>,
 ) -> RadialError {
     let unit = branch.unit;
-    let search = Search {
+    let search = CurveSearch {
         branch,
         frame,
         limit: limit.map_or(f64::INFINITY, |limit| limit / unit),
@@ -74,7 +74,7 @@ pub(super) fn floor(segments: &[PathSeg]) -> f64 {
     largest.next_up() - largest
 }
 
-struct Search<'a> {
+struct CurveSearch<'a> {
     branch: &'a Branch,
     frame: &'a Frame,
     limit: f64,
@@ -82,8 +82,8 @@ struct Search<'a> {
     floor: f64,
 }
 
-impl Search<'_> {
-    fn place(&self, q: &Twice) -> Place {
+impl CurveSearch<'_> {
+    fn place(&self, q: &Twice) -> BranchPlace {
         self.branch.place(self.frame, q)
     }
 
@@ -99,7 +99,7 @@ impl Search<'_> {
                     bound = bound.max(self.floor).max(distance);
                 }
             }
-            pending.push_back(Part {
+            pending.push_back(CurvePart {
                 points: *cubic,
                 ends,
                 cuts: MOST_CUTS,
@@ -134,7 +134,7 @@ impl Search<'_> {
             }
             left -= 1;
             let cuts = part.cuts - 1;
-            let half = |points, ends| Part { points, ends, cuts };
+            let half = |points, ends| CurvePart { points, ends, cuts };
             pending.push_back(half(first, [from, middle]));
             pending.push_back(half(second, [middle, to]));
         }
@@ -151,7 +151,7 @@ impl Search<'_> {
     }
 
     /// Whether no point of a part is farther than that on a side, as far as a few vectors tell.
-    fn is_within(&self, points: &Cubic, places: &[Place; 3], sign: f64, most: f64) -> bool {
+    fn is_within(&self, points: &Cubic, places: &[BranchPlace; 3], sign: f64, most: f64) -> bool {
         if sign > 0.0 && reached(points, places) <= most {
             return true;
         }
@@ -203,7 +203,7 @@ impl Search<'_> {
     }
 
     /// A bound that is larger by as little as a part is long, or so.
-    fn roughly(&self, points: &Cubic, places: &[Place; 3], sign: f64) -> f64 {
+    fn roughly(&self, points: &Cubic, places: &[BranchPlace; 3], sign: f64) -> f64 {
         let from = |p: Twice| {
             points
                 .iter()
@@ -222,7 +222,7 @@ impl Search<'_> {
 }
 
 /// How far the points of a part are from the region at most, by points of it: those between two of them are in it as well.
-fn reached(points: &Cubic, places: &[Place; 3]) -> f64 {
+fn reached(points: &Cubic, places: &[BranchPlace; 3]) -> f64 {
     let inside = places.map(|place| place.inside);
     let far = |q: &Twice| {
         let [from, middle, to] = inside.map(|p| p.map(|p| arm(&p, q)));

@@ -48,7 +48,7 @@ pub(super) struct Branch {
 
 /// A point of a curve, and the normal at the branch's nearest point, towards P1.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct BranchPlace {
     pub(super) normal: Vec2,
     /// How far the branch lies against the normal.
     pub(super) distance: f64,
@@ -179,7 +179,7 @@ impl Branch {
     }
 
     /// A point of a curve about P1: its distance along the normal is the root of a quadratic.
-    pub(super) fn place(&self, frame: &Frame, q: &Twice) -> Place {
+    pub(super) fn place(&self, frame: &Frame, q: &Twice) -> BranchPlace {
         let place = self.sought(frame, q);
         let far = |end: &Twice| arm(q, end).hypot();
         let [from, to] = self.arms.each_ref().map(far);
@@ -187,14 +187,14 @@ impl Branch {
             return place;
         }
         // No nearest point lies farther away than the ends: nothing was found.
-        Place {
+        BranchPlace {
             distance: 0.0,
             inside: Some(self.arms[usize::from(to < from)]),
             ..place
         }
     }
 
-    fn sought(&self, frame: &Frame, q: &Twice) -> Place {
+    fn sought(&self, frame: &Frame, q: &Twice) -> BranchPlace {
         let offset = self.unit * Vec2::new(q[0].value(), q[1].value());
         let nearest = frame.nearest(offset);
         let foot = frame.seen_from(offset, nearest);
@@ -218,7 +218,7 @@ impl Branch {
         let farther = roots.into_iter().filter(|x| *x > distance);
         let again = farther.fold(f64::INFINITY, f64::min);
         let inside = self.inside(q, n, distance, again);
-        Place {
+        BranchPlace {
             normal: n,
             distance,
             again,
@@ -228,11 +228,11 @@ impl Branch {
     }
 
     /// The same by a point of the branch where the normal, in the digits of `f64`, misses a tip.
-    fn beside(&self, q: &Twice, shares: [f64; 2], foot: &Foot) -> Place {
+    fn beside(&self, q: &Twice, shares: [f64; 2], foot: &Foot) -> BranchPlace {
         let near = self.beyond(shares, true);
         let arm = near.map_or(Vec2::ZERO, |p| arm(q, &p));
         let length = arm.hypot().copysign(foot.distance);
-        Place {
+        BranchPlace {
             normal: if length == 0.0 {
                 foot.outward
             } else {
@@ -291,7 +291,7 @@ impl Branch {
     }
 
     /// A point out of the region beside the one that is nearest to a place.
-    pub(super) fn outside(&self, place: &Place) -> Option<Twice> {
+    pub(super) fn outside(&self, place: &BranchPlace) -> Option<Twice> {
         self.beyond(place.shares, false)
     }
 

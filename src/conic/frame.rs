@@ -161,7 +161,8 @@ impl Frame {
     ///
     /// It lies on the same side of the vertex as the point, and there is the only place from where the distance is stationary: in the frame of
     /// the axes, x = a cosh s and y = b sinh s, such a place is where b y0 / sinh s + a x0 / cosh s = a² + b², and the left side falls where x0 is
-    /// positive; where it is not, b y0 + a x0 tanh s = (a² + b²) sinh s, of which one side falls and the other rises.
+    /// positive; where it is not, b y0 + a x0 tanh s = (a² + b²) sinh s, of which one side falls and the other rises. Of an ellipse the same holds with
+    /// cos and sin and a x0 / cos s - b y0 / sin s = a² - b², and a parabola is the limit of both.
     pub(super) fn nearest(&self, offset: Vec2) -> f64 {
         // p'' lies along the axis there.
         let axis = self.second(self.vertex);

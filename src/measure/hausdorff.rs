@@ -19,8 +19,8 @@ use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point};
 use super::unit_for;
 use crate::curve::largest_coordinate;
 pub(crate) use along::product;
-pub(crate) use chain::away;
 use chain::{ChainFoot, CubicChain, STEPS_OF_A_CUBIC};
+pub(crate) use chain::{away, distance_slope};
 
 /// How far where the tolerance lies between the distance found and its bound.
 const CLOSE_GOAL: f64 = 1e-9;

@@ -128,15 +128,11 @@ impl CubicChain {
             };
         }
         let cubic = &piece.cubic;
-        let points = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(|q| q - p);
-        let part = |of: fn(&Vec2) -> f64| {
-            let value = Polynomial::new(&points.each_ref().map(of));
-            value.times(&value.differences())
-        };
-        let slope = part(|v| v.x).minus(&part(|v| v.y).scaled(-1.0));
+        let arms = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(|q| q - p);
         let nearer = |a: ChainFoot, b: ChainFoot| if b.distance < a.distance { b } else { a };
         let ends = nearer(at(0.0), at(1.0));
-        slope.sign_changes().iter().map(at).fold(ends, nearer)
+        let inner = distance_slope(&arms).sign_changes();
+        inner.iter().map(at).fold(ends, nearer)
     }
 
     /// How far a part lies from here at most, by points near its ends.
@@ -207,6 +203,15 @@ pub(super) fn key(segment: &PathSeg) -> Vec<u64> {
     let forward: Vec<u64> = points.iter().flat_map(bits).collect();
     let backward: Vec<u64> = points.iter().rev().flat_map(bits).collect();
     forward.min(backward)
+}
+
+/// How the square of a cubic's distance from a place changes, b·b' but for a factor: its control points are given from there.
+pub(crate) fn distance_slope(arms: &[Vec2; 4]) -> Polynomial {
+    let part = |of: fn(&Vec2) -> f64| {
+        let value = Polynomial::new(&arms.each_ref().map(of));
+        value.times(&value.differences())
+    };
+    part(|v| v.x).minus(&part(|v| v.y).scaled(-1.0))
 }
 
 /// How far a point lies from a rectangle.
