@@ -52,6 +52,13 @@ pub(crate) fn hausdorff(
     tolerance: f64,
     goal: f64,
 ) -> Apart {
+    if steps.0 == 0 {
+        return Apart {
+            at_most: f64::INFINITY,
+            place: None,
+            on_second: false,
+        };
+    }
     let (unit, [a, b]) = in_unit(chains);
     let aim = Aim {
         tolerance: tolerance / unit,
