@@ -51,6 +51,11 @@ pub(crate) fn rounding(precision: Option<Precision>, tolerance: f64) -> f64 {
     }
 }
 
+/// The finest tolerance that coordinates of such a size leave digits for.
+pub(crate) const fn finest(reach: f64) -> f64 {
+    8.0 * f64::EPSILON * reach
+}
+
 /// The count of a circle's equal segments from which on they are tried for a tolerance.
 pub(crate) fn least_count(circle: &Shape, options: &Options, tolerance: f64) -> Option<usize> {
     let request = Request::new(circle, options).ok()??;
@@ -180,7 +185,7 @@ impl Request<'_> {
                 value: tolerance,
             });
         }
-        let finest = 8.0 * f64::EPSILON * self.reach();
+        let finest = finest(self.reach());
         if tolerance < finest {
             return Err(self.out_of_reach(
                 tolerance,

@@ -1,10 +1,13 @@
 //! Whether a curve is within a tolerance as it is written.
 
+use kurbo::PathSeg;
+
 use super::{Request, Sketch};
 use crate::curve::Curve;
 use crate::measure::radial;
-use crate::measure::radial::nearly::{bound, closer_bound, nearly};
+use crate::measure::radial::nearly::{bound, circle_decided, closer_bound, nearly};
 use crate::number::Precision;
+use crate::shape::Truth;
 
 /// How far above the peak a bound by few samples lies, at most and mostly.
 const LOOSE: f64 = 1.15;
@@ -29,20 +32,23 @@ pub(crate) fn by_formula(
     (peak - moved > tolerance).then_some(false)
 }
 
+/// Whether a curve is within a tolerance of a circle whose centre is given.
+pub(crate) fn of_circle(segments: &[PathSeg], truth: &Truth, tolerance: f64) -> bool {
+    circle_decided(segments, truth, tolerance)
+        .unwrap_or_else(|| radial::error_within(segments, truth, tolerance).peak() <= tolerance)
+}
+
 impl Request<'_> {
     /// Whether the curve as it is written is within the tolerance; measured only where rounding decides.
     pub(super) fn is_within(&self, sketch: &mut Sketch, tolerance: f64) -> bool {
-        let truth = &self.outline.truth;
         if let Some(peak) = sketch.peak
             && let Some(is_within) = by_formula(peak, sketch.precision, self.reach(), tolerance)
         {
             return is_within;
         }
         let curve = sketch.rounded();
-        // On a circle bounds cost more than the distance itself.
-        let by_bounds = (!truth.is_circle()).then(|| self.by_bounds(&curve, tolerance));
-        let is_within = by_bounds
-            .flatten()
+        let is_within = self
+            .by_bounds(&curve, tolerance)
             .unwrap_or_else(|| self.is_within_for_certain(sketch, &curve, tolerance));
         if is_within {
             sketch.written = Some(curve);
@@ -56,6 +62,11 @@ impl Request<'_> {
         let segments = || curve.segments.iter().copied();
         // A centre that follows from given ends is known to half the digits at worst.
         let knows_center = self.outline.ends.is_none() || tolerance > 1e-6 * self.reach();
+        if truth.is_circle() {
+            return knows_center
+                .then(|| circle_decided(&curve.segments, truth, tolerance))
+                .flatten();
+        }
         let is_certain = |most: f64| knows_center && most <= tolerance;
         let most = bound(segments(), truth);
         if is_certain(most) {

@@ -14,6 +14,9 @@ use crate::shape::{Circle, Outline, Shape, UnitArc};
 const MOST: usize = 64;
 const FEW_SEGMENTS: usize = 1000;
 
+/// How many counts are tried for a tolerance.
+const MOST_TRIES: usize = 3;
+
 /// A drawing of the unit circle by equal pieces, each taken on its own.
 #[derive(Debug)]
 struct UnitDrawing {
@@ -64,7 +67,7 @@ impl Turns {
         serves: impl Fn(&UnitDrawing) -> bool,
         count: impl FnOnce() -> Option<usize>,
     ) -> Option<&UnitDrawing> {
-        let serves = |turn: &UnitDrawing| turn.unit == unit && turn.rule == rule && serves(turn);
+        let serves = |turn: &UnitDrawing| serves(turn) && turn.unit == unit && turn.rule == rule;
         if let Some(place) = self.kept.iter().position(serves) {
             return self.kept.get(place);
         }
@@ -115,7 +118,7 @@ impl Turns {
         Some(())
     }
 
-    /// The same for a tolerance, which the least count that may be within it meets mostly.
+    /// The same for a tolerance, which the least count that may be within it meets mostly, or the next.
     fn push_within(
         &mut self,
         out: &mut Vec<u8>,
@@ -131,19 +134,40 @@ impl Turns {
         let truth = &outline.truth;
         let radius = truth.larger_radius();
         let allowed = (tolerance + fewest::rounding(options.precision, tolerance)) / radius;
-        let serves = |turn: &UnitDrawing| turn.peak <= allowed && turn.peak_of_fewer > allowed;
-        let count = || fewest::least_count(circle, options, tolerance);
-        let turn = self.find(outline.unit, options.rule, serves, count)?;
-        let peak = turn.peak * radius;
-        let curve = turn.placed(outline);
-        let precision = options
-            .precision
-            .unwrap_or_else(|| automatic_precision(peak.min(tolerance), &curve.segments));
         let reach = truth.center.to_vec2().hypot() + radius;
-        let is_within = within::by_formula(peak, precision, reach, tolerance);
-        is_within.filter(|&is| is)?;
-        path::push_rounded(out, &curve, precision);
-        Some(())
+        let mut least = None;
+        for more in 0..MOST_TRIES {
+            let serves = |turn: &UnitDrawing| match least {
+                Some(least) => turn.joints.count() == least + more,
+                None => turn.peak <= allowed && turn.peak_of_fewer > allowed,
+            };
+            let count = || match least {
+                Some(least) => Some(least + more),
+                None => fewest::least_count(circle, options, tolerance),
+            };
+            let turn = self.find(outline.unit, options.rule, serves, count)?;
+            let first = *least.get_or_insert(turn.joints.count());
+            let peak = turn.peak * radius;
+            let curve = turn.placed(outline);
+            let precision = options
+                .precision
+                .unwrap_or_else(|| automatic_precision(peak.min(tolerance), &curve.segments));
+            let by_formula = within::by_formula(peak, precision, reach, tolerance);
+            // Given decimals may be refused before any is tried, and so are tolerances below the digits of coordinates.
+            let is_plain = options.precision.is_none() && tolerance >= fewest::finest(reach);
+            if by_formula.is_none() && (!is_plain || first > FEW_SEGMENTS) {
+                return None;
+            }
+            let is_within = by_formula.unwrap_or_else(|| {
+                let rounded = curve.rounded(precision, &[]);
+                within::of_circle(&rounded.segments, truth, tolerance)
+            });
+            if is_within {
+                path::push_rounded(out, &curve, precision);
+                return Some(());
+            }
+        }
+        None
     }
 }
 
@@ -193,5 +217,24 @@ mod tests {
         };
         assert!(serves(5.0) && serves(0.011));
         assert!(!serves(0.009) && !serves(0.0004));
+    }
+
+    #[test]
+    fn what_may_be_refused_goes_the_way_of_every_shape() {
+        let mut turns = Turns::default();
+        let circle = Circle::new((0.0, 7000.0), 0.0085).unwrap();
+        let mut serves = |tolerance: f64, precision| {
+            let options = approximate::Options {
+                cut: Cut::Tolerance(Tolerance::Absolute(tolerance)),
+                precision,
+                ..approximate::Options::default()
+            };
+            turns.push(&mut Vec::new(), &circle, &options).is_some()
+        };
+        // Coordinates of 7000 have digits down to 2 ε of that, and 8 of them are asked for.
+        let finest = fewest::finest(7000.0085);
+        assert!(!serves(0.99 * finest, None));
+        assert!(serves(1e-4, None) && serves(1e-4, Some(Precision::Fixed(7))));
+        assert!(!serves(1e-4, Some(Precision::Fixed(4))));
     }
 }

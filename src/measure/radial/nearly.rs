@@ -12,6 +12,10 @@
 //!
 //! where a walk along the gradient of F meets the ellipse (derived): a bound on the distance.
 
+mod circle;
+
+pub(crate) use circle::circle_decided;
+
 use core::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -177,16 +181,22 @@ impl Frame {
         ROUNDING * self.reach * (a.max(b) / a.min(b)).sqrt()
     }
 
+    /// The control points there.
     #[inline(always)]
-    fn samples<const N: usize>(&mut self, cubic: &CubicBez, weights: &Weights<N>) -> Samples<N> {
+    fn framed(&mut self, cubic: &CubicBez) -> [[f64; 2]; 4] {
         let CubicBez { p0, p1, p2, p3 } = *cubic;
         for p in [p1, p2, p3] {
             self.reach = self.reach.max(p.x.abs()).max(p.y.abs());
         }
-        let points = [p0, p1, p2, p3].map(|p| {
+        [p0, p1, p2, p3].map(|p| {
             let arm = p - self.center;
             [self.rows[0].dot(arm), self.rows[1].dot(arm)]
-        });
+        })
+    }
+
+    #[inline(always)]
+    fn samples<const N: usize>(&mut self, cubic: &CubicBez, weights: &Weights<N>) -> Samples<N> {
+        let points = self.framed(cubic);
         let (x, y) = (along(&points, 0, weights), along(&points, 1, weights));
         let [a, b] = self.squares.map(f64::recip);
         let mut samples = Samples {
