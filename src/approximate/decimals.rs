@@ -78,7 +78,7 @@ mod tests {
     use super::*;
     use crate::joints::Joints;
     use crate::joints::cutting::EqualPieces;
-    use crate::{Angle, Cut, Ellipse, Method, Options, Shape, approximate};
+    use crate::{Angle, Arc, Cut, Ellipse, Method, Options, Shape, approximate};
 
     #[test]
     fn lobes_tell_where_coordinates_leave_them_their_digits() {
@@ -145,5 +145,34 @@ mod tests {
             seen.insert(format!("{found:?}"));
         }
         assert_eq!(seen.len(), 2, "{seen:?}");
+    }
+
+    #[test]
+    fn a_peak_is_not_known_to_be_larger_than_it_is() {
+        let mut bounded = 0;
+        for i in 0..400_usize {
+            let at = |k: usize| (i * k % 1009) as f64 / 1009.0;
+            let radii = (300.0, 300.0 * libm::pow(0.02, at(7)));
+            let degrees = Angle::from_degrees;
+            let (start, sweep) = (degrees(360.0 * at(11)), degrees(10.0 + 340.0 * at(17)));
+            let arc = Arc::new(
+                (300.0, -200.0),
+                radii,
+                degrees(180.0 * at(23)),
+                start,
+                sweep,
+            );
+            let options = Options {
+                precision: Some(Precision::Full),
+                ..Options::default()
+            };
+            let drawing = approximate(&Shape::Arc(arc.unwrap()), &options).unwrap();
+            let truth = drawing.outline.unwrap().truth;
+            let peak = drawing.error.peak();
+            let [least, most] = radial::peak_nearly(&drawing.curve.segments, &truth, f64::INFINITY);
+            assert!(least <= peak && peak <= most, "{least} {peak} {most}");
+            bounded += usize::from(most > 1.000_1 * peak);
+        }
+        assert!(bounded > 40, "{bounded}");
     }
 }

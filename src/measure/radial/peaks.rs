@@ -272,8 +272,10 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     fn state(&mut self, part: &Part, side: usize, bound: f64) {
         self.known.state(side, bound);
-        let signed = [bound, -bound][side] * self.profile.larger_radius();
-        (self.visit)(part.parameter(0.5), [signed; 2]);
+        // No distance there is known to be as large.
+        let between = [[0.0, bound], [-bound, 0.0]][side];
+        let larger = self.profile.larger_radius();
+        (self.visit)(part.parameter(0.5), between.map(|bound| bound * larger));
     }
 
     /// Takes what the signed distance at a place lies between.
