@@ -56,9 +56,9 @@ fn looks<T>(of: impl FnOnce() -> T) -> (usize, T) {
 fn joints_for_a_count_cost_little() {
     for (method, flat, shapes, most, gain) in [
         (Method::Minimax, [0.2, 0.95], 30, 485, 9.457),
-        (Method::Midpoint, [0.05, 0.2], 20, 1825, 18.924),
-        (Method::Curvature, [0.01, 0.05], 12, 4630, 19.235),
-        (Method::Minimax, [0.003, 0.01], 8, 7750, 16.939),
+        (Method::Midpoint, [0.05, 0.2], 20, 1250, 18.921),
+        (Method::Curvature, [0.01, 0.05], 12, 3255, 19.235),
+        (Method::Minimax, [0.003, 0.01], 8, 5305, 17.035),
         (Method::MinimaxG0, [0.1, 0.95], 15, 5730, 6.951),
         (Method::QuadraticMinimax, [0.1, 0.95], 15, 3945, 6.215),
     ] {
@@ -94,19 +94,19 @@ fn counts_for_an_error_cost_little() {
         (
             Method::Midpoint,
             [0.05, 0.2],
-            [195, 2110, 3165],
+            [195, 1180, 1905],
             [39, 82, 129],
         ),
         (
             Method::Curvature,
             [0.01, 0.05],
-            [55, 1895, 2845],
+            [55, 1145, 1770],
             [4, 89, 138],
         ),
         (
             Method::Minimax,
             [0.003, 0.01],
-            [20, 1895, 2550],
+            [20, 1385, 1900],
             [4, 67, 103],
         ),
         (

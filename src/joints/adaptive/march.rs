@@ -22,10 +22,10 @@ const WIDE: f64 = 1000.0;
 const NARROW: f64 = 1.02;
 
 /// The ratio of the lengths that are tried where a longer segment may err less.
-const LONGER: f64 = 1.1;
+const LONGER: f64 = 1.15;
 
-/// How well the longest of them is known then, as a part of it.
-const SETTLED: f64 = 3e-4;
+/// How well the longest of them is known then, as a part of it: closer, it takes more looks and saves no segment.
+const SETTLED: f64 = 3e-3;
 
 /// The largest such logarithm that counts.
 const MOST_BEYOND: f64 = 40.0;
