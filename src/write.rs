@@ -307,10 +307,18 @@ fn picture(scene: &Scene, image: Image, relative: bool) -> Result<Vec<u8>> {
     })
 }
 
-/// A text between the tags of XML or HTML.
+/// A text in XML or HTML, between tags or in an attribute between double quotes.
 pub(crate) fn escaped(text: &str) -> String {
-    let text = text.replace('&', "&amp;");
+    let text = text.replace('&', "&amp;").replace('"', "&quot;");
     text.replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// A name as every format can hold it: none has control characters, and XML has two others not at all.
+pub(crate) fn name(text: &str) -> String {
+    text.replace(
+        |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'),
+        "_",
+    )
 }
 
 #[cfg(all(test, feature = "cli"))]

@@ -17,7 +17,7 @@ use crate::method::Rule;
 use crate::picture::figure::{Approximated, Figure, Layer};
 use crate::shape::Shape;
 use crate::write::dxf::{self, Trace};
-use crate::write::{Format, Writable};
+use crate::write::{self, Format, Writable};
 
 /// The most shapes of one picture.
 pub const MOST_SHAPES: usize = 100_000;
@@ -233,10 +233,10 @@ fn is_course(contour: &Contour) -> bool {
     })
 }
 
-/// The text of an id: a string without its quotes, all else as it stands; no format has control characters in a name.
+/// The text of an id: a string without its quotes, all else as it stands.
 fn name(raw: &str) -> String {
     let text = serde_json::from_str::<String>(raw).unwrap_or_else(|_| raw.to_owned());
-    text.replace(char::is_control, "_")
+    write::name(&text)
 }
 
 #[cfg(test)]

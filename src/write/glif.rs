@@ -10,7 +10,7 @@ use kurbo::{ParamCurve as _, PathSeg, Point};
 use crate::curve::{Curve, control_points, turn};
 use crate::number::text;
 use crate::picture::figure::Figure;
-use crate::write::escaped;
+use crate::write::{self, escaped};
 
 /// A joint that turns by less, in degrees, is smooth: the grid turns it more than most methods do.
 const SMOOTH: f64 = 1.0;
@@ -20,7 +20,7 @@ const SMOOTH: f64 = 1.0;
 pub fn glyph(figure: &Figure, name: Option<&str>) -> String {
     let mut out = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<glyph name=\"{}\" format=\"2\">\n  <note>{}</note>\n  <outline>\n",
-        escaped(name.unwrap_or(figure.name)),
+        escaped(&write::name(name.unwrap_or(figure.name))),
         escaped(&figure.description)
     );
     for curve in figure.curves() {

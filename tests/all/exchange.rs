@@ -187,6 +187,24 @@ fn a_glyph_is_called_as_its_file() {
     assert!(printed("circle 300 -f glif").contains("<glyph name=\"circle\""));
 }
 
+#[cfg(unix)]
+#[test]
+fn a_glyph_is_well_formed_whatever_its_file_is_called() {
+    let folder = tempfile::tempdir().unwrap();
+    for (stem, name) in [
+        ("a\"b", "a\"b"),
+        ("<&'>", "<&'>"),
+        ("a\u{1}b\nc\u{7f}", "a_b_c_"),
+        ("\u{ffff}", "_"),
+    ] {
+        let file = folder.path().join([stem, ".glif"].concat());
+        run(&["circle", "300", "-o", file.to_str().unwrap()]);
+        let text = std::fs::read_to_string(file).unwrap();
+        let glyph = roxmltree::Document::parse(&text).unwrap();
+        assert_eq!(glyph.root_element().attribute("name"), Some(name));
+    }
+}
+
 #[test]
 fn a_glyph_lies_on_the_grid_and_states_its_error_there() {
     let glyph = printed("ellipse 300 220.5 --center 310,350 -f glif");
