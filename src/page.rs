@@ -1,7 +1,7 @@
-//! A page to look at: methods, counts and shapes to choose, all of them computed beforehand.
+//! A page to look at: methods, counts and shapes to choose, each drawn and judged beforehand.
 //!
-//! The page is one file that asks for nothing else. It holds a [`PageDocument`] as JSON and evaluates the Béziers in it; every figure that
-//! it states is one of the document's.
+//! The page is one file that asks for nothing else. It holds a [`PageDocument`] as JSON, whose curves and errors are those that it states.
+//! Its scripts compute what follows from the control points: the charts along the curve, and the texts of formats other than path data.
 
 mod choices;
 mod document;

@@ -1,4 +1,4 @@
-//! The 26 methods, each from the property that defines it.
+//! The 28 methods, each from the property that defines it.
 
 use super::bezier::radial_extremes;
 use super::real::{Point, Real, int, norm, parse, pi, ratio, sign};
