@@ -165,7 +165,15 @@ fn commands() -> Vec<Vec<String>> {
         "path M10_80a25,25-30_0150-25A30_20_33_1_0_90_10z -f json",
         "path M10_80a25,25-30_0150-25A30_20_33_1_0_90_10z -t 1e-7 -p 12 -f dxf",
         "path M10_80a25,25-30_0150-25c3_4_5_6_7_8 --to quadratics -t 0.001 -p 12",
+        "path M10_80a25,25-30_0150-25A30_20_33_1_0_90_10z --to lines -p 12",
+        "path M50_0C50_27.596_27.596_50_0_50C-17.3_50_-33.1_41_-43_26C-20_-3_40_-20_57_31 --to arcs -t 0.01 -f json",
+        "path M0_0C10_30_90_-40_100_0S120_77_33_42 --to arcs -t 1e-4 -p 12",
+        "path M50_0C50_27.596_27.596_50_0_50 --to lines -t 0.001 -f gcode",
+        "diff M50_0C50_27.596_27.596_50_0_50 M50_0A50_50_0_0_1_0_50 -t 1e-6 -f json",
+        "diff M10_80a25,25-30_0150-25z M10_80C14_53_70_11_60_55z -t 0.1",
         "compare -f html",
+        "explore ellipse 50 31.7 --rotation 15 -m minimax,apprich -n 4,6",
+        "explore arc 50 --sweep 77 -m chen-3 -n 2 -f json",
         "sphere 100 --view 33,21 -p 15 -f json",
         "conic --from 0,0 --control 1,2 --to 3,0 --weight 2.5 -t 1e-7 -p 15 -f json",
         "measure conic --from 0,0 --control 1,2 --to 3,0 --weight 0.3 -f json",
@@ -187,7 +195,14 @@ fn commands() -> Vec<Vec<String>> {
         .filter(|path| path.extension().is_some_and(|extension| extension == "svg"))
         .collect();
     documents.sort();
-    for options in [&[][..], &["-t", "1e-6"], &["-p", "10", "-n", "5"]] {
+    let options: [&[&str]; 5] = [
+        &[],
+        &["-t", "1e-6"],
+        &["-p", "10", "-n", "5"],
+        &["--to", "arcs", "--shapes"],
+        &["--to", "arcs", "-t", "0.1%"],
+    ];
+    for options in options {
         list.extend(documents.iter().map(|document| {
             let mut words = vec!["convert".to_owned(), document.display().to_string()];
             words.extend(options.iter().map(ToString::to_string));
