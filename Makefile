@@ -201,7 +201,7 @@ bench-startup: build ## Compare the start of the program with that of an empty o
 bench-convert: corpora ## Measure convert beside usvg on the icon sets
 	$(CARGO) bench --locked --bench convert
 
-gains: corpora ## Count by valgrind the instructions that the memory of arcs and the short way of small numbers save (ten minutes)
+gains: corpora ## Count by valgrind the instructions that the fast paths of docs/design.md save (ten minutes)
 	CARGO='$(CARGO)' benches/gains
 
 # Nested drawings are SVG too, so all icons ten or twenty times over make one large file.

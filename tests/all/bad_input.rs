@@ -8,6 +8,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use crate::judges::program::printed;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
@@ -218,11 +219,7 @@ fn the_table_of_bad_input_names_every_command() {
     let table = table();
     let rows = rows(&table);
     assert!(rows.len() >= 200, "{} rows", rows.len());
-    let help = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .arg("--help")
-        .output()
-        .unwrap();
-    let help = String::from_utf8(help.stdout).unwrap();
+    let help = printed(&["--help"]);
     let commands = help.lines().filter_map(|line| {
         let word = line.strip_prefix("  ")?.split_whitespace().next()?;
         let is_command = line.len() > 2

@@ -1,12 +1,10 @@
 //! `batch` with all lines in one picture, and into a file.
 
 use std::fs;
-use std::io::Write as _;
-use std::process::{Command, Stdio};
 
 use curveto::batch::{OnError, Options, figure};
 
-use crate::judges::program::{printed, refused, run};
+use crate::judges::program::{piped, printed, refused, run};
 
 const LINES: &str = r#"circle 0 0 50
 {"id": "a<1\"", "circle": {"radius": 20}, "fill": "gold", "stroke": "none"}
@@ -96,22 +94,9 @@ fn a_hole_is_a_hole_in_pixels() {
 fn a_file_is_whole_or_untouched() {
     let (folder, out) = file("out.txt", "old\n");
     let feed = |lines: &str, words: &[&str]| {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_curveto"))
-            .args([&["batch", "-o", &out][..], words].concat())
-            .stdin(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        child
-            .stdin
-            .take()
-            .unwrap()
-            .write_all(lines.as_bytes())
-            .unwrap();
-        (
-            child.wait_with_output().unwrap().status.code(),
-            fs::read_to_string(&out).unwrap(),
-        )
+        let words = [&["batch", "-o", &out], words].concat();
+        let code = piped(&words, lines.as_bytes()).status.code();
+        (code, fs::read_to_string(&out).unwrap())
     };
     assert_eq!(
         feed("circle 0 0 5\nnonsense\n", &[]),

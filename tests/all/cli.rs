@@ -3,9 +3,8 @@
 use crate::judges::program;
 
 use std::fs;
-use std::process::{Command, Stdio};
 
-use program::{json, printed, refused, run};
+use program::{json, printed, refused, run, unread};
 use serde_json::Value;
 
 fn segments(arguments: &[&str]) -> usize {
@@ -399,14 +398,7 @@ fn what_cannot_be_written_is_told_in_the_words_of_the_system() {
 
 #[test]
 fn a_closed_pipe_ends_quietly_with_0() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(["circle", "50", "-n", "50000"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    drop(child.stdout.take());
-    let output = child.wait_with_output().unwrap();
+    let output = unread(&["circle", "50", "-n", "50000"], b"");
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty());
 }

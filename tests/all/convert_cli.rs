@@ -3,12 +3,12 @@
 use std::fs;
 use std::io::{Read, Write};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::judges::program::{self, run_in};
+use crate::judges::program::{self, run_in, unread};
 
 const CIRCLE: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\"><circle r=\"5\"/></svg>\n";
 const PATH: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M5 0C5 2.7596 2.7596 5 0 5-2.7596 5-5 2.7596-5 0-5-2.7596-2.7596-5 0-5 2.7596-5 5-2.7596 5 0Z\"/></svg>\n";
@@ -338,20 +338,6 @@ fn other_encodings_are_named() {
 #[test]
 fn a_closed_pipe_ends_quietly() {
     let circles = format!("<svg>{}</svg>", "<circle r='5'/>".repeat(50_000));
-    let mut child = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .arg("convert")
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    drop(child.stdout.take());
-    child
-        .stdin
-        .take()
-        .unwrap()
-        .write_all(circles.as_bytes())
-        .unwrap();
-    let output = child.wait_with_output().unwrap();
+    let output = unread(&["convert"], circles.as_bytes());
     assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), ""));
 }

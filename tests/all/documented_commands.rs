@@ -6,7 +6,8 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+
+use crate::judges::program::shell;
 
 /// A command and what the document shows below it.
 struct Example {
@@ -62,19 +63,8 @@ fn agree(shown: &[String], printed: &[&str]) -> bool {
 }
 
 fn run(command: &str, folder: &Path) -> String {
-    let program = Path::new(env!("CARGO_BIN_EXE_curveto"));
-    let path = format!(
-        "{}:{}",
-        program.parent().unwrap().display(),
-        std::env::var("PATH").unwrap()
-    );
-    let output = Command::new("sh")
-        .args(["-c", &format!("exec 2>&1\n{command}")])
-        .current_dir(folder)
-        .env("PATH", path)
-        .env("COLUMNS", "100")
-        .output()
-        .unwrap();
+    let mut shell = shell(folder, &format!("exec 2>&1\n{command}"));
+    let output = shell.env("COLUMNS", "100").output().unwrap();
     String::from_utf8(output.stdout).unwrap()
 }
 

@@ -7,13 +7,7 @@ use curveto::{Method, method::Span};
 use serde_json::Value;
 
 use crate::judges::ghostscript;
-use crate::judges::program::{json, printed, refused, words};
-
-fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is no number"))
-}
+use crate::judges::program::{json, number, printed, refused, shell, words};
 
 #[test]
 fn samples_are_the_points_of_the_curve_beside_the_circle() {
@@ -542,7 +536,6 @@ fn every_row_of_the_documents_runs_or_says_why_not() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(root.join("docs/documents.md")).unwrap();
     let folder = tempfile::tempdir().unwrap();
-    let program = std::path::Path::new(env!("CARGO_BIN_EXE_curveto"));
     let (mut ran, mut reasons) = (0, 0);
     for (what, shown) in rows(&text) {
         if let Some(reason) = shown.strip_prefix("none: ") {
@@ -555,11 +548,8 @@ fn every_row_of_the_documents_runs_or_says_why_not() {
             .and_then(|words| words.strip_suffix('`'));
         let command =
             command.unwrap_or_else(|| panic!("{what}: neither a command nor a reason: {shown}"));
-        let output = std::process::Command::new("sh")
-            .args(["-c", &format!("{} {command}", program.display())])
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
+        let mut shell = shell(folder.path(), &format!("curveto {command}"));
+        let output = shell.output().unwrap();
         assert!(
             output.status.success() && !output.stdout.is_empty(),
             "{what}: {command}"

@@ -3,21 +3,10 @@
 
 use serde_json::Value;
 
-use crate::judges::program::run;
-
-fn printed(arguments: &[&str]) -> Vec<u8> {
-    let output = run(arguments);
-    let complaint = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?}: {complaint}");
-    output.stdout
-}
-
-fn text(arguments: &[&str]) -> String {
-    String::from_utf8(printed(arguments)).unwrap()
-}
+use crate::judges::program::{drawn as drawn_by, printed, run};
 
 fn catalogue() -> Vec<Value> {
-    let catalogue: Value = serde_json::from_str(&text(&["methods", "-f", "json"])).unwrap();
+    let catalogue: Value = serde_json::from_str(&printed(&["methods", "-f", "json"])).unwrap();
     catalogue["methods"].as_array().unwrap().clone()
 }
 
@@ -43,7 +32,7 @@ fn every_method_draws_a_circle_in_every_format() {
         let quadratic = entry["degree"] == 2;
         let letter = if quadratic { 'Q' } else { 'C' };
         for format in ["path", "svg", "ps", "eps", "json", "png"] {
-            let drawing = printed(&["circle", "40", "-m", id, "-f", format, "-p", "6"]);
+            let drawing = drawn_by(&format!("circle 40 -m {id} -f {format} -p 6"));
             let words = String::from_utf8_lossy(&drawing);
             match format {
                 "path" => {
@@ -80,9 +69,9 @@ fn postscript_raises_quadratics_to_the_same_curve() {
             continue;
         }
         let shape = ["circle", "40", "--start", "0", "-m", id(&entry)];
-        let json = text(&[&shape[..], &["--reverse", "-f", "json"]].concat());
+        let json = printed(&[&shape[..], &["--reverse", "-f", "json"]].concat());
         let json: Value = serde_json::from_str(&json).unwrap();
-        let ps = text(&[&shape[..], &["-f", "ps", "-p", "15"]].concat());
+        let ps = printed(&[&shape[..], &["-f", "ps", "-p", "15"]].concat());
         let lines = ps.lines().filter(|line| line.ends_with("curveto"));
         for (segment, line) in json["segments"].as_array().unwrap().iter().zip(lines) {
             let point = |i: usize, axis: usize| segment["points"][i][axis].as_f64().unwrap();
@@ -128,7 +117,7 @@ fn corners_are_stated_in_degrees_where_there_are_any() {
             }
             let corner = values["joint_corner_deg"].as_str().unwrap();
             let corner = corner.parse::<f64>().unwrap().abs();
-            let drawing = text(&["circle", "1", "-m", id, "-n", count, "-f", "json"]);
+            let drawing = printed(&["circle", "1", "-m", id, "-n", count, "-f", "json"]);
             let drawing: Value = serde_json::from_str(&drawing).unwrap();
             let near = |stated: &Value| (stated.as_f64().unwrap() - corner).abs() < 1e-9;
             if entry["continuity"]["equal"] == "G0" {
@@ -275,7 +264,7 @@ fn catalogue_has(name: &str) -> bool {
 fn chens_printed_error_comes_out_with_his_quadrature() {
     let error = |arguments: &[&str]| -> f64 {
         let shape = ["circle", "1", "-n", "4", "-m", "chen-2", "-f", "json"];
-        let json = text(&[&shape[..], arguments].concat());
+        let json = printed(&[&shape[..], arguments].concat());
         let json: Value = serde_json::from_str(&json).unwrap();
         json["error"]["peak"].as_f64().unwrap()
     };
@@ -288,8 +277,8 @@ fn chens_printed_error_comes_out_with_his_quadrature() {
 #[test]
 fn the_catalogue_is_told_in_three_forms() {
     let entries = catalogue();
-    let table = text(&["methods"]);
-    let csv = text(&["methods", "-f", "csv"]);
+    let table = printed(&["methods"]);
+    let csv = printed(&["methods", "-f", "csv"]);
     assert_eq!(csv.lines().count(), 29);
     for (entry, line) in entries.iter().zip(csv.lines().skip(1)) {
         let id = id(entry);
@@ -305,19 +294,19 @@ fn the_catalogue_is_told_in_three_forms() {
         for alias in entry["aliases"].as_array().unwrap() {
             let alias = alias.as_str().unwrap();
             assert!(starts_a_line(alias), "{alias} is not in the table");
-            assert_eq!(text(&["methods", alias]), text(&["methods", id]));
+            assert_eq!(printed(&["methods", alias]), printed(&["methods", id]));
         }
-        let card = text(&["methods", id]);
+        let card = printed(&["methods", id]);
         assert!(card.starts_with(id), "{card}");
         assert!(
             card.lines()
                 .chain(table.lines())
                 .all(|l| l.chars().count() <= 100)
         );
-        let own: Value = serde_json::from_str(&text(&["methods", id, "-f", "json"])).unwrap();
+        let own: Value = serde_json::from_str(&printed(&["methods", id, "-f", "json"])).unwrap();
         assert_eq!(&own, entry);
     }
-    assert!(text(&["methods", "chen-2"]).contains("0.0190319"));
+    assert!(printed(&["methods", "chen-2"]).contains("0.0190319"));
 }
 
 #[test]

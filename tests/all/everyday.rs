@@ -1,7 +1,5 @@
 //! Arcs as machines and CAD say them, paths, the forms of a line of `batch`, and what is said on standard error.
 
-use std::process::Command;
-
 use curveto::contour::{Target, draw};
 use curveto::{Cut, Options, Tolerance, path};
 use kurbo::{ParamCurve, PathSeg, Point};
@@ -492,8 +490,8 @@ fn a_method_that_needs_thousands_of_segments_answers() {
 #[test]
 fn the_catalogue_fits_terminals_from_60_to_200_columns() {
     for columns in [60, 66, 72, 80, 100, 200] {
-        let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-            .arg("methods")
+        let mut command = program::program(&["methods"]);
+        let output = command
             .env("COLUMNS", columns.to_string())
             .output()
             .unwrap();

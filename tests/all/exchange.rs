@@ -4,8 +4,8 @@
 use std::fs;
 use std::process::Command;
 
-use crate::judges::chain::{Chain, SHAPES, curves_of_a_sphere, curveto, printed, stated};
-use crate::judges::program::run;
+use crate::judges::chain::{Chain, SHAPES, curves_of_a_sphere, stated};
+use crate::judges::program::{drawn_text as printed, run, run_words};
 use resvg::usvg::roxmltree;
 
 // TikZ
@@ -69,7 +69,7 @@ fn tikz_holds_the_control_points() {
 
 #[test]
 fn what_tex_cannot_read_is_refused() {
-    let output = curveto("circle 20000 -f tikz");
+    let output = run_words("circle 20000 -f tikz");
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2));
     assert!(

@@ -4,14 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-use crate::judges::program::run_words;
-
-fn printed(arguments: &str) -> String {
-    let output = run_words(arguments);
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments}: {said}");
-    String::from_utf8(output.stdout).unwrap()
-}
+use crate::judges::program::{drawn_text as printed, refused, words};
 
 /// What a page holds.
 fn data(page: &str) -> Value {
@@ -229,9 +222,7 @@ fn what_cannot_be_a_page_is_refused() {
         ),
         ("explore", "error: explore: the shape is missing"),
     ] {
-        let output = run_words(command);
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{command}: {said}");
+        let said = refused(&words(command));
         assert!(said.contains(message), "{command}: {said}");
     }
 }

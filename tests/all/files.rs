@@ -1,6 +1,6 @@
 //! What happens to files, as docs/files.md states it.
 
-use crate::judges::program::{run_in, shell};
+use crate::judges::program::{program_in, run_in, shell};
 use std::fs;
 use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, chown, symlink};
 use std::process::{Command, Output};
@@ -146,11 +146,8 @@ fn a_folder_of_results_is_not_walked_and_not_the_input() {
 #[test]
 fn standard_output_is_written_through() {
     let folder = folder();
-    let script = format!(
-        "{{ echo a; '{}' circle 3 -p 0 -o /dev/stdout; echo b; }} > f",
-        env!("CARGO_BIN_EXE_curveto")
-    );
-    let status = shell(folder.path(), &script);
+    let script = "{ echo a; curveto circle 3 -p 0 -o /dev/stdout; echo b; } > f";
+    let status = shell(folder.path(), script).status().unwrap();
     assert!(status.success());
     let text = fs::read_to_string(folder.path().join("f")).unwrap();
     assert!(
@@ -185,9 +182,7 @@ fn a_signal_ends_between_files_and_says_how_far_it_came() {
         let text = format!("<svg xmlns=\"http://www.w3.org/2000/svg\">{body}</svg>");
         fs::write(folder.path().join(format!("{i}.svg")), text).unwrap();
     }
-    let child = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .current_dir(folder.path())
-        .args(["convert", "--in-place", "-j", "1", "."])
+    let child = program_in(folder.path(), &["convert", "--in-place", "-j", "1", "."])
         .stderr(std::process::Stdio::piped())
         .spawn()
         .unwrap();
@@ -393,11 +388,9 @@ fn links_to_folders_are_not_walked() {
 #[test]
 fn what_is_open_already_is_written_through() {
     let folder = folder();
-    let script = format!(
-        "exec 3>>out; echo before >&3; echo circle 0 0 5 | '{}' batch -o /dev/fd/3; echo after >&3",
-        env!("CARGO_BIN_EXE_curveto")
-    );
-    assert!(shell(folder.path(), &script).success());
+    let script = "exec 3>>out; echo before >&3; echo circle 0 0 5 | curveto batch -o /dev/fd/3; echo after >&3";
+    let status = shell(folder.path(), script).status().unwrap();
+    assert!(status.success());
     let out = fs::read_to_string(folder.path().join("out")).unwrap();
     let lines: Vec<&str> = out.lines().collect();
     assert!(lines.len() == 3 && lines[1].starts_with('M'), "{out}");
@@ -429,11 +422,8 @@ fn a_mode_that_the_mask_would_not_give_is_kept() {
     let folder = folder();
     let file = folder.path().join("a.svg");
     fs::set_permissions(&file, fs::Permissions::from_mode(0o666)).unwrap();
-    let script = format!(
-        "umask 077; '{}' convert --in-place a.svg",
-        env!("CARGO_BIN_EXE_curveto")
-    );
-    let status = shell(folder.path(), &script);
+    let script = "umask 077; curveto convert --in-place a.svg";
+    let status = shell(folder.path(), script).status().unwrap();
     assert!(status.success());
     assert_eq!(fs::metadata(&file).unwrap().mode() & 0o777, 0o666);
 }
@@ -523,11 +513,8 @@ fn fifos_and_devices_are_written_to() {
 #[test]
 fn a_new_file_has_the_mode_of_the_mask_and_is_never_open_to_more_than_the_old_one() {
     let folder = folder();
-    let script = format!(
-        "umask 027; '{0}' circle 3 -o new; '{0}' convert a.svg -o b.svg",
-        env!("CARGO_BIN_EXE_curveto")
-    );
-    let status = shell(folder.path(), &script);
+    let script = "umask 027; curveto circle 3 -o new; curveto convert a.svg -o b.svg";
+    let status = shell(folder.path(), script).status().unwrap();
     assert!(status.success());
     for name in ["new", "b.svg"] {
         let mode = fs::metadata(folder.path().join(name)).unwrap().mode() & 0o777;

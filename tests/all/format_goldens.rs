@@ -1,8 +1,8 @@
 //! Golden files of the formats for other programs, for a few shapes; `make golden` writes them anew.
 
-use std::fs;
 use std::path::Path;
-use std::process::Command;
+
+use crate::judges::program::{drawn, is_golden};
 
 /// A name, the words that draw it, and the formats that can hold it.
 const CASES: [(&str, &str, &str); 7] = [
@@ -58,19 +58,12 @@ fn the_formats_for_other_programs_print_their_golden_files() {
     let mut wrong = Vec::new();
     for (name, words, formats) in CASES {
         for format in formats.split(' ') {
-            let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-                .args(self::words(words, format))
-                .output()
-                .unwrap();
-            let message = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "{words} -f {format}: {message}");
+            let drawn = drawn(&format!("{words} -f {format}"));
             let golden = folder.join(format!("{name}.{format}"));
-            if std::env::var_os("CURVETO_GOLDEN").is_some() {
-                fs::write(&golden, &output.stdout).unwrap();
-            } else if fs::read(&golden).unwrap_or_default() != output.stdout {
+            if !is_golden(&golden, &drawn) {
                 wrong.push(golden);
             }
-            let text = String::from_utf8_lossy(&output.stdout).into_owned();
+            let text = String::from_utf8_lossy(&drawn);
             for fleeting in [env!("CARGO_PKG_VERSION"), "CreationDate", "TDCREATE", "/ID"] {
                 assert!(!text.contains(fleeting), "{name}.{format} holds {fleeting}");
             }

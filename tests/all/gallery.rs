@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+
+use crate::judges::program::shell;
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -63,23 +64,13 @@ fn every_picture_has_a_command_and_stands_in_the_gallery() {
 /// Pixels are blended in single precision, and other programs have versions: only our own SVG is held to the last byte.
 #[test]
 fn the_pictures_in_svg_are_what_their_commands_draw() {
-    let program = Path::new(env!("CARGO_BIN_EXE_curveto"));
-    let path = format!(
-        "{}:{}",
-        program.parent().unwrap().display(),
-        std::env::var("PATH").unwrap()
-    );
     let folder = tempfile::tempdir().unwrap();
     for picture in pictures()
         .into_iter()
         .filter(|picture| Path::new(&picture.name).extension().unwrap() == "svg")
     {
-        let status = Command::new("sh")
-            .args(["-euc", &picture.command])
-            .current_dir(folder.path())
-            .env("PATH", &path)
-            .status()
-            .unwrap();
+        let script = format!("set -eu\n{}", picture.command);
+        let status = shell(folder.path(), &script).status().unwrap();
         assert!(status.success(), "{}", picture.name);
         let drawn = fs::read(folder.path().join(&picture.name)).unwrap();
         let kept = fs::read(root().join("docs/images").join(&picture.name)).unwrap();

@@ -2,11 +2,11 @@
 //!
 //! `make golden` writes them anew; read the difference before committing it.
 
-use std::fs;
-use std::path::PathBuf;
-use std::process::Command;
+use std::path::Path;
 
 use curveto::Method;
+
+use crate::judges::program::{is_golden, printed};
 
 const FORMATS: [&str; 5] = ["path", "svg", "ps", "eps", "json"];
 
@@ -142,37 +142,11 @@ const SHAPES: [(&str, &[&str]); 18] = [
 ];
 
 fn compare(name: &str, arguments: &[&str], format: &str) -> Option<String> {
-    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments)
-        .args(["-f", format])
-        .output()
-        .unwrap();
-    assert!(
-        output.status.success(),
-        "{arguments:?} -f {format}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    let path: PathBuf = [
-        env!("CARGO_MANIFEST_DIR"),
-        "fixtures",
-        "golden",
-        &format!("{name}.{format}"),
-    ]
-    .iter()
-    .collect();
-    if std::env::var_os("CURVETO_GOLDEN").is_some() {
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(&path, &output.stdout).unwrap();
-        return None;
-    }
-    let golden = fs::read(&path).unwrap_or_default();
-    (golden != output.stdout).then(|| {
-        format!(
-            "{}\n{}",
-            path.display(),
-            String::from_utf8_lossy(&output.stdout)
-        )
-    })
+    let printed = printed(&[arguments, &["-f", format]].concat());
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/golden");
+    let path = folder.join(format!("{name}.{format}"));
+    let wrong = || format!("{}\n{printed}", path.display());
+    (!is_golden(&path, printed.as_bytes())).then(wrong)
 }
 
 /// The circle by every method, and the shapes: a name and the words.

@@ -1,8 +1,9 @@
 //! Help: short help fits a screen, long help and the manual pages end in worked examples and the exit codes.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::PathBuf;
+
+use crate::judges::program::{program, shell};
 
 const COMMANDS: [&str; 17] = [
     "circle",
@@ -27,10 +28,6 @@ const COMMANDS: [&str; 17] = [
 /// The lines that short help may fill.
 const SCREEN: usize = 45;
 
-fn program() -> &'static Path {
-    Path::new(env!("CARGO_BIN_EXE_curveto"))
-}
-
 fn help(words: &[&str]) -> String {
     // However narrow a terminal is, no example is broken into two lines, so that each can be copied.
     let columns = if words.contains(&"--help") {
@@ -38,9 +35,7 @@ fn help(words: &[&str]) -> String {
     } else {
         "80"
     };
-    let mut command = Command::new(program());
-    let output = command.args(words).env("COLUMNS", columns).output();
-    let output = output.unwrap();
+    let output = program(words).env("COLUMNS", columns).output().unwrap();
     assert!(output.status.success() && output.stderr.is_empty());
     String::from_utf8(output.stdout).unwrap()
 }
@@ -58,20 +53,6 @@ fn examples(help: &str) -> Vec<String> {
         .lines()
         .map(|line| line.trim().to_owned())
         .collect()
-}
-
-/// Runs a line of the shell, with our program first in PATH.
-fn shell(line: &str, folder: &Path) -> Output {
-    let path = std::env::join_paths(
-        std::iter::once(program().parent().unwrap().to_owned())
-            .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),
-    );
-    Command::new("sh")
-        .args(["-euc", line])
-        .current_dir(folder)
-        .env("PATH", path.unwrap())
-        .output()
-        .unwrap()
 }
 
 /// A folder with the files that the examples name.
@@ -99,7 +80,8 @@ fn long_help_ends_in_three_examples_that_run_and_the_exit_codes() {
         assert_eq!(found.len(), 3, "{name}: {found:?}");
         for line in found {
             assert!(line.contains(&format!("curveto {name}")), "{name}: {line}");
-            let output = shell(&line, &folder);
+            let script = format!("set -eu\n{line}");
+            let output = shell(&folder, &script).output().unwrap();
             let said = String::from_utf8_lossy(&output.stderr);
             assert!(output.status.success(), "{line}: {said}");
             assert!(!said.contains("error:"), "{line}: {said}");
@@ -132,8 +114,8 @@ fn short_help_fits_a_screen() {
 fn manual_pages_end_in_the_examples_and_the_exit_codes() {
     let folder = tempfile::tempdir().unwrap();
     let pages = folder.path().join("man");
-    let output = shell("curveto man --out-dir man", folder.path());
-    assert!(output.status.success());
+    let status = shell(folder.path(), "curveto man --out-dir man").status();
+    assert!(status.unwrap().success());
     let inner = ["measure-circle", "measure-conic", "explore-arc"];
     for name in COMMANDS.into_iter().chain(inner) {
         let page = fs::read_to_string(pages.join(format!("curveto-{name}.1"))).unwrap();
@@ -162,9 +144,7 @@ fn manual_pages_end_in_the_examples_and_the_exit_codes() {
 
 /// What a command says on standard error.
 fn complaint(words: &str, variables: &[(&str, &str)]) -> (Option<i32>, String) {
-    let mut command = Command::new(program());
-    let output = command
-        .args(words.split(' '))
+    let output = program(&words.split(' ').collect::<Vec<_>>())
         .envs(variables.iter().copied())
         .stdin(std::process::Stdio::null())
         .output()

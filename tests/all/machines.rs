@@ -1,7 +1,8 @@
 //! What readers make of DXF and G-code: DXF holds the very control points that JSON states, and lines and circular arcs are exact.
 //! `make test-readers` asks ezdxf too.
 
-use crate::judges::chain::{Chain, SHAPES, curves_of_a_sphere, curveto, printed, stated};
+use crate::judges::chain::{Chain, SHAPES, curves_of_a_sphere, stated};
+use crate::judges::program::{drawn_text as printed, run_words};
 use curveto::Angle;
 use kurbo::{Line, ParamCurve, PathSeg, Point};
 
@@ -312,6 +313,6 @@ fn gcode_of_what_has_no_arcs_is_refused() {
         "circle 5 --feed 0 -f gcode",
         "circle 5 --feed 100 -f svg",
     ] {
-        assert_eq!(curveto(arguments).status.code(), Some(2), "{arguments}");
+        assert_eq!(run_words(arguments).status.code(), Some(2), "{arguments}");
     }
 }

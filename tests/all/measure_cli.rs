@@ -6,14 +6,8 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use program::{json, piped, printed, refused, run};
+use program::{json, number, piped, printed, refused, run};
 use serde_json::Value;
-
-fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is no number"))
-}
 
 fn close(value: &Value, expected: f64, allowed: f64) {
     assert!(

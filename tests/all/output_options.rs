@@ -1,16 +1,6 @@
 //! Options of output: the last one counts, colours of CSS level 4, sizes with units.
 
-use std::process::Command;
-
-fn printed(arguments: &str) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments.split_whitespace())
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "curveto {arguments}: {message}");
-    String::from_utf8(output.stdout).unwrap()
-}
+use crate::judges::program::{drawn_text as printed, printed as printed_by};
 
 #[test]
 fn the_last_of_a_flag_given_twice_counts() {
@@ -69,14 +59,8 @@ fn the_last_of_a_flag_given_twice_counts() {
 
 #[test]
 fn colours_are_those_of_css_level_4() {
-    let run = |color: &str, format: &str| {
-        let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-            .args(["circle", "5", "--fill", color, "-f", format])
-            .output()
-            .unwrap();
-        assert!(output.status.success(), "{color}");
-        String::from_utf8(output.stdout).unwrap()
-    };
+    let run =
+        |color: &str, format: &str| printed_by(&["circle", "5", "--fill", color, "-f", format]);
     for (color, attributes) in [
         ("rebeccapurple", r##"fill="#639""##),
         ("rgb(255 0 0 / 50%)", r##"fill="#f00" fill-opacity="0.5""##),

@@ -3,22 +3,9 @@
 use std::fs;
 use std::process::Command;
 
+use crate::judges::program::{drawn, drawn_text, refused};
 use crate::judges::raster::Picture;
 use resvg::tiny_skia::Pixmap;
-
-fn drawn(arguments: &str) -> Vec<u8> {
-    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(
-            arguments
-                .split_whitespace()
-                .map(|word| word.replace('_', " ")),
-        )
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "curveto {arguments}: {message}");
-    output.stdout
-}
 
 /// The first page of a PDF file on white, so many pixels a point.
 fn page(pdf: &[u8], pixels: u32) -> Picture {
@@ -133,7 +120,7 @@ fn the_page_holds_the_very_control_points() {
         } else {
             "--start 0 --reverse"
         };
-        let expected = String::from_utf8(drawn(&format!("{shape} {turned} -f ps"))).unwrap();
+        let expected = drawn_text(&format!("{shape} {turned} -f ps"));
         let expected: Vec<&str> = expected.lines().collect();
         assert_eq!(operators, expected, "{shape}");
     }
@@ -164,11 +151,6 @@ fn a_page_is_as_large_as_the_coordinates_or_as_readers_take() {
 
 #[test]
 fn a_page_that_no_reader_takes_is_refused() {
-    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(["circle", "5", "-f", "pdf", "--size", "6000x10mm"])
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2));
+    let message = refused(&["circle", "5", "-f", "pdf", "--size", "6000x10mm"]);
     assert!(message.contains("200 inches"), "{message}");
 }

@@ -2,17 +2,10 @@
 
 use resvg::tiny_skia::Pixmap;
 
-use crate::judges::program::run_words;
-
-fn drawn(arguments: &str) -> Vec<u8> {
-    let output = run_words(arguments);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "curveto {arguments}: {message}");
-    output.stdout
-}
+use crate::judges::program::{drawn, drawn_text, refused, words};
 
 fn svg(arguments: &str) -> String {
-    String::from_utf8(drawn(&format!("{arguments} -f svg"))).unwrap()
+    drawn_text(&format!("{arguments} -f svg"))
 }
 
 fn png(arguments: &str) -> Pixmap {
@@ -64,7 +57,7 @@ fn the_path_of_an_svg_is_that_of_the_path_format() {
         "circle 50 --relative",
         "circle 5 -m quadratic-area -p 4",
     ] {
-        let data = String::from_utf8(drawn(shape)).unwrap();
+        let data = drawn_text(shape);
         assert_eq!(attribute(&svg(shape), " d"), data.trim_end(), "{shape}");
     }
 }
@@ -231,7 +224,7 @@ fn the_bounding_boxes_of_an_eps_file_hold_its_stroke() {
             .map(|number| number.parse().unwrap())
             .collect()
     };
-    let eps = |arguments: &str| String::from_utf8(drawn(&format!("{arguments} -f eps"))).unwrap();
+    let eps = |arguments: &str| drawn_text(&format!("{arguments} -f eps"));
     let text = eps("ellipse 50.2 30 --center 1000,-0.5");
     assert!(text.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n"));
     assert!(text.ends_with("showpage\n%%EOF\n"));
@@ -299,13 +292,9 @@ fn what_a_picture_cannot_be_is_refused() {
         ),
     ] {
         let file = folder.path().join("picture");
-        let output = run_words(&format!("{arguments} -o {}", file.display()));
-        let message = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{arguments}: {message}");
-        assert!(
-            message.starts_with("error: ") && message.contains(said),
-            "{arguments}: {message}"
-        );
+        let output = ["-o", file.to_str().unwrap()];
+        let message = refused(&[&words(arguments)[..], &output].concat());
+        assert!(message.contains(said), "{arguments}: {message}");
         assert!(!file.exists(), "{arguments}");
     }
 }

@@ -1,28 +1,12 @@
 //! What real renderers make of the output: resvg of SVG and PNG, Ghostscript of PostScript.
 
+use crate::judges::program::{drawn, drawn_text};
 use crate::judges::{ghostscript, raster};
-
-use std::process::Command;
 
 use ghostscript::{GRID, Operator, operators, path_of, strokes_of};
 use raster::Picture;
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg;
-
-/// Standard output of a command that has to succeed.
-fn drawn(arguments: &str) -> Vec<u8> {
-    let output = Command::new(env!("CARGO_BIN_EXE_curveto"))
-        .args(arguments.split_whitespace())
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "curveto {arguments}: {message}");
-    output.stdout
-}
-
-fn drawn_text(arguments: &str) -> String {
-    String::from_utf8(drawn(arguments)).unwrap()
-}
 
 // Pictures
 

@@ -1,25 +1,9 @@
 //! Curves as chains of control points: those that JSON states, and those that a reader of another format finds.
 
-use std::process::Output;
-
 use kurbo::{Point, QuadBez};
 use serde_json::Value;
 
-use crate::judges::program::run;
-
-/// Runs a command; an underscore is a space within an argument.
-pub(crate) fn curveto(arguments: &str) -> Output {
-    let words = arguments.split_whitespace();
-    let words: Vec<String> = words.map(|word| word.replace('_', " ")).collect();
-    run(&words.iter().map(String::as_str).collect::<Vec<_>>())
-}
-
-pub(crate) fn printed(arguments: &str) -> String {
-    let output = curveto(arguments);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "curveto {arguments}: {message}");
-    String::from_utf8(output.stdout).unwrap()
-}
+use crate::judges::program::drawn_text;
 
 /// A chain of segments by their control points.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,7 +79,7 @@ fn point(value: &Value) -> [f64; 2] {
 
 /// What JSON states, one chain.
 pub(crate) fn stated(arguments: &str) -> Chain {
-    let json: Value = serde_json::from_str(&printed(&format!("{arguments} -f json"))).unwrap();
+    let json: Value = serde_json::from_str(&drawn_text(&format!("{arguments} -f json"))).unwrap();
     let segments = json["segments"].as_array().unwrap();
     let points = |segment: &Value| {
         segment["points"]
@@ -122,5 +106,5 @@ pub(crate) const SHAPES: [&str; 7] = [
 ];
 
 pub(crate) fn curves_of_a_sphere() -> usize {
-    printed("sphere 5").matches('M').count()
+    drawn_text("sphere 5").matches('M').count()
 }

@@ -2,7 +2,8 @@
 
 use std::io::Write as _;
 use std::path::Path;
-use std::process::{Command, ExitStatus, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
+use std::{env, fs, iter};
 
 use serde_json::Value;
 
@@ -23,9 +24,24 @@ pub(crate) fn run(arguments: &[&str]) -> Output {
     program(arguments).output().unwrap()
 }
 
-/// The same for arguments with spaces between them.
+/// The same for arguments with spaces between them, in which an underscore is a space.
 pub(crate) fn run_words(arguments: &str) -> Output {
-    run(&words(arguments))
+    let words = words(arguments).into_iter();
+    let words: Vec<String> = words.map(|word| word.replace('_', " ")).collect();
+    run(&words.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+/// What those print, which have to succeed.
+pub(crate) fn drawn(arguments: &str) -> Vec<u8> {
+    let output = run_words(arguments);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "curveto {arguments}: {message}");
+    output.stdout
+}
+
+/// The same where it is text.
+pub(crate) fn drawn_text(arguments: &str) -> String {
+    String::from_utf8(drawn(arguments)).unwrap()
 }
 
 /// The program in a folder.
@@ -42,10 +58,24 @@ pub(crate) fn run_in(folder: &Path, arguments: &[&str]) -> Output {
 
 /// The same with this on standard input.
 pub(crate) fn piped(arguments: &[&str], input: &[u8]) -> Output {
+    fed(spawned(arguments), input)
+}
+
+/// The same where nobody reads what it prints.
+pub(crate) fn unread(arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = spawned(arguments);
+    drop(child.stdout.take());
+    fed(child, input)
+}
+
+fn spawned(arguments: &[&str]) -> Child {
     let streams = || Stdio::piped();
     let mut command = program(arguments);
     command.stdin(streams()).stdout(streams()).stderr(streams());
-    let mut child = command.spawn().unwrap();
+    command.spawn().unwrap()
+}
+
+fn fed(mut child: Child, input: &[u8]) -> Output {
     let mut stdin = child.stdin.take().unwrap();
     let input = input.to_owned();
     // A program that stops early does not read it all.
@@ -86,9 +116,28 @@ pub(crate) fn refused(arguments: &[&str]) -> String {
     message
 }
 
-/// How a line of the shell ends in a folder.
-pub(crate) fn shell(folder: &Path, script: &str) -> ExitStatus {
+/// The shell in a folder, with our program first in PATH.
+pub(crate) fn shell(folder: &Path, script: &str) -> Command {
+    let program = Path::new(env!("CARGO_BIN_EXE_curveto"));
+    let others = env::var_os("PATH").unwrap();
+    let path = iter::once(program.parent().unwrap().to_owned()).chain(env::split_paths(&others));
     let mut shell = Command::new("sh");
     shell.current_dir(folder).args(["-c", script]);
-    shell.status().unwrap()
+    shell.env("PATH", env::join_paths(path).unwrap());
+    shell
+}
+
+/// A value of JSON that is a number.
+pub(crate) fn number(value: &Value) -> f64 {
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+/// Whether a golden file holds this; where those are written anew, it does from now on.
+pub(crate) fn is_golden(file: &Path, text: &[u8]) -> bool {
+    if env::var_os("CURVETO_GOLDEN").is_some() {
+        fs::write(file, text).unwrap();
+    }
+    fs::read(file).is_ok_and(|kept| kept == text)
 }
