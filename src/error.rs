@@ -8,8 +8,10 @@ mod shape;
 mod text;
 mod unmeasurable;
 
+// The program of this package asks it too.
 #[cfg(feature = "serde")]
-pub(crate) mod json;
+#[doc(hidden)]
+pub mod json;
 
 use core::fmt::Display;
 

@@ -2,7 +2,7 @@
 
 /// What serde says, and what we say in its place.
 const WORDS: [(&str, &str); 17] = [
-    ("EOF while parsing", "the line ends within"),
+    ("EOF while parsing", "the JSON ends within"),
     ("key must be a string", "a key in double quotes is expected"),
     ("expected `,` or `}`", "a comma or } is expected"),
     ("expected `,` or `]`", "a comma or ] is expected"),
@@ -49,7 +49,8 @@ const KINDS: [(&str, &str); 6] = [
 /// Where in its line the reader of JSON stopped, in characters from 1.
 ///
 /// It counts bytes, and of a value of the wrong kind it may name the place before: then the value's own is the one.
-pub(crate) fn column(text: &str, error: &serde_json::Error) -> usize {
+#[must_use]
+pub fn column(text: &str, error: &serde_json::Error) -> usize {
     let line = text.lines().nth(error.line().saturating_sub(1));
     let line = line.unwrap_or_default().char_indices();
     let is_read = |at: usize, c: char| at + c.len_utf8() < error.column();
@@ -60,7 +61,8 @@ pub(crate) fn column(text: &str, error: &serde_json::Error) -> usize {
 }
 
 /// What the reader of JSON says, in words of ours and without the names of Rust's types; where is not said.
-pub(crate) fn in_plain_words(error: &serde_json::Error) -> String {
+#[must_use]
+pub fn in_plain_words(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let why = text.split(" at line ").next().unwrap_or(&text);
     let expected = |what: &str| match what {

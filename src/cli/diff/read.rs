@@ -2,6 +2,7 @@
 
 use curveto::contour::Contour;
 use curveto::diff::Track;
+use curveto::error::json;
 use curveto::{document, path};
 use kurbo::Affine;
 use serde_json::{Deserializer, Value};
@@ -102,19 +103,7 @@ fn of_json(text: &str, name: &str) -> Result<Vec<Track>, Failure> {
 }
 
 fn no_json(text: &str, name: &str, error: &serde_json::Error) -> Failure {
-    let line = text.lines().nth(error.line().saturating_sub(1));
-    // The column counts bytes.
-    let before = |&(at, c): &(usize, char)| at + c.len_utf8() < error.column();
-    let column = line
-        .unwrap_or_default()
-        .char_indices()
-        .take_while(before)
-        .count()
-        + 1;
-    let why = if error.is_eof() {
-        "the JSON ends too soon"
-    } else {
-        "this is no JSON"
-    };
-    Failure::request(format!("{name}:{}:{column}: {why}", error.line()))
+    let (line, column) = (error.line(), json::column(text, error));
+    let why = json::in_plain_words(error);
+    Failure::request(format!("{name}:{line}:{column}: {why}"))
 }
