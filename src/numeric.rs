@@ -10,12 +10,14 @@ pub(crate) mod lanes;
 pub(crate) mod linear;
 #[cfg(test)]
 pub(crate) mod random;
+pub(crate) mod ranked;
 pub(crate) mod tridiagonal;
 
-use core::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use kurbo::common::GAUSS_LEGENDRE_COEFFS_24;
+
+use ranked::Ranked;
 
 /// The most steps of a root search; bisection alone would be done in 60.
 const MOST_STEPS: usize = 400;
@@ -104,16 +106,20 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 /// few units in the last place of the sum, or to `noise`, the size below which the differences of `f` say nothing.
 pub(crate) fn adaptive_integral(f: &impl Fn(f64) -> f64, from: f64, to: f64, noise: f64) -> f64 {
     let first = Part::new(f, [from, to], integral(f, from, to));
-    let (mut sum, mut parts) = (first.value(), BinaryHeap::from([first]));
+    let (mut sum, mut parts) = (first.of.value(), BinaryHeap::from([first]));
     for _ in 0..MOST_HALVINGS {
-        let Some(worst) = parts.peek().copied() else {
+        let Some(&Ranked {
+            rank: off,
+            of: worst,
+        }) = parts.peek()
+        else {
             break;
         };
         let close = 4.0 * f64::EPSILON * sum.abs() + noise;
         let [from, to] = worst.range;
         let middle = f64::midpoint(from, to);
         let is_indivisible = middle <= from || middle >= to;
-        if worst.off <= close || is_indivisible || !sum.is_finite() {
+        if off <= close || is_indivisible || !sum.is_finite() {
             break;
         }
         parts.pop();
@@ -121,7 +127,7 @@ pub(crate) fn adaptive_integral(f: &impl Fn(f64) -> f64, from: f64, to: f64, noi
         for (range, whole) in halves.into_iter().zip(worst.halves) {
             parts.push(Part::new(f, range, whole));
         }
-        sum = parts.iter().map(Part::value).sum();
+        sum = parts.iter().map(|part| part.of.value()).sum();
     }
     sum
 }
@@ -132,41 +138,22 @@ struct Part {
     range: [f64; 2],
     /// The integrals over its halves.
     halves: [f64; 2],
-    /// How far their sum is from that over the whole.
-    off: f64,
 }
 
 impl Part {
-    fn new(f: &impl Fn(f64) -> f64, range: [f64; 2], whole: f64) -> Self {
+    /// Ranked by how far the sum of its halves is from the integral over the whole.
+    fn new(f: &impl Fn(f64) -> f64, range: [f64; 2], whole: f64) -> Ranked<Self> {
         let [from, to] = range;
         let middle = f64::midpoint(from, to);
         let halves = [integral(f, from, middle), integral(f, middle, to)];
-        let off = (halves[0] + halves[1] - whole).abs();
-        Self { range, halves, off }
+        Ranked {
+            rank: (halves[0] + halves[1] - whole).abs(),
+            of: Self { range, halves },
+        }
     }
 
     fn value(&self) -> f64 {
         self.halves[0] + self.halves[1]
-    }
-}
-
-impl PartialEq for Part {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Part {}
-
-impl PartialOrd for Part {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Part {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.off.total_cmp(&other.off)
     }
 }
 

@@ -11,13 +11,13 @@ mod chain;
 #[cfg(test)]
 mod exact;
 
-use core::cmp::Ordering;
 use std::collections::{BinaryHeap, HashSet};
 
 use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point};
 
 use super::unit_for;
 use crate::curve::largest_coordinate;
+use crate::numeric::ranked::Ranked;
 pub(crate) use along::product;
 use chain::{ChainFoot, CubicChain, STEPS_OF_A_CUBIC};
 pub(crate) use chain::{away, distance_slope};
@@ -114,7 +114,6 @@ struct Part {
     segment: usize,
     cubic: CubicBez,
     feet: [ChainFoot; 2],
-    at_most: f64,
 }
 
 impl CubicChain {
@@ -130,14 +129,18 @@ impl CubicChain {
             }
         }
         let mut left = MOST_PARTS + 32 * (self.cubics.len() + other.cubics.len());
-        while let Some(part) = search.parts.pop() {
-            let undecided = search.at_least <= aim.tolerance && aim.tolerance < part.at_most;
+        while let Some(Ranked {
+            rank: at_most,
+            of: part,
+        }) = search.parts.pop()
+        {
+            let undecided = search.at_least <= aim.tolerance && aim.tolerance < at_most;
             let goal = if undecided { CLOSE_GOAL } else { aim.goal };
             let enough = (search.at_least * (1.0 + goal)).max(search.at_least + NOISE);
-            if part.at_most <= enough || left == 0 || search.steps.0 == 0 {
+            if at_most <= enough || left == 0 || search.steps.0 == 0 {
                 // As near to the tolerance as it is known, it is within.
-                let is_near = undecided && part.at_most <= enough && aim.tolerance > NOISE;
-                search.at_most = if is_near { aim.tolerance } else { part.at_most };
+                let is_near = undecided && at_most <= enough && aim.tolerance > NOISE;
+                search.at_most = if is_near { aim.tolerance } else { at_most };
                 break;
             }
             left -= 1;
@@ -154,7 +157,8 @@ impl CubicChain {
 struct Search<'a> {
     other: &'a CubicChain,
     steps: &'a mut Effort,
-    parts: BinaryHeap<Part>,
+    /// By how far they lie away at most.
+    parts: BinaryHeap<Ranked<Part>>,
     at_least: f64,
     at_most: f64,
     place: Option<(Point, usize)>,
@@ -188,12 +192,13 @@ impl<'a> Search<'a> {
 
     fn push(&mut self, segment: usize, cubic: CubicBez, feet: [ChainFoot; 2]) {
         self.steps.take(STEPS_OF_A_CUBIC);
-        self.parts.push(Part {
+        let rank = self.other.bound(&cubic, feet);
+        let of = Part {
             segment,
             cubic,
             feet,
-            at_most: self.other.bound(&cubic, feet),
-        });
+        };
+        self.parts.push(Ranked { rank, of });
     }
 
     fn farthest(self) -> Farthest {
@@ -212,26 +217,6 @@ impl<'a> Search<'a> {
         }
     }
 }
-
-impl Ord for Part {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.at_most.total_cmp(&other.at_most)
-    }
-}
-
-impl PartialOrd for Part {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Part {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Part {}
 
 #[cfg(test)]
 mod tests {

@@ -13,7 +13,6 @@ mod known;
 pub(crate) mod nearly;
 mod part;
 mod peaks;
-mod pending;
 mod place;
 mod quick;
 mod search;

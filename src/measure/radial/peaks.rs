@@ -8,13 +8,13 @@ use kurbo::Vec2;
 use super::Profile;
 use super::known::Known;
 use super::part::{Motion, Part};
-use super::pending::Pending;
 use super::place::{EXACT, Place};
 use super::slopes::{multipliers, narrowed};
 use super::tangents::Tangents;
 use crate::numeric::ball::Ball;
 use crate::numeric::double::{Double, Twice};
 use crate::numeric::foot::foot_in_unit;
+use crate::numeric::ranked::Ranked;
 
 /// The largest x = |F| / (2 G b²), G = Σ αᵢ qᵢ² and b the smaller radius, for which a part passes for near. There s is F / (2 G) but for
 /// a factor between 1 - 3x and 1 + 3x, and d is F / (2 √G) but for one between 1 - 2x and 1 + 1.3x.
@@ -34,10 +34,17 @@ pub(super) struct Search<'a, F> {
     pub(super) center: Vec2,
     pub(super) alpha: [f64; 2],
     pub(super) known: &'a mut Known,
-    /// The parts that have to be halved.
-    pending: BinaryHeap<Pending>,
+    /// The parts that have to be halved, by how far their bounds lie above what is known.
+    pending: BinaryHeap<Ranked<Pending>>,
     /// Half a unit in the last place of the largest coordinate or so, or of the larger radius where that is less: no bound needs to be closer.
     pub(super) last_place: f64,
+}
+
+/// A part, how often it may be halved, and its bounds on either side.
+struct Pending {
+    part: Part,
+    cuts: u32,
+    bounds: [f64; 2],
 }
 
 /// Visits places of a segment as (t, what the distance there lies between). What all of them lie between, and what was known before,
@@ -78,10 +85,9 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     fn close(&mut self) {
         let mut halved = 0;
         while !self.known.is_beyond()
-            && let Some(Pending {
-                part, cuts, bounds, ..
-            }) = self.pending.pop()
+            && let Some(Ranked { of: pending, .. }) = self.pending.pop()
         {
+            let Pending { part, cuts, bounds } = pending;
             if self.open(&part, bounds, self.last_place) == [false; 2] {
                 continue;
             }
@@ -249,12 +255,10 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// Leaves a part to be halved.
     pub(super) fn leave(&mut self, part: &Part, cuts: u32, bounds: [f64; 2]) {
-        self.pending.push(Pending {
-            above: self.known.most_above(bounds),
-            part: *part,
-            cuts,
-            bounds,
-        });
+        let rank = self.known.most_above(bounds);
+        let part = *part;
+        let of = Pending { part, cuts, bounds };
+        self.pending.push(Ranked { rank, of });
     }
 
     /// On which sides a part may lie farther than what is known. A bound that is hardly above it, for its own rounding, is stated.

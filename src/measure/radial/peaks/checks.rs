@@ -347,13 +347,8 @@ fn parts_of_the_largest_bounds_come_first() {
         }
         let mut last = f64::INFINITY;
         while let Some(next) = search.pending.pop() {
-            assert!(next.above < last);
-            let same = Pending {
-                above: next.above,
-                ..next
-            };
-            assert!(same == next && search.pending.peek().is_none_or(|other| *other != next));
-            last = next.above;
+            assert!(next.rank < last);
+            last = next.rank;
         }
     });
 }
