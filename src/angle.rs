@@ -10,6 +10,7 @@ use kurbo::Vec2;
 
 use crate::error::{Error, Result, finite};
 use crate::number::digits::ROUNDING;
+use crate::numeric::functions::angle_of;
 
 /// An angle, held in degrees so that quarters, eighths and twelfths of a turn are exact.
 ///
@@ -43,6 +44,11 @@ impl Angle {
         Self {
             degrees: radians.to_degrees(),
         }
+    }
+
+    /// The angle of a vector, from +x towards +y.
+    pub(crate) fn of(vector: Vec2) -> Self {
+        Self::from_radians(angle_of(vector))
     }
 
     /// The angle in degrees.

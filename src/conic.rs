@@ -19,7 +19,7 @@ use crate::angle::Angle;
 use crate::approximate::{Options, automatic_precision};
 use crate::curve::{Curve, with_handles};
 use crate::error::{Error, JointsError, Result, ShapeError, finite, positive};
-use crate::joints::{Cut, MOST_SEGMENTS, quarters};
+use crate::joints::{Cut, check_count, quarters};
 use crate::method::{Method, Rule};
 use crate::number::Precision;
 use crate::radial_error::{RadialError, within};
@@ -163,8 +163,8 @@ impl Conic {
         let arc = Arc::new(
             truth.center,
             truth.radii,
-            Angle::from_radians(libm::atan2(truth.axis.y, truth.axis.x)),
-            Angle::from_radians(libm::atan2(first.y, first.x)),
+            Angle::of(truth.axis),
+            Angle::of(first.to_vec2()),
             Angle::from_degrees(sweep.copysign(placement.determinant())),
         )?;
         Ok(Some(Shape::Arc(Arc {
@@ -234,12 +234,7 @@ impl Conic {
 
     /// Pieces of equal parameter.
     fn equal(&self, count: usize, method: Option<Method>) -> Result<Vec<PathSeg>> {
-        if count == 0 || count > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count,
-                most: MOST_SEGMENTS,
-            });
-        }
+        check_count(count)?;
         let half = Frame::new(self).half;
         let joint = |i: usize| half * (2.0 * i as f64 - count as f64) / count as f64;
         self.pieces(&(0..=count).map(joint).collect::<Vec<_>>(), method)

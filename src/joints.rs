@@ -20,6 +20,15 @@ pub const MOST_SEGMENTS: usize = 1_000_000;
 /// The most segments that all subpaths of a path become.
 pub(crate) const MOST_IN_ALL: usize = 5 * MOST_SEGMENTS;
 
+/// Refuses a count of 0 or beyond [`MOST_SEGMENTS`].
+pub(crate) const fn check_count(count: usize) -> Result<()> {
+    let most = MOST_SEGMENTS;
+    if count == 0 || count > most {
+        return Err(Error::Count { count, most });
+    }
+    Ok(())
+}
+
 /// How much of a quarter turn may exceed the quarters before it needs a segment of its own: float noise and the near-quarter
 /// arcs that drawing programs write do not add one.
 const QUARTER_SLACK: f64 = 0.05;

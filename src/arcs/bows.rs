@@ -18,6 +18,7 @@ use crate::course::{self, Course};
 use crate::error::Result;
 use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
 use crate::number::Precision;
+use crate::numeric::functions::angle_of;
 use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Given, Shape};
 
@@ -102,7 +103,7 @@ impl Builder<'_> {
                 Some((arc.radii, arc.rotation.degrees(), sweep))
             } else {
                 let axis = outline.truth.axis;
-                let rotation = libm::atan2(axis.y, axis.x).to_degrees();
+                let rotation = angle_of(axis).to_degrees();
                 Some((outline.truth.radii, rotation, sweep))
             }
         } else {

@@ -4,6 +4,7 @@ use kurbo::{Affine, CubicBez, ParamCurve as _, Point, Vec2};
 
 use super::near::{Rules, size};
 use crate::Angle;
+use crate::numeric::functions::angle_of;
 use crate::shape::Truth;
 
 /// The least part that one radius of an ellipse may be of the other.
@@ -54,7 +55,7 @@ impl Diameters {
         let (mean, half, twice) = self.squares();
         let radii = [(mean + half).sqrt(), (mean - half).max(0.0).sqrt()];
         (radii[1] > FLATTEST * radii[0]).then(|| {
-            let rotation = 0.5 * libm::atan2(twice.y, twice.x);
+            let rotation = 0.5 * angle_of(twice);
             let quarters = (rotation / core::f64::consts::FRAC_PI_2).round();
             let rest = rotation - quarters * core::f64::consts::FRAC_PI_2;
             let [a, b] = radii;

@@ -13,6 +13,7 @@ use kurbo::{CubicBez, Vec2};
 use super::chain::Chain;
 use super::form::{Fitted, Replacement};
 use super::oval;
+use crate::numeric::functions::angle_of;
 
 /// How often points are exchanged.
 const EXCHANGES: usize = 6;
@@ -329,7 +330,7 @@ impl Search {
             direction = sides.left.1 + sides.right.1;
         }
         let (off, unit) = best;
-        let half = libm::atan2(unit.y, unit.x);
+        let half = angle_of(unit);
         // Of less than half a circle no point lies beyond the ends.
         let beyond = if unit.x > 0.0 { beyond } else { 0.0 };
         let is_arc = half.abs() <= LARGEST_HALF && off.is_finite();

@@ -359,8 +359,8 @@ pub(super) fn swept(cubics: &[CubicBez], ellipse: &Truth) -> Option<Arc> {
     Some(Arc {
         center: ellipse.center,
         radii: ellipse.radii,
-        rotation: Angle::from_radians(libm::atan2(ellipse.axis.y, ellipse.axis.x)),
-        start: Angle::from_radians(libm::atan2(start.y, start.x)),
+        rotation: Angle::of(ellipse.axis),
+        start: Angle::of(start),
         sweep: Angle::from_radians(swept),
         ends: Some([from, cubics.last()?.p3]),
         given: Given::Sweep,

@@ -44,7 +44,7 @@ impl Oval {
         Some(SvgArc {
             from,
             radii: ellipse.radii,
-            rotation: Angle::from_radians(libm::atan2(ellipse.axis.y, ellipse.axis.x)),
+            rotation: Angle::of(ellipse.axis),
             large_arc: false,
             sweep: out.cross(on) > 0.0,
             to,

@@ -7,7 +7,7 @@ use kurbo::Vec2;
 
 use crate::angle::first_direction;
 use crate::error::{Error, MethodError, Remedy, Result};
-use crate::joints::MOST_SEGMENTS;
+use crate::joints::check_count;
 use crate::method::{Method, Rule, Span};
 use crate::number::digits::ROUNDING;
 
@@ -94,12 +94,7 @@ impl Steps {
 
     /// So many by any rule, on an ellipse that is a circle or not.
     pub(super) fn by(rule: Rule, count: usize, sweep: f64, is_circle: bool) -> Result<Self> {
-        if count == 0 || count > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count,
-                most: MOST_SEGMENTS,
-            });
-        }
+        check_count(count)?;
         let sees_ellipse = rule.method().is_some_and(Method::sees_ellipse);
         let span = Span::from_degrees(sweep / count as f64);
         let piece = rule.piece(&span)?;

@@ -3,12 +3,12 @@
 use kurbo::Vec2;
 
 use crate::angle::Angle;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::numeric::functions::angle_of;
 use crate::shape::UnitArc;
 use crate::shape::endpoint::Chord;
 
-use super::MOST_SEGMENTS;
+use super::check_count;
 
 /// Pieces of the unit circle, each of which starts where the one before it ends. Joint 0 is the start of the first.
 pub(crate) trait Cutting {
@@ -32,14 +32,9 @@ pub(crate) struct EqualPieces {
 }
 
 impl EqualPieces {
-    /// Refuses a count of 0 or beyond [`MOST_SEGMENTS`].
+    /// Refuses what [`check_count`] does.
     pub(crate) fn new(arc: UnitArc, count: usize) -> Result<Self> {
-        if count == 0 || count > MOST_SEGMENTS {
-            return Err(Error::Count {
-                count,
-                most: MOST_SEGMENTS,
-            });
-        }
+        check_count(count)?;
         Ok(Self { arc, count })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Method, Span};
 use crate::error::Result;
+use crate::numeric::root;
 
 pub use super::tangent::GOLDAPP_ZERO;
 
@@ -17,16 +18,7 @@ pub fn crossing(k: f64) -> f64 {
 /// The handle of a quarter that crosses the circle at 30 degrees; the higher the handle, the later it does.
 #[must_use]
 pub fn handle_crossing_at_30() -> f64 {
-    let (mut low, mut high) = (0.551_8, 0.552);
-    for _ in 0..50 {
-        let middle = f64::midpoint(low, high);
-        if crossing(middle) < 30.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low
+    root(|k| crossing(k) - 30.0, 0.551_8, 0.552)
 }
 
 /// The curvature at the ends, (2/3) times the distance of the second inner control point from the tangent over k².

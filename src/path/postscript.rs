@@ -184,7 +184,7 @@ impl Machine {
             let arc = SvgArc {
                 from: self.here,
                 radii: truth.radii,
-                rotation: Angle::from_radians(libm::atan2(truth.axis.y, truth.axis.x)),
+                rotation: Angle::of(truth.axis),
                 large_arc: false,
                 sweep: (sweep.degrees() > 0.0) == (self.map.determinant() > 0.0),
                 to: at(third),

@@ -69,7 +69,7 @@ impl SvgArc {
             center: truth.center,
             radii: truth.radii,
             rotation: self.rotation,
-            start: Angle::from_radians(libm::atan2(start.y, start.x)),
+            start: Angle::of(start),
             sweep: Angle::from_degrees(chord.sweep),
             ends: Some([self.from, self.to]),
             given: chord.given(self),
