@@ -5,14 +5,15 @@ use svg::node::element::{Circle, Description, Element, Path, Rectangle, Title};
 use svg::node::{self, Node};
 
 use crate::angle::Angle;
+use crate::course::{Course, Step};
 use crate::number::{Precision, text as digits};
-use crate::numeric::functions::angle_of;
 use crate::path;
 use crate::picture::paint::{Color, Paint};
 use crate::picture::scene::{Group, Mark, Pen, Scene};
 #[cfg(feature = "plot")]
 use crate::picture::text::{Anchor, FAMILY, Text};
 use crate::shape::Outline;
+use crate::shape::endpoint::SvgArc;
 
 /// The largest angle of an arc command, in degrees. An arc of half a turn is found from its ends alone, so that their rounding
 /// would move its centre far.
@@ -94,7 +95,12 @@ fn shape(mark: &Mark, scene: &Scene, relative: bool) -> Element {
         Mark::Arcs(courses) => Path::new()
             .set("d", path::data_of_courses(courses, relative))
             .into(),
-        Mark::Truth(outline) => Path::new().set("d", arcs(outline, scene)).into(),
+        Mark::Truth(outline) => Path::new()
+            .set(
+                "d",
+                path::data_of_courses([&arcs(outline, scene)], relative),
+            )
+            .into(),
         Mark::Dot(dot) => Circle::new()
             .set("cx", digits(dot.center.x))
             .set("cy", digits(dot.center.y))
@@ -124,32 +130,28 @@ fn words(text: &Text, scene: &Scene) -> Element {
     element
 }
 
-/// The true shape itself, in arc commands.
-fn arcs(outline: &Outline, scene: &Scene) -> String {
+/// The true shape itself, in arcs.
+fn arcs(outline: &Outline, scene: &Scene) -> Course {
     let sweep = outline.unit.sweep.degrees();
     let count = (sweep.abs() / LARGEST_ARC).ceil().max(1.0);
-    let point = |part: f64| {
-        let angle = outline.unit.start.degrees() + sweep * (part / count);
-        let p = outline.placement * Angle::from_degrees(angle).direction().to_point();
-        [scene.text(p.x), scene.text(p.y)].join(" ")
+    let point = |joint: u32| {
+        let angle = outline.unit.start.degrees() + sweep * (f64::from(joint) / count);
+        outline.placement * Angle::from_degrees(angle).direction().to_point()
     };
-    let truth = &outline.truth;
-    let ellipse = [
-        digits(truth.radii.x),
-        digits(truth.radii.y),
-        digits(angle_of(truth.axis).to_degrees()),
-    ];
-    let positive = (sweep > 0.0) == (outline.placement.determinant() > 0.0);
-    let command = format!("A{} 0 {} ", ellipse.join(" "), u8::from(positive));
-    let mut data = format!("M{}", point(0.0));
-    for i in 1..=count as u32 {
-        data += &command;
-        data += &point(f64::from(i));
-    }
-    if outline.unit.closed {
-        data.push('Z');
-    }
-    data
+    let arc = |joint: u32| SvgArc {
+        from: point(joint - 1),
+        radii: outline.truth.radii,
+        rotation: Angle::of(outline.truth.axis),
+        large_arc: false,
+        sweep: (sweep > 0.0) == (outline.placement.determinant() > 0.0),
+        to: point(joint),
+    };
+    let course = Course {
+        start: point(0),
+        steps: (1..=count as u32).map(arc).map(Step::Elliptical).collect(),
+        closed: outline.unit.closed,
+    };
+    course.rounded(Precision::Fixed(scene.decimals))
 }
 
 fn set_pen(element: &mut Element, pen: &Pen) {
