@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::remedies::in_a_sentence;
 
 /// A format of one of the commands.
-pub(crate) trait FileFormat: ValueEnum {
+pub(crate) trait FileFormat: ValueEnum + PartialEq {
     /// The extensions of its files, in lower case.
     fn extensions(&self) -> &'static [&'static str];
 }
@@ -31,12 +31,12 @@ pub(crate) fn choose<F: FileFormat + Default>(
     named: Option<F>,
     output: Option<&Path>,
 ) -> Result<F, Failure> {
-    choose_but("", named, output)
+    choose_but(None, named, output)
 }
 
-/// The same for a command that cannot make the format of this name.
+/// The same for a command that cannot make this format.
 pub(crate) fn choose_but<F: FileFormat + Default>(
-    left_out: &str,
+    left_out: Option<&F>,
     named: Option<F>,
     output: Option<&Path>,
 ) -> Result<F, Failure> {
@@ -48,7 +48,7 @@ pub(crate) fn choose_but<F: FileFormat + Default>(
                 format!("no format of this command has the extension .{extension}"),
                 format!(
                     "its formats are {}; -f names one, whatever the file is called",
-                    list_but::<F>(left_out)
+                    list_but(left_out)
                 ),
             )
         }),
@@ -83,14 +83,14 @@ fn by_extension<F: FileFormat>(extension: &str) -> Option<F> {
 
 /// All of them in a sentence.
 pub(crate) fn list<F: FileFormat>() -> String {
-    list_but::<F>("")
+    list_but::<F>(None)
 }
 
-fn list_but<F: FileFormat>(left_out: &str) -> String {
+fn list_but<F: FileFormat>(left_out: Option<&F>) -> String {
     let names: Vec<String> = F::value_variants()
         .iter()
+        .filter(|&format| left_out != Some(format))
         .filter_map(|format| Some(format.to_possible_value()?.get_name().to_owned()))
-        .filter(|name| name != left_out)
         .collect();
     in_a_sentence(&names, "and")
 }

@@ -82,7 +82,7 @@ impl BatchArgs {
             || std::thread::available_parallelism().map_or(1, usize::from),
             |jobs| jobs.get().min(256),
         );
-        let format = formats::choose_but(Format::Gcode.name(), self.format, self.output.path())?;
+        let format = formats::choose_but(Some(&Format::Gcode), self.format, self.output.path())?;
         if format == Format::Gcode {
             return Err(Failure::request_with_hint(
                 "a batch has no G-code",

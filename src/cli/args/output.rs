@@ -75,7 +75,7 @@ impl OutputArgs {
 
     /// The same for a command that makes no G-code.
     pub(crate) fn format_but_gcode(&self) -> Result<Format, Failure> {
-        formats::choose_but(Format::Gcode.name(), self.format, self.output.path())
+        formats::choose_but(Some(&Format::Gcode), self.format, self.output.path())
     }
 
     /// How it is to be written, where the format can do what was asked for.
