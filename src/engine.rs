@@ -43,7 +43,7 @@ pub use lanes::{Instructions, ManyCubics, cubics_of_arcs, cubics_of_svg_arcs};
 pub struct Cubics {
     /// The first point of the arc, and how far the current one has come from it.
     start: Point,
-    way: Vec2,
+    offset: Vec2,
     /// The current point, its radius vector and the derivative there.
     point: Point,
     radius: Vec2,
@@ -73,8 +73,8 @@ impl Iterator for Cubics {
             let step = t0 * self.sine - self.radius * self.versine;
             let turned = t0 - (self.radius * self.sine + t0 * self.versine);
             self.radius += step;
-            self.way += step;
-            (self.start + self.way, turned)
+            self.offset += step;
+            (self.start + self.offset, turned)
         };
         (self.point, self.tangent) = (p3, t3);
         let handles = [t0 * self.handle, t3 * self.handle];
@@ -154,7 +154,7 @@ impl ArcRun {
     fn cubics(&self, steps: &Steps) -> Cubics {
         Cubics {
             start: self.start.point,
-            way: Vec2::ZERO,
+            offset: Vec2::ZERO,
             point: self.start.point,
             radius: self.start.radius,
             tangent: self.start.tangent,

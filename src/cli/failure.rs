@@ -162,7 +162,7 @@ fn coloured(text: &str) -> String {
     text.split_inclusive('\n').map(line).collect()
 }
 
-/// A message without the numbers that Rust puts behind the system's words: `(os error 2)`.
+/// A message without the numbers that Rust puts after the system's words: `(os error 2)`.
 fn without_numbers_of_the_system(text: &str) -> String {
     let mut parts = text.split(" (os error ");
     let mut out = parts.next().unwrap_or_default().to_owned();

@@ -11,23 +11,23 @@
 //! Marching through the sweep with segments as long as an error T lets them be takes f(T) of them, and no cut takes fewer where
 //! a longer segment errs more; f falls with T as T^(-1/order), so that the T of a whole count is found in a few steps.
 
+mod by_lobes;
 #[cfg(test)]
 pub(crate) mod costs;
 mod errors;
 mod level;
 mod lobes;
 mod march;
-mod told;
 
 use super::Joints;
 use crate::method::{Ends, Method, Rule};
 use crate::shape::{Outline, UnitArc};
+pub(crate) use by_lobes::{around, nearly};
 use errors::Errors;
 #[cfg(test)]
 pub(crate) use errors::LOOKS;
 use level::Level;
 use lobes::Lobes;
-pub(crate) use told::{around, nearly};
 
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
 const GRID: f64 = 1.0 / (1 << 30) as f64;

@@ -199,14 +199,14 @@ impl Decimal {
         let prefix = usize::from(negative | after.is_continued(before == 0));
         let point = prefix + (before & 15) as usize;
         let end = out.len() + point + usize::from(decimals > 0) + decimals as usize;
-        // What stands before the point, the point, and what stands behind it: each is written over the idle end of the one before.
+        // What stands before the point, the point, and what stands after it: each is written over the idle end of the one before.
         out.extend_from_slice(&[mark; ROOM]);
         if let Some(text) = out.last_chunk_mut::<ROOM>() {
             let digits = digits | ZEROS;
             text[prefix..prefix + 8].copy_from_slice(&(digits >> (8 * leading)).to_le_bytes());
             text[point] = b'.';
-            let behind = (digits >> (4 * whole)) >> (4 * whole);
-            text[point + 1..point + 9].copy_from_slice(&behind.to_le_bytes());
+            let fraction = (digits >> (4 * whole)) >> (4 * whole);
+            text[point + 1..point + 9].copy_from_slice(&fraction.to_le_bytes());
         }
         out.truncate(end);
         decimals > 0

@@ -1,4 +1,4 @@
-//! What the lobes tell of the peak error before it is measured.
+//! The peak error by the lobes, before it is measured.
 
 use super::lobes::Lobes;
 use crate::joints::cutting::Cutting;

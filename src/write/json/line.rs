@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_is_that_of_the_document_behind_its_id() {
+    fn a_line_is_that_of_the_document_after_its_id() {
         let mut memo = Memo::default();
         let mut drawings = Vec::new();
         for shape in shapes() {
