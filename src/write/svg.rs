@@ -7,6 +7,7 @@ use svg::node::{self, Node};
 use crate::angle::Angle;
 use crate::course::{Course, Step};
 use crate::number::{Precision, text as digits};
+use crate::numeric::functions::angle_of;
 use crate::path;
 use crate::picture::paint::{Color, Paint};
 use crate::picture::scene::{Group, Mark, Pen, Scene};
@@ -138,10 +139,12 @@ fn arcs(outline: &Outline, scene: &Scene) -> Course {
         let angle = outline.unit.start.degrees() + sweep * (f64::from(joint) / count);
         outline.placement * Angle::from_degrees(angle).direction().to_point()
     };
+    // The axis is a vector, whose angle has idle digits; as far as this nobody sees it turn.
+    let rotation = Precision::Fixed(9).round(angle_of(outline.truth.axis).to_degrees());
     let arc = |joint: u32| SvgArc {
         from: point(joint - 1),
         radii: outline.truth.radii,
-        rotation: Angle::of(outline.truth.axis),
+        rotation: Angle::from_degrees(rotation),
         large_arc: false,
         sweep: (sweep > 0.0) == (outline.placement.determinant() > 0.0),
         to: point(joint),

@@ -110,6 +110,8 @@ fn what_is_shown_lies_in_groups_of_its_own() {
     assert_eq!(document.matches("<circle").count(), 4 + 8);
     // The true shape is no Bézier curve.
     assert!(document.contains("<path d=\"M50 0A50 50 0 0 1-25 43.301A"));
+    let turned = svg("ellipse 30 20 --rotation 33 --show truth");
+    assert!(turned.contains("A30 20 33 0 1-"), "{turned}");
     let relative = svg("circle 50 --show truth --relative");
     assert!(relative.contains("<path d=\"M50 0a50 50 0 0 1-75 43.301a"));
 }
