@@ -20,7 +20,7 @@ mod rule;
 mod span;
 mod tangent;
 
-pub use catalogue::{Card, Degree, Ends};
+pub use catalogue::{Card, Degree, Ends, Law};
 pub use chen::{Iteration, Quadrature};
 pub use rule::Rule;
 pub use span::Span;

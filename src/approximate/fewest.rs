@@ -343,14 +343,15 @@ impl Request<'_> {
     /// About how many equal segments err so much on the unit circle: as many as the leading term asks for.
     fn count_by_order(&self, allowed: f64) -> usize {
         let sweep = self.outline.unit.sweep.degrees().abs().to_radians();
-        match self.options.rule.method().map(Method::card) {
-            Some(card) if card.order > 0 => {
-                let times = card.leading_constant / allowed;
-                let count = sweep * libm::pow(times, 1.0 / f64::from(card.order));
-                (count.ceil() as usize).clamp(1, MOST_SEGMENTS)
-            }
-            _ => 1,
-        }
+        let law = self
+            .options
+            .rule
+            .method()
+            .and_then(|method| method.card().law);
+        law.map_or(1, |law| {
+            let count = sweep * libm::pow(law.constant / allowed, 1.0 / f64::from(law.order));
+            (count.ceil() as usize).clamp(1, MOST_SEGMENTS)
+        })
     }
 }
 

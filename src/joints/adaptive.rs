@@ -68,15 +68,16 @@ impl Balance {
         if outline.truth.is_circle() || !serves(rule) {
             return None;
         }
-        let card = rule.method()?.card();
+        let law = rule.method()?.card().law?;
         let axes = outline.axes();
+        let order = f64::from(law.order);
         Some(Self {
             arc: outline.unit,
-            errors: Errors::new(rule, axes.short),
-            lobes: Lobes::new(rule, f64::from(card.order), axes.short),
+            errors: Errors::new(rule, law, axes.short),
+            lobes: Lobes::new(rule, order, axes.short),
             axis: axes.angle,
-            order: f64::from(card.order),
-            root: libm::pow(axes.short, 1.0 / f64::from(card.order)),
+            order,
+            root: libm::pow(axes.short, 1.0 / order),
             largest_angle: rule.largest_uneven_angle(axes.short)?,
         })
     }

@@ -267,7 +267,7 @@ fn entry(rule: Rule) -> MethodEntry {
             Degree::Quadratic => 2,
             Degree::Cubic => 3,
         },
-        order: (card.order > 0).then_some(card.order),
+        order: card.law.map(|law| law.order),
         leading: card.leading.to_owned(),
         criterion: card.criterion.to_owned(),
         origin: card.origin.to_owned(),

@@ -107,8 +107,8 @@ fn methods_defined_by_integrals_follow_their_leading_term_down_to_a_millionth_of
     {
         for degrees in [1e-6, 3e-6, 1e-5, 1e-4, 0.001, 0.005] {
             let span = Span::from_degrees(degrees);
-            let card = method.card();
-            let leading = card.leading_constant * span.a.powi(i32::from(card.order));
+            let law = method.card().law.unwrap();
+            let leading = law.constant * span.a.powi(i32::from(law.order));
             let stated = method.radial_error(&span).unwrap().peak();
             let allowed = 2e-10 + span.a * span.a;
             assert!(
@@ -127,10 +127,9 @@ fn methods_defined_by_integrals_follow_their_leading_term_down_to_a_millionth_of
 #[test]
 fn stated_errors_grow_smoothly_with_the_angle() {
     for method in Method::ALL {
-        let card = method.card();
-        if card.order == 0 {
+        let Some(law) = method.card().law else {
             continue;
-        }
+        };
         let mut before = 0.0;
         let mut degrees = 1e-6;
         while degrees < 120.0 {
@@ -140,7 +139,7 @@ fn stated_errors_grow_smoothly_with_the_angle() {
             } else {
                 stated.peak() / before
             };
-            let law = 1.02_f64.powi(i32::from(card.order));
+            let law = 1.02_f64.powi(i32::from(law.order));
             assert!(
                 before == 0.0 || (growth > 1.0 && growth < law * 1.35),
                 "{method} at {degrees}: {growth} against {law}"

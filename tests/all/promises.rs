@@ -38,7 +38,7 @@ fn judged(drawing: &Drawing, center: Point, radius: f64) -> f64 {
 fn method() -> impl Strategy<Value = Method> {
     let falling: Vec<Method> = Method::ALL
         .into_iter()
-        .filter(|method| method.card().order >= 4)
+        .filter(|method| method.card().law.is_some_and(|law| law.order >= 4))
         .collect();
     prop::sample::select(falling)
 }

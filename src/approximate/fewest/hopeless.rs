@@ -21,7 +21,7 @@ impl Request<'_> {
         let chance = 2.0 * 2_f64.sqrt() * tolerance * power(10.0, i32::from(decimals));
         let card = method.card();
         // Numbers for some angles only are refused by those.
-        if chance >= 1.0 || card.ends != Ends::OnCircle || card.order == 0 {
+        if chance >= 1.0 || card.ends != Ends::OnCircle || card.law.is_none() {
             return false;
         }
         let truth = &self.outline.truth;

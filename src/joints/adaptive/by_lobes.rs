@@ -19,7 +19,8 @@ pub(crate) fn nearly(
     sizes: [f64; 2],
     cutting: &impl Cutting,
 ) -> Option<[f64; 2]> {
-    let lobes = Lobes::new(rule, f64::from(rule.method()?.card().order), axes.short);
+    let order = rule.method()?.card().law?.order;
+    let lobes = Lobes::new(rule, f64::from(order), axes.short);
     let (mut peak, mut off) = (0.0_f64, LOBES_OFF);
     for i in 0..cutting.count() {
         let from = cutting.sign() * (cutting.angle(i) - axes.angle);

@@ -5,7 +5,7 @@ use core::cell::RefCell;
 use kurbo::{ParamCurve, Point};
 
 use crate::angle::Angle;
-use crate::method::{Method, Rule, Span, ellipse};
+use crate::method::{Law, Method, Rule, Span, ellipse};
 use crate::numeric::functions::power;
 use crate::numeric::{self, root};
 
@@ -37,9 +37,8 @@ const STEP: f64 = 1.1;
 #[derive(Clone)]
 pub(super) struct Errors {
     rule: Rule,
-    /// The leading term of its error on the circle.
-    leading: f64,
-    order: i32,
+    /// That of its error on the circle.
+    law: Law,
     /// The logarithms of the errors of short segments on the circle, by the power of [`STEP`] that is their length in degrees: with some methods
     /// they would cost most of a search.
     short_ones: RefCell<Vec<(i32, f64)>>,
@@ -52,12 +51,10 @@ pub(super) struct Errors {
 }
 
 impl Errors {
-    pub(super) fn new(rule: Rule, short: f64) -> Self {
-        let card = rule.method().map(Method::card);
+    pub(super) fn new(rule: Rule, law: Law, short: f64) -> Self {
         Self {
             rule,
-            leading: card.map_or(0.0, |card| card.leading_constant),
-            order: card.map_or(0, |card| i32::from(card.order)),
+            law,
             short_ones: RefCell::default(),
             short,
             swing: (1.0 - short) * (1.0 + short) / (short * short),
@@ -118,7 +115,7 @@ impl Errors {
             return ellipse::peak(self.short, from, size).unwrap_or(f64::INFINITY);
         }
         let span = Span::from_degrees(size);
-        if self.leading * power(span.a, self.order) < NOISE {
+        if self.law.constant * power(span.a, i32::from(self.law.order)) < NOISE {
             let weight = |part: f64| self.weight(from + part * size);
             return self.of_short(size) * LOBES.map(weight).into_iter().fold(0.0, f64::max);
         }

@@ -6,7 +6,7 @@ use super::*;
 use crate::numeric::foot::foot;
 
 fn errors(method: Method, short: f64) -> Errors {
-    Errors::new(Rule::Method(method), short)
+    Errors::new(Rule::Method(method), method.card().law.unwrap(), short)
 }
 
 #[test]
