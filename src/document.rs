@@ -24,9 +24,7 @@ use crate::method::{Ends, Rule, Span};
 pub use doubt::{Doubt, Trust};
 pub use failure::Error;
 pub use note::Note;
-pub use paths::{
-    SvgPath, has_transforms_elsewhere, has_uses, svg_paths, svg_shapes, unread_entity,
-};
+pub use paths::{SvgDrawing, SvgPath, Unread, svg_paths, svg_shapes};
 pub use reason::Reason;
 pub use style::property::ElementKind;
 

@@ -11,6 +11,7 @@ use curveto::write::difference::DifferenceDocument;
 use curveto::write::json;
 
 use super::Outcome;
+use super::args::QuietArgs;
 use super::args::diff::{DiffArgs, DiffFormat};
 use super::failure::Failure;
 use super::input::Source;
@@ -33,8 +34,9 @@ pub(super) fn run(args: &DiffArgs) -> Outcome {
             "name a file for one of them",
         ));
     }
-    let old = read::drawing(&args.old).map_err(trouble)?;
-    let new = read::drawing(&args.new).map_err(trouble)?;
+    let notes = QuietArgs { quiet: args.quiet };
+    let old = read::drawing(&args.old, notes).map_err(trouble)?;
+    let new = read::drawing(&args.new, notes).map_err(trouble)?;
     let difference = compare(&old, &new, args.tolerance)?;
     let report = match args.format {
         _ if args.quiet => String::new(),

@@ -1,7 +1,9 @@
 //! The paths of SVG files, with the viewports and transforms of their ancestors.
 
 mod placing;
+mod shapes;
 mod tag;
+mod unread;
 
 use std::borrow::Cow;
 
@@ -9,18 +11,21 @@ use kurbo::Affine;
 
 use self::placing::Coordinates;
 use self::tag::{Tag, entity_error};
-use super::shape::element::{UsedShape, shape};
-use super::shape::length::Length;
-use super::style::css;
-use super::style::property::ElementKind;
-use super::xml::doctype::UNDECLARED;
+pub use self::unread::Unread;
+use super::style::property::{ElementKind, Properties};
+use super::style::reader::FactsReader;
+use super::xml::doctype::{MARKUP, UNDECLARED};
+use super::xml::encoding::Source;
 use super::xml::namespace::Namespace;
 use super::xml::node::{Element, Node};
 use super::xml::scan::Scanner;
-use super::{Error, Reason, read_bytes};
+use super::{Error, read_bytes};
 use crate::contour::Contour;
 use crate::error::TextError;
 use crate::path;
+
+/// The elements in which no other one draws a path: character data, what is said of the drawing, and a `style` that is no sheet.
+const CHARACTER_DATA: [&str; 6] = ["text", "title", "desc", "metadata", "style", "script"];
 
 /// A `path` element of an SVG file, or another that draws.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,14 +38,23 @@ pub struct SvgPath {
     pub contours: crate::Result<(Vec<Contour>, Affine)>,
 }
 
+/// What an SVG file draws, as far as it is read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SvgDrawing {
+    /// What draws, in the order of the file.
+    pub paths: Vec<SvgPath>,
+    /// What may change that, and is not read: each kind once, by its first example.
+    pub unread: Vec<Unread>,
+}
+
 /// Every `path` element of an SVG file, with its own transform, those of its ancestors and nested viewports applied. Style
-/// attributes are read; see [`has_transforms_elsewhere`] for style sheets.
+/// attributes are read; style sheets are not applied, which [`SvgDrawing::unread`] says where it matters.
 ///
 /// # Errors
 ///
 /// As [`super::convert_bytes`].
-pub fn svg_paths(file: impl AsRef<[u8]>) -> Result<Vec<SvgPath>, Error> {
-    elements(file.as_ref(), &["path"])
+pub fn svg_paths(file: impl AsRef<[u8]>) -> Result<SvgDrawing, Error> {
+    drawing(file.as_ref(), &["path"])
 }
 
 /// As [`svg_paths`], and every `circle`, `ellipse`, `rect`, `line`, `polyline` and `polygon`.
@@ -48,8 +62,8 @@ pub fn svg_paths(file: impl AsRef<[u8]>) -> Result<Vec<SvgPath>, Error> {
 /// # Errors
 ///
 /// As [`super::convert_bytes`].
-pub fn svg_shapes(file: impl AsRef<[u8]>) -> Result<Vec<SvgPath>, Error> {
-    elements(
+pub fn svg_shapes(file: impl AsRef<[u8]>) -> Result<SvgDrawing, Error> {
+    drawing(
         file.as_ref(),
         &[
             "path", "circle", "ellipse", "rect", "line", "polyline", "polygon",
@@ -57,177 +71,129 @@ pub fn svg_shapes(file: impl AsRef<[u8]>) -> Result<Vec<SvgPath>, Error> {
     )
 }
 
-/// Whether a style sheet of the file sets transforms, which [`svg_paths`] does not apply.
-#[must_use]
-pub fn has_transforms_elsewhere(file: impl AsRef<[u8]>) -> bool {
-    let (mut sheet, mut sheets) = (None, String::new());
-    let seen = nodes(file.as_ref(), |node, scanner| match node {
-        Node::Start(element) if !element.empty && is_named(element, "style") => {
-            sheet = Some(scanner.depth());
-        }
-        Node::Text(text) if sheet.is_some() => sheets.push_str(text),
-        Node::End { .. } if sheet > Some(scanner.depth()) => sheet = None,
-        _ => {}
-    });
-    seen.is_ok() && css::declares(&sheets, "transform")
-}
-
-/// Whether the file draws elements again by `use`, which [`svg_paths`] does not follow: what they draw is found where it is defined.
-#[must_use]
-pub fn has_uses(file: impl AsRef<[u8]>) -> bool {
-    let mut found = false;
-    let seen = nodes(file.as_ref(), |node, _| {
-        found |= matches!(node, Node::Start(element) if is_named(element, "use"));
-    });
-    seen.is_ok() && found
-}
-
-/// The first entity in the content whose text is not read, although it may hold elements.
-#[must_use]
-pub fn unread_entity(file: impl AsRef<[u8]>) -> Option<TextError> {
-    let mut found = None;
-    let seen = nodes(file.as_ref(), |node, scanner| {
-        let Node::Reference(at, _) = *node else {
-            return;
-        };
-        let name = scanner.source[at + 1..].split(';').next();
-        let why = name.and_then(|name| Some((name, scanner.doctype.why_not(name)?)));
-        // What is declared elsewhere is a character in all but rare cases.
-        if let Some((name, why)) = why.filter(|&(_, why)| why != UNDECLARED) {
-            found.get_or_insert_with(|| entity_error(scanner, at, name, why));
-        }
-    });
-    seen.ok().and(found)
-}
-
-fn is_named(element: &Element<'_>, name: &str) -> bool {
-    element.namespace == Namespace::Svg && element.local == name
-}
-
-/// Visits the nodes of a file.
-fn nodes(file: &[u8], mut visit: impl FnMut(&Node<'_>, &Scanner<'_>)) -> Result<(), Error> {
-    read_bytes(file, |source| {
-        let mut all = || {
+fn drawing(file: &[u8], names: &[&str]) -> Result<SvgDrawing, Error> {
+    let read = |source: Source<'_>| {
+        let all = || {
             let mut scanner = Scanner::new(source)?;
+            let mut drawing = Reading {
+                facts: FactsReader::of_styles(),
+                ..Reading::default()
+            };
             loop {
                 match scanner.next()? {
-                    Node::Done => return Ok(()),
-                    node => visit(&node, &scanner),
+                    Node::Done => return Ok(drawing.done()),
+                    node => drawing.node(&node, &scanner, names),
                 }
             }
         };
         all().map_err(|fault| Error::new(source.text, fault))
-    })
-    .map(|(done, _)| done)
+    };
+    read_bytes(file, read).map(|(drawing, _)| drawing)
 }
 
-fn elements(file: &[u8], names: &[&str]) -> Result<Vec<SvgPath>, Error> {
-    let (mut found, mut places) = (Vec::new(), vec![Coordinates::OUTSIDE]);
-    let (mut counted, mut line) = (0, 1);
-    nodes(file, |node, scanner| {
-        let element = match node {
-            Node::Start(element) => element,
+/// An open element.
+struct Open {
+    place: Coordinates,
+    /// Whether nothing within it draws a path.
+    is_text: bool,
+}
+
+/// A drawing of which not all nodes were seen.
+#[derive(Default)]
+struct Reading {
+    found: Vec<SvgPath>,
+    facts: FactsReader,
+    open: Vec<Open>,
+    /// Of each one found whose geometry a style sheet may set: its kind, its number and its class.
+    classes: Vec<(ElementKind, usize, Option<String>)>,
+    entity: Option<TextError>,
+    /// The byte up to which lines were counted, and how many breaks stand before it.
+    counted: (usize, usize),
+}
+
+impl Reading {
+    fn node(&mut self, node: &Node<'_>, scanner: &Scanner<'_>, names: &[&str]) {
+        match node {
+            Node::Start(element) => self.element(element, scanner, names),
             Node::End { .. } => {
-                places.pop();
-                return;
+                self.open.pop();
             }
-            _ => return,
-        };
-        let outer = places.last().unwrap_or(&Coordinates::OUTSIDE);
+            Node::Reference(at, _) => self.reference(*at, scanner),
+            _ => {}
+        }
+        self.facts.node(node, scanner);
+    }
+
+    fn element(&mut self, element: &Element<'_>, scanner: &Scanner<'_>, names: &[&str]) {
+        let outer = self.open.last();
+        let outer_place = outer.map_or(&Coordinates::OUTSIDE, |open| &open.place);
         let tag = Tag::new(element.local, scanner);
-        let place = if element.namespace == Namespace::Svg {
-            outer.within(&tag)
+        let is_svg = element.namespace == Namespace::Svg;
+        let place = if is_svg {
+            outer_place.within(&tag)
         } else {
-            outer.clone()
+            outer_place.clone()
         };
-        if element.namespace == Namespace::Svg && names.contains(&element.local) {
-            let before = &scanner.source[counted..element.start];
-            line += before.matches('\n').count();
-            counted = element.start;
-            found.push(SvgPath {
-                line,
+        let is_text = outer.is_some_and(|open| open.is_text)
+            || is_svg && CHARACTER_DATA.contains(&element.local);
+        if is_svg && names.contains(&element.local) {
+            let (counted, breaks) = &mut self.counted;
+            *breaks += scanner.source[*counted..element.start]
+                .matches('\n')
+                .count();
+            *counted = element.start;
+            if let Some(kind) = ElementKind::named(element.local) {
+                let class = scanner.attribute("class").map(Cow::into_owned);
+                self.classes.push((kind, self.found.len(), class));
+            }
+            self.found.push(SvgPath {
+                line: *breaks + 1,
                 id: scanner.attribute("id").map(Cow::into_owned),
                 contours: contours(&tag, &place),
             });
         }
         if !element.empty {
-            places.push(place);
+            self.open.push(Open { place, is_text });
         }
-    })?;
-    Ok(found)
+    }
+
+    /// Takes up a reference in the content, which may stand for elements.
+    fn reference(&mut self, at: usize, scanner: &Scanner<'_>) {
+        let name = scanner.source[at + 1..].split(';').next();
+        let why = name.and_then(|name| Some((name, scanner.doctype.why_not(name)?)));
+        let is_text = self.open.last().is_some_and(|open| open.is_text);
+        // What is declared elsewhere is a character in all but rare cases, but for style sheets every character counts.
+        let matters =
+            |why| self.facts.is_in_sheet(scanner) || why == MARKUP || why != UNDECLARED && !is_text;
+        if let Some((name, why)) = why.filter(|&(_, why)| matters(why)) {
+            let error = || entity_error(scanner, at, name, why);
+            self.entity.get_or_insert_with(error);
+        }
+    }
+
+    fn done(self) -> SvgDrawing {
+        let facts = self.facts.facts();
+        let geometry = self.classes.iter().map(|(kind, i, class)| {
+            let id = self.found[*i].id.as_deref();
+            facts.styled_geometry(*kind, class.as_deref(), id)
+        });
+        let set = geometry.fold(facts.moving(), Properties::with);
+        let unread = [
+            (!set.is_empty()).then(|| Unread::StyleSheet(set.first_name())),
+            facts.has_external_style().then_some(Unread::ExternalStyle),
+            facts.has_uses.then_some(Unread::Uses),
+            self.entity.map(Unread::Entity),
+        ];
+        SvgDrawing {
+            paths: self.found,
+            unread: unread.into_iter().flatten().collect(),
+        }
+    }
 }
 
 fn contours(tag: &Tag<'_>, place: &Coordinates) -> crate::Result<(Vec<Contour>, Affine)> {
     let map = place.map.clone()?;
-    Ok((path::contours(&data(tag, place)?)?, map))
-}
-
-/// The path data of an element, as SVG 2 gives those of shapes.
-fn data(tag: &Tag<'_>, place: &Coordinates) -> crate::Result<String> {
-    let points = || Ok(tag.attribute("points")?.unwrap_or_default());
-    let given = |name| place.length(tag, name, Some(0.0));
-    Ok(match tag.name {
-        "line" => {
-            let [x1, y1, x2, y2] = [given("x1")?, given("y1")?, given("x2")?, given("y2")?];
-            format!("M{x1} {y1}L{x2} {y2}")
-        }
-        "polyline" | "polygon" if points()?.trim().is_empty() => String::new(),
-        "polyline" => format!("M{}", points()?),
-        "polygon" => format!("M{}Z", points()?),
-        name => match ElementKind::named(name).filter(|kind| *kind != ElementKind::Path) {
-            Some(kind) => round(kind, tag, place)?,
-            None => tag.property("d")?.unwrap_or_default(),
-        },
-    })
-}
-
-/// The path data of a circle, an ellipse or a rectangle.
-fn round(kind: ElementKind, tag: &Tag<'_>, place: &Coordinates) -> crate::Result<String> {
-    let given = |name| place.length(tag, name, Some(0.0));
-    let values = |lengths: [Length; 2]| lengths.map(|length| length.value);
-    let get = |name| Ok(place.optional_length(tag, name)?.map(Length::computed));
-    Ok(match shape(kind, get) {
-        Ok(UsedShape::Ellipse(center, radii)) => ellipse(values(center), values(radii)),
-        Ok(UsedShape::Rect(corner, size, radii)) => {
-            round_rect(values(corner), values(size), values(radii))
-        }
-        Ok(UsedShape::Square) => square(
-            [given("x")?, given("y")?],
-            [given("width")?, given("height")?],
-        ),
-        Err(Reason::NotDrawn(_)) => String::new(),
-        Err(why) => return Err(crate::Error::Text(TextError::Element(why.to_string()))),
-    })
-}
-
-fn ellipse([x, y]: [f64; 2], [rx, ry]: [f64; 2]) -> String {
-    let [left, right] = [x - rx, x + rx];
-    format!("M{right} {y}A{rx} {ry} 0 0 1 {left} {y}A{rx} {ry} 0 0 1 {right} {y}Z")
-}
-
-fn square([x, y]: [f64; 2], [w, h]: [f64; 2]) -> String {
-    if w > 0.0 && h > 0.0 {
-        format!("M{x} {y}H{}V{}H{x}Z", x + w, y + h)
-    } else {
-        String::new()
-    }
-}
-
-fn round_rect([x, y]: [f64; 2], [w, h]: [f64; 2], [rx, ry]: [f64; 2]) -> String {
-    let (right, bottom) = (x + w, y + h);
-    let corner = |x: f64, y: f64| format!("A{rx} {ry} 0 0 1 {x} {y}");
-    [
-        format!("M{} {y}H{}", x + rx, right - rx),
-        corner(right, y + ry),
-        format!("V{}", bottom - ry),
-        corner(right - rx, bottom),
-        format!("H{}", x + rx),
-        corner(x, bottom - ry),
-        format!("V{}", y + ry),
-        corner(x + rx, y),
-        "Z".to_owned(),
-    ]
-    .concat()
+    Ok((path::contours(&shapes::data(tag, place)?)?, map))
 }
 
 #[cfg(test)]
@@ -250,7 +216,7 @@ mod tests {
 <g transform="translate(10 0)"><g transform="scale(2)">
 <path id="a&amp;b" transform="rotate(90)" d="M1 0L2 0"/></g></g>
 <path d="M1 0A1 1 0 0 1 2 0"/></svg>"#;
-        let paths = svg_paths(svg).unwrap();
+        let paths = svg_paths(svg).unwrap().paths;
         assert_eq!((paths[0].line, paths[0].id.as_deref()), (3, Some("a&b")));
         let curves = curves(&paths[0]);
         let PathSeg::Line(line) = curves[0].segments[0] else {
@@ -263,7 +229,9 @@ mod tests {
                 .is_err()
         );
         assert!(svg_paths("<svg><path").is_err());
-        let marked = svg_paths("\u{feff}<svg>\n<!--\u{e9}--><path/></svg>").unwrap();
+        let marked = svg_paths("\u{feff}<svg>\n<!--\u{e9}--><path/></svg>")
+            .unwrap()
+            .paths;
         assert_eq!(marked[0].line, 2);
         assert!(svg_paths("\u{feff}c0").is_err());
     }
@@ -276,7 +244,7 @@ mod tests {
 <path transform="rotate(90)" transform-origin="center" d="M0 0L2 2"/>
 <svg width="50%" viewBox="0 0 1 1" preserveAspectRatio="none"><path d="M0 0L1 1"/></svg>
 <path style="transform:rotate(1rad)" d="M0 0L1 1"/></svg>"#;
-        let paths = svg_paths(svg).unwrap();
+        let paths = svg_paths(svg).unwrap().paths;
         let line = |i: usize| match curves(&paths[i])[0].segments[0] {
             PathSeg::Line(line) => [line.p0, line.p1],
             _ => panic!(),
@@ -286,51 +254,73 @@ mod tests {
         assert!(line(2)[0].distance(Point::new(150.0, -50.0)) < 1e-12);
         assert_eq!(line(3)[1], Point::new(100.0, 100.0));
         assert!(paths[4].contours.is_err());
-        assert!(
-            has_uses("<svg><use href='#a'/></svg>")
-                && has_uses("<s:svg xmlns:s='http://www.w3.org/2000/svg'><s:use/></s:svg>")
-        );
-        assert!(!has_uses("<svg><user/> use </svg>"));
-        assert!(has_transforms_elsewhere(
-            "<svg><style>.a{transform: none}</style></svg>"
-        ));
-        assert!(!has_transforms_elsewhere(
-            "<svg><style>.a{text-transform:none}transform{}</style></svg>"
-        ));
     }
 
     #[test]
-    fn shapes_are_the_paths_that_svg_2_gives_them() {
-        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/><ellipse rx="3"/><rect width="9" height="4" rx="1"/>
-<rect width="9" height="4"/><line x2="4"/><polygon points="0,0 4,0 4,4"/><polyline points="0 0 4 4"/><circle r="10%"/></svg>"#;
-        let shapes = svg_shapes(svg).unwrap();
-        let steps = shapes
-            .iter()
-            .filter_map(|shape| Some(shape.contours.as_ref().ok()?.0[0].steps.len()));
-        assert_eq!(steps.collect::<Vec<_>>(), [2, 2, 8, 4, 1, 3, 1]);
-        assert!(shapes[7].contours.is_err());
-    }
-
-    #[test]
-    fn shapes_are_spelled_with_all_their_numbers() {
-        assert_eq!(
-            ellipse([1.0, 2.0], [3.0, 4.0]),
-            "M4 2A3 4 0 0 1 -2 2A3 4 0 0 1 4 2Z"
-        );
-        assert_eq!(square([1.0, 2.0], [3.0, 5.0]), "M1 2H4V7H1Z");
-        assert_eq!(square([1.0, 2.0], [0.0, 5.0]), "");
-        assert_eq!(square([1.0, 2.0], [3.0, 0.0]), "");
-        assert_eq!(
-            round_rect([1.0, 2.0], [10.0, 20.0], [3.0, 4.0]),
-            "M4 2H8A3 4 0 0 1 11 6V18A3 4 0 0 1 8 22H4A3 4 0 0 1 1 18V6A3 4 0 0 1 4 2Z"
-        );
-        for nothing in ["<polyline points=' '/>", "<polygon/>"] {
-            let shapes = svg_shapes(format!("<svg>{nothing}</svg>")).unwrap();
-            assert!(
-                shapes[0].contours.as_ref().unwrap().0.is_empty(),
-                "{nothing}"
-            );
+    fn what_is_not_read_is_said_of_all_that_convert_minds() {
+        let unread = |text: &str| svg_shapes(text).unwrap().unread;
+        let sheet =
+            |css: &str| unread(&format!("<svg><style>{css}</style><rect class='b'/></svg>"));
+        for (css, property) in [
+            (".a{transform: none}", "transform"),
+            ("@media print{g{Rotate:9deg}}", "rotate"),
+            ("@keyframes k{to{translate:1px}}", "translate"),
+            ("a{b:c;OFFSET-path:none}", "offset-path"),
+            (".b{width:9px}", "width"),
+            ("*{all:unset}", "all"),
+        ] {
+            assert_eq!(sheet(css), [Unread::StyleSheet(property)], "{css}");
         }
+        for css in [
+            ".a{text-transform:none}transform{}",
+            ".a{width:9px}",
+            "g{fill:transform;x:0}/*a{transform:none}*/",
+            "@font-face{transform:none}",
+        ] {
+            assert_eq!(sheet(css), [], "{css}");
+        }
+        let entity =
+            "<!DOCTYPE svg [<!ENTITY t 'transform'>]><svg><style>a{&t;:none}</style></svg>";
+        assert_eq!(unread(entity), [Unread::StyleSheet("transform")]);
+        let plain = "<svg><style type='text/plain'>a{transform:none}</style></svg>";
+        assert_eq!(unread(plain), []);
+        for external in [
+            "<svg><style>@import url(a.css);</style></svg>",
+            "<?xml-stylesheet href='a.css'?><svg/>",
+            "<svg><link rel='stylesheet' href='a.css'/></svg>",
+        ] {
+            assert_eq!(unread(external), [Unread::ExternalStyle], "{external}");
+        }
+        let prefixed = "<s:svg xmlns:s='http://www.w3.org/2000/svg'><s:use/></s:svg>";
+        assert_eq!(unread(prefixed), [Unread::Uses]);
+        assert_eq!(unread("<svg><user/> use </svg>"), []);
+    }
+
+    #[test]
+    fn entities_in_character_data_move_nothing() {
+        let says = |declared: &str, inner: &str| {
+            let text = format!("<!DOCTYPE svg [<!ENTITY e {declared}>]><svg>{inner}</svg>");
+            !svg_paths(text).unwrap().unread.is_empty()
+        };
+        for text in [
+            "<text>&e;</text>",
+            "<text><tspan>&e;</tspan></text>",
+            "<desc>&e;</desc>",
+            "<style type='text/plain'>&e;</style>",
+        ] {
+            assert!(!says("SYSTEM 'x'", text), "{text}");
+        }
+        for elsewhere in ["&e;", "<g>&e;</g>", "<text/>&e;", "<style>&e;</style>"] {
+            assert!(says("SYSTEM 'x'", elsewhere), "{elsewhere}");
+            assert!(!says("'plain'", elsewhere), "{elsewhere}");
+        }
+        assert!(says("'<style/>'", "<text>&e;</text>"));
+        // Declared elsewhere, if at all.
+        let declared = |inner: &str| {
+            let text = format!("<!DOCTYPE svg SYSTEM 'x'><svg>{inner}</svg>");
+            svg_paths(text).unwrap().unread.len()
+        };
+        assert_eq!((declared("&e;"), declared("<style>&e;</style>")), (0, 1));
     }
 
     #[test]
@@ -338,7 +328,7 @@ mod tests {
         let style = format!("transform:translate(7px,0px);{}", "x:y;".repeat(50));
         let path = r#"<path style="&s;" d="M0 0L1 0"/>"#.repeat(3000);
         let svg = format!("<!DOCTYPE svg [<!ENTITY s '{style}'>]><svg>{path}</svg>");
-        let paths = svg_paths(svg).unwrap();
+        let paths = svg_paths(svg).unwrap().paths;
         let at_7 = |path: &SvgPath| curves(path)[0].segments[0].start() == Point::new(7.0, 0.0);
         assert_eq!(paths.iter().filter(|path| at_7(path)).count(), 3000);
     }

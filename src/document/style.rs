@@ -6,6 +6,7 @@ mod motion;
 pub(super) mod of_document;
 pub(super) mod on_element;
 pub(super) mod property;
+pub(super) mod reader;
 pub(super) mod rules;
 mod script;
 pub(super) mod selector;

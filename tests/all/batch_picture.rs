@@ -35,7 +35,7 @@ fn an_svg_document_has_every_shape_in_order_with_its_look() {
     assert!(!paths[1].contains("stroke="));
     assert!(paths[2].contains("id=\"7\"") && paths[2].contains("stroke-width=\"3\""));
     // The document is XML, and its shapes are those of single commands.
-    let shapes = curveto::document::svg_shapes(&svg).unwrap();
+    let shapes = curveto::document::svg_shapes(&svg).unwrap().paths;
     assert_eq!(shapes[2].contours.as_ref().unwrap().0.len(), 2);
     assert!(paths[0].contains(printed(&["circle", "50"]).trim()));
 }

@@ -261,3 +261,49 @@ fn large_and_tiny_coordinates_are_compared() {
         5.0
     );
 }
+
+#[test]
+fn what_is_not_read_of_a_drawing_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg");
+    let line = "M0 0L1 0";
+    let diff = |text: &str, more: &[&str]| {
+        std::fs::write(&file, text).unwrap();
+        let output = run(&[&["diff", line, file.to_str().unwrap()], more].concat());
+        let said = String::from_utf8(output.stderr).unwrap();
+        (output.status.code(), said)
+    };
+    let path = format!("<path d='{line}'/>");
+    let sheet = |css: &str| format!("<svg><style>{css}</style>{path}</svg>");
+    for (text, why) in [
+        (
+            sheet("path{transform:scale(2)}"),
+            "a style sheet sets transform;",
+        ),
+        (
+            sheet("@import 'a.css';"),
+            "a style sheet lies in another file;",
+        ),
+        (
+            format!("<svg>{path}<use href='#a'/></svg>"),
+            "<use> is not followed;",
+        ),
+    ] {
+        let (code, said) = diff(&text, &[]);
+        assert_eq!(code, Some(0), "{text}");
+        assert!(
+            said.starts_with("note: ") && said.contains(&format!("a.svg: {why}")),
+            "{said}"
+        );
+        assert_eq!(diff(&text, &["-q"]), (Some(0), String::new()));
+    }
+    let entity = |inner: &str| {
+        format!("<!DOCTYPE svg [<!ENTITY e SYSTEM 'e.txt'>]><svg>{inner}{path}</svg>")
+    };
+    let silent = (Some(0), String::new());
+    assert_eq!(diff(&entity("<text>&e;</text>"), &[]), silent);
+    assert_eq!(diff(&sheet("path{fill:red}"), &[]), silent);
+    let (code, said) = diff(&entity("<g>&e;</g>"), &[]);
+    assert_eq!(code, Some(2));
+    assert!(said.contains("what it draws is not known"), "{said}");
+}

@@ -2,21 +2,23 @@
 
 use curveto::contour::Contour;
 use curveto::diff::Track;
+use curveto::document::{self, Unread};
 use curveto::error::json;
-use curveto::{document, path};
+use curveto::path;
 use kurbo::Affine;
 use serde_json::{Deserializer, Value};
 
+use super::super::args::QuietArgs;
 use super::super::failure::Failure;
 use super::super::input;
 
 /// The subpaths of a drawing: of path data, or of a file with it, with SVG, JSON or PostScript.
-pub(super) fn drawing(words: &str) -> Result<Vec<Track>, Failure> {
+pub(super) fn drawing(words: &str, notes: QuietArgs) -> Result<Vec<Track>, Failure> {
     let (bytes, name) = input::drawing(words)?;
     let is_svg =
         bytes.trim_ascii_start().starts_with(b"<") || bytes.starts_with("\u{feff}<".as_bytes());
     if is_svg {
-        return some(of_svg(&bytes, &name)?, &name);
+        return some(of_svg(&bytes, &name, notes)?, &name);
     }
     let text = input::in_utf8(bytes, &name)?;
     let begins = |what: &str| text.trim_start().starts_with(what);
@@ -60,16 +62,19 @@ fn tracks(contours: &[Contour], map: Affine) -> Result<Vec<Track>, Failure> {
     Ok(tracks.collect::<curveto::Result<_>>()?)
 }
 
-fn of_svg(svg: &[u8], name: &str) -> Result<Vec<Track>, Failure> {
+fn of_svg(svg: &[u8], name: &str, notes: QuietArgs) -> Result<Vec<Track>, Failure> {
     let mut found = Vec::new();
-    let shapes = document::svg_shapes(svg);
-    let shapes = shapes.map_err(|error| Failure::request(format!("{name}:{error}")))?;
-    if let Some(why) = document::unread_entity(svg) {
-        return Err(Failure::request(format!(
-            "{name}: {why}: what it draws is not known"
-        )));
+    let drawing = document::svg_shapes(svg);
+    let drawing = drawing.map_err(|error| Failure::request(format!("{name}:{error}")))?;
+    for unread in &drawing.unread {
+        if let Unread::Entity(why) = unread {
+            return Err(Failure::request(format!(
+                "{name}: {why}: what it draws is not known"
+            )));
+        }
+        notes.note(&format!("{name}: {unread}"));
     }
-    for shape in shapes {
+    for shape in drawing.paths {
         let place = format!("{name}:{}", shape.line);
         let (contours, map) = shape.contours.map_err(|error| at(&place, &error))?;
         found.extend(tracks(&contours, map)?);

@@ -101,20 +101,10 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Forei
         ));
     };
     let (svg, name) = input::document(input::Source::of(file))?;
-    let paths =
+    let drawing =
         document::svg_paths(&svg).map_err(|error| Failure::request(format!("{name}:{error}")))?;
-    if document::has_transforms_elsewhere(&svg) {
-        let why = "a style sheet mentions transform; style sheets are not applied";
-        report.quiet.note(&format!("{name}: {why}"));
-    }
-    if document::has_uses(&svg) {
-        let why = "<use> is not followed; what it draws is measured where it is defined";
-        report.quiet.note(&format!("{name}: {why}"));
-    }
-    if let Some(why) = document::unread_entity(&svg) {
-        report
-            .quiet
-            .note(&format!("{name}: {why}: what it holds is not measured"));
+    for unread in &drawing.unread {
+        report.quiet.note(&format!("{name}: {unread}"));
     }
     let source = |path: document::SvgPath| {
         let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
@@ -123,7 +113,7 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Forei
             contours: path.contours,
         }
     };
-    let sources = paths.into_iter().map(source).collect();
+    let sources = drawing.paths.into_iter().map(source).collect();
     Ok((name, sources))
 }
 

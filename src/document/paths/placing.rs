@@ -55,7 +55,7 @@ impl Coordinates {
 
     /// The transform of an element itself, about its origin.
     fn own(&self, tag: &Tag<'_>) -> Result<Affine> {
-        for name in ["translate", "rotate", "scale", "offset-path"] {
+        for name in ["translate", "rotate", "scale", "offset-path", "offset"] {
             if let Some(value) = tag.styled(name)?.filter(|value| value != "none") {
                 return Err(unread(name, &value));
             }
@@ -221,7 +221,7 @@ mod tests {
 
     /// Where a file places the point (3, 4), which its path begins with.
     fn placed(text: &str) -> Option<Point> {
-        let paths = svg_paths(text).unwrap();
+        let paths = svg_paths(text).unwrap().paths;
         let (_, map) = paths[0].contours.as_ref().ok()?;
         Some(*map * Point::new(3.0, 4.0))
     }
@@ -344,6 +344,7 @@ mod tests {
             "rotate:5deg",
             "scale:2",
             "offset-path:none;offset-path:path(\"\")",
+            "offset:path(\"M1 1\") 50%",
             "transform:scale(2);transform-origin:1px 1px;transform-box:fill-box",
         ] {
             assert_eq!(placed(&style(said)), None, "{said}");

@@ -132,32 +132,6 @@ fn plain(input: &mut Parser<'_>) -> (String, Bang) {
     }
 }
 
-/// Whether a rule of a style sheet declares a property.
-pub(in crate::document) fn declares(text: &str, name: &str) -> bool {
-    fn block(input: &mut Parser<'_>, name: &str, is_rule: bool) -> bool {
-        let (mut found, mut is_name) = (false, false);
-        loop {
-            match input.next() {
-                Ok(Token::Colon) => found |= is_name,
-                Ok(Token::Ident(word)) => {
-                    is_name = is_rule && word.eq_ignore_ascii_case(name);
-                    continue;
-                }
-                Ok(Token::CurlyBracketBlock) => {
-                    let _: Result<(), ParseError<()>> = input.parse_nested_block(|input| {
-                        found |= block(input, name, true);
-                        Ok(())
-                    });
-                }
-                Ok(_) => {}
-                Err(_) => return found,
-            }
-            is_name = false;
-        }
-    }
-    block(&mut Parser::new(text), name, false)
-}
-
 /// Reads the rules and the declarations of a block; `effect` is that of the declarations that stand in it.
 fn items(input: &mut Parser<'_>, block: Block, effect: &mut Effect, sheet: &mut StyleSheets) {
     let mut start = input.position();

@@ -45,7 +45,7 @@ pub(in crate::document) struct Facts {
     motion: Motion,
     /// Whether the path data of an Android drawable are animated.
     android_morphs: bool,
-    has_uses: bool,
+    pub(in crate::document) has_uses: bool,
     /// The markers that elements of these ids inherit from a `<use>`.
     used: HashMap<String, Markers>,
 }
@@ -59,88 +59,22 @@ pub(in crate::document) fn is_sign(element: &Element<'_>, scanner: &Scanner<'_>)
         || script::may_run(element, scanner)
 }
 
-/// A style sheet whose text is being collected: what stands in the element itself, and not in elements within it.
-struct Collecting {
-    depth: usize,
-    css: String,
-}
-
-/// The sheet in whose element the scanner stands.
-fn within<'c>(
-    collecting: &'c mut [Collecting],
-    scanner: &Scanner<'_>,
-) -> Option<&'c mut Collecting> {
-    let last = collecting.last_mut();
-    last.filter(|collecting| collecting.depth == scanner.depth())
-}
-
 impl Facts {
-    /// Reads a whole document.
-    pub(in crate::document) fn read(source: Source<'_>) -> Result<Self> {
-        let mut facts = Self::default();
-        facts.sheet.rules.folds = source.is_widened;
-        let mut scanner = Scanner::new(source)?;
-        let mut collecting: Vec<Collecting> = Vec::new();
-        loop {
-            match scanner.next()? {
-                Node::Start(element) => {
-                    if facts.element(&element, &scanner) {
-                        collecting.push(Collecting {
-                            depth: scanner.depth(),
-                            css: String::new(),
-                        });
-                    }
-                }
-                Node::End { .. } => {
-                    if let Some(done) =
-                        collecting.pop_if(|collecting| scanner.depth() < collecting.depth)
-                    {
-                        css::read(&done.css, &mut facts.sheet);
-                        facts.motion.style(&done.css, &scanner);
-                    }
-                }
-                Node::Text(text) => {
-                    if let Some(collecting) = within(&mut collecting, &scanner) {
-                        collecting.css.push_str(text);
-                    }
-                }
-                Node::Reference(_, resolved) => {
-                    let collecting = within(&mut collecting, &scanner);
-                    facts.reference(resolved, collecting, &scanner.doctype);
-                }
-                Node::Instruction(text) => {
-                    if text.starts_with("xml-stylesheet") {
-                        facts.set_everywhere(Reason::ExternalStyle);
-                    }
-                }
-                Node::Other => {}
-                Node::Done => break,
-            }
-        }
-        facts.finish();
-        if facts.has_uses {
-            facts.follow_uses(source)?;
-        }
-        Ok(facts)
+    pub(super) fn style_sheet(&mut self, css: &str, scanner: &Scanner<'_>) {
+        self.sheet.rules.folds = scanner.is_widened;
+        css::read(css, &mut self.sheet);
+        self.motion.style(css, scanner);
     }
 
-    fn set_everywhere(&mut self, reason: Reason) {
+    pub(super) fn set_everywhere(&mut self, reason: Reason) {
         if !self.everywhere.contains(&reason) {
             self.everywhere.push(reason);
         }
     }
 
-    /// Notes what an element says; whether its text is a style sheet.
-    fn element(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
-        if script::may_run(element, scanner) {
-            self.set_everywhere(Reason::Script);
-        }
-        self.motion.element(scanner);
+    /// Notes an element that brings styles or passes its own on; whether its text is a style sheet.
+    pub(super) fn styles(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
         let attribute = |name: &str| scanner.attribute(name);
-        let property = element.android.and_then(|i| scanner.attributes.get(i));
-        self.android_morphs |= property.is_some_and(|property| {
-            property.name.ends_with("Name") && property.value == "pathData"
-        });
         match element.local {
             _ if element.namespace == Namespace::Other => {}
             "link"
@@ -155,12 +89,29 @@ impl Facts {
                 return !element.empty
                     && (kind.is_empty() || kind.to_ascii_lowercase().starts_with("text/css"));
             }
+            "use" => self.has_uses = true,
+            _ => {}
+        }
+        false
+    }
+
+    /// Notes what an element may change of others in time.
+    pub(super) fn changes(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) {
+        if script::may_run(element, scanner) {
+            self.set_everywhere(Reason::Script);
+        }
+        self.motion.element(scanner);
+        let property = element.android.and_then(|i| scanner.attributes.get(i));
+        self.android_morphs |= property.is_some_and(|property| {
+            property.name.ends_with("Name") && property.value == "pathData"
+        });
+        match element.local {
+            _ if element.namespace == Namespace::Other => {}
             "animate" | "set" | "animateColor" => {
-                if let Some(name) = attribute("attributeName") {
+                if let Some(name) = scanner.attribute("attributeName") {
                     self.animation(name.trim(), target(element, scanner), scanner);
                 }
             }
-            "use" => self.has_uses = true,
             "mpath" => {
                 if let Some(AnimatedTarget::Id(id)) = target(element, scanner) {
                     self.motion.follow(id);
@@ -168,7 +119,6 @@ impl Facts {
             }
             _ => {}
         }
-        false
     }
 
     fn animation(&mut self, name: &str, target: Option<AnimatedTarget>, scanner: &Scanner<'_>) {
@@ -185,20 +135,18 @@ impl Facts {
         }
     }
 
-    fn reference(
-        &mut self,
-        resolved: Resolved,
-        collecting: Option<&mut Collecting>,
-        doctype: &Doctype,
-    ) {
-        match (resolved, collecting) {
-            (Resolved::Text(text, _), Some(collecting)) => collecting.css.push_str(&text),
-            (Resolved::Text(_, entity), None) if !entity || !doctype.may_hold_markup() => {}
-            _ => self.set_everywhere(Reason::EntityContent),
+    /// Takes up a reference outside of style sheets, or one in them that is not resolved.
+    pub(super) fn reference(&mut self, resolved: &Resolved, doctype: &Doctype) {
+        let is_plain = match resolved {
+            Resolved::Text(_, entity) => !entity || !doctype.may_hold_markup(),
+            _ => false,
+        };
+        if !is_plain {
+            self.set_everywhere(Reason::EntityContent);
         }
     }
 
-    fn finish(&mut self) {
+    pub(super) fn finish(&mut self) {
         if self.sheet.imports {
             self.set_everywhere(Reason::ExternalStyle);
         }
@@ -240,6 +188,33 @@ impl Facts {
         .into_iter()
         .flatten()
         .find(|reason| reason.counts(trust))
+    }
+
+    /// Whether a style sheet is not in the file.
+    pub(in crate::document) fn has_external_style(&self) -> bool {
+        self.everywhere.contains(&Reason::ExternalStyle)
+    }
+
+    /// What style sheets move elements by, whichever these are.
+    pub(in crate::document) fn moving(&self) -> Properties {
+        let sets = self.sheet.rules.sets.with(self.sheet.keyframes.sets);
+        sets.and(Properties::MOVING)
+    }
+
+    /// What style sheets set of the geometry of an element.
+    pub(in crate::document) fn styled_geometry(
+        &self,
+        kind: ElementKind,
+        class: Option<&str>,
+        id: Option<&str>,
+    ) -> Properties {
+        let subject = SelectorSubject {
+            name: kind.name(),
+            class,
+            id,
+        };
+        let sets = self.sheet.rules.effect(subject).sets;
+        sets.with(self.sheet.keyframes.sets).and(kind.sensitive())
     }
 
     /// Why path data of an Android drawable cannot be replaced: what animates them asks for the same commands.
@@ -295,7 +270,7 @@ impl Facts {
     }
 
     /// Follows markers through `<use>` into what it refers to, which may hold further ones.
-    fn follow_uses(&mut self, source: Source<'_>) -> Result<()> {
+    pub(super) fn follow_uses(&mut self, source: Source<'_>) -> Result<()> {
         for _ in 0..MOST_ROUNDS {
             if self.changed.markers || !self.follow_uses_once(source)? {
                 return Ok(());

@@ -5,7 +5,7 @@
 pub(in crate::document) struct Properties(u32);
 
 /// The names, each a bit of [`Properties`].
-const NAMES: [&str; 15] = [
+const NAMES: [&str; 23] = [
     "cx",
     "cy",
     "r",
@@ -17,6 +17,14 @@ const NAMES: [&str; 15] = [
     "height",
     "d",
     "all",
+    "transform",
+    "transform-origin",
+    "transform-box",
+    "translate",
+    "rotate",
+    "scale",
+    "offset",
+    "offset-path",
     "marker",
     "marker-start",
     "marker-mid",
@@ -60,10 +68,12 @@ impl Properties {
     pub(in crate::document) const NONE: Self = Self(0);
     pub(in crate::document) const D: Self = Self(1 << 9);
     const ALL: Self = Self(1 << 10);
-    const MARKER: u32 = 11;
-    const MARKER_MID: u32 = 13;
+    /// What moves an element, wherever its geometry says it lies.
+    pub(in crate::document) const MOVING: Self = Self(0xff << 11);
+    const MARKER: u32 = 19;
+    const MARKER_MID: u32 = 21;
     /// Every property that is known here: for rules that cannot be read.
-    pub(in crate::document) const ANY: Self = Self((1 << 15) - 1);
+    pub(in crate::document) const ANY: Self = Self((1 << NAMES.len()) - 1);
 
     /// The property of that name (ASCII case does not matter in CSS). Sizes along and across the text are width and height, which
     /// one being a matter of the writing mode.
@@ -224,6 +234,17 @@ mod tests {
         assert!(!Properties::named("height").markers().any);
         let all = Properties::named("all");
         assert!(all.markers().middle && !all.are_markers());
+    }
+
+    #[test]
+    fn what_moves_an_element_is_known_by_its_name() {
+        for name in ["transform", "Transform-Box", "translate", "offset-path"] {
+            let property = Properties::named(name);
+            assert!(property.meets(Properties::MOVING) && !property.are_markers());
+        }
+        for name in ["all", "d", "marker", "text-transform"] {
+            assert!(!Properties::named(name).meets(Properties::MOVING), "{name}");
+        }
     }
 
     #[test]

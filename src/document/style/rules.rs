@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use super::property::{Effect, ElementKind};
+use super::property::{Effect, ElementKind, Properties};
 use super::selector::Compound;
 use crate::document::xml::encoding::folded;
 
@@ -45,6 +45,8 @@ pub(in crate::document) struct StyleRules {
     anywhere: Said,
     by_class: HashMap<Rc<str>, Vec<Item>>,
     by_id: HashMap<Rc<str>, Vec<Item>>,
+    /// What they set, whichever element they do it to.
+    pub(in crate::document) sets: Properties,
     /// Whether the document stands for bytes, so that names beyond ASCII are compared as [`folded`].
     pub(in crate::document) folds: bool,
 }
@@ -116,6 +118,7 @@ impl StyleRules {
 
     /// Takes up what a rule does to the elements of a compound selector.
     pub(in crate::document) fn apply(&mut self, mut compound: Compound, effect: Effect) {
+        self.sets = self.sets.with(effect.sets);
         let mut said = Said::default();
         said.apply(compound.name.take().filter(|_| !compound.unknown), effect);
         self.add(compound, said);
@@ -201,7 +204,6 @@ impl StyleRules {
 
 #[cfg(test)]
 mod tests {
-    use super::super::property::Properties;
     use super::super::selector;
     use super::*;
 

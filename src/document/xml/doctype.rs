@@ -10,6 +10,9 @@ const MAX_DEPTH: usize = 16;
 /// Why the text of an entity that is declared elsewhere, if at all, cannot be had.
 pub(in crate::document) const UNDECLARED: &str = "is not declared in this file";
 
+/// Why the text of an entity is not all that it stands for.
+pub(in crate::document) const MARKUP: &str = "holds markup";
+
 /// The declarations of a document's internal subset.
 #[derive(Debug, Default)]
 pub(in crate::document) struct Doctype {
@@ -161,7 +164,7 @@ impl Doctype {
     /// Why the text of `&name;` cannot be had, or is no plain text.
     pub(in crate::document) fn why_not(&self, name: &str) -> Option<&'static str> {
         match self.resolve(name) {
-            Resolved::Text(text, true) if text.contains('<') => Some("holds markup"),
+            Resolved::Text(text, true) if text.contains('<') => Some(MARKUP),
             Resolved::Text(..) => None,
             _ => Some(match self.entities.get(name) {
                 Some(Entity::External) => "has its text in another file",

@@ -31,7 +31,7 @@ pub(in crate::document) struct Scanner<'a> {
     /// The whole document, with its byte order mark.
     pub(in crate::document) source: &'a str,
     /// Whether it stands for bytes in the encoding that it declares.
-    is_widened: bool,
+    pub(in crate::document) is_widened: bool,
     /// The attributes of the last start tag.
     pub(in crate::document) attributes: Vec<Attribute<'a>>,
     pub(in crate::document) doctype: Doctype,
