@@ -1,6 +1,7 @@
 //! Contours: lines and Béziers as they were given, and arcs that become Béziers, joined at shared points.
 
 mod closeness;
+mod pen;
 mod quadratics;
 
 use core::ops::Range;
@@ -18,6 +19,7 @@ use crate::number::Precision;
 use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Outline, Shape};
 pub use closeness::{Closeness, Nearness};
+pub(crate) use pen::ContourPen;
 use quadratics::{
     check_count, count_of_quadratics, distance_from, distance_of_quadratics, quadratics,
 };

@@ -3,7 +3,7 @@
 use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
 use crate::angle::Angle;
-use crate::contour::{Contour, Step};
+use crate::contour::{Contour, ContourPen};
 use crate::error::{Error, Result, TextError, finite};
 use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Truth};
@@ -55,19 +55,17 @@ pub fn postscript(text: &str) -> Result<Vec<Contour>> {
             })?;
         }
     }
-    machine.end(false);
-    Ok(machine.contours)
+    Ok(machine.pen.contours())
 }
 
 #[derive(Default)]
 struct Machine {
-    contours: Vec<Contour>,
-    steps: Vec<Step>,
+    pen: ContourPen,
+    /// Whether there is a current point.
+    has_point: bool,
     numbers: Vec<f64>,
     map: Affine,
     saved: Vec<Affine>,
-    start: Option<Point>,
-    here: Point,
 }
 
 impl Machine {
@@ -85,14 +83,15 @@ impl Machine {
             "rmoveto" => self.move_to(word, true)?,
             "lineto" | "rlineto" => {
                 let [to] = self.points(word, word == "rlineto")?;
-                self.push(PathSeg::Line(kurbo::Line::new(self.here, to)), to);
+                self.pen.line(to);
             }
             "curveto" | "rcurveto" => {
                 let [a, b, to] = self.points(word, word == "rcurveto")?;
-                self.push(PathSeg::Cubic(CubicBez::new(self.here, a, b, to)), to);
+                let cubic = CubicBez::new(self.pen.here(), a, b, to);
+                self.pen.segment(PathSeg::Cubic(cubic));
             }
             "arc" | "arcn" => self.arc(word)?,
-            "closepath" => self.close(),
+            "closepath" => self.pen.close(),
             "gsave" => self.saved.push(self.map),
             "grestore" => self.map = self.saved.pop().unwrap_or(self.map),
             "translate" => {
@@ -143,7 +142,7 @@ impl Machine {
             let given = Point::new(pair[0], pair[1]);
             *point = if relative {
                 let v = given.to_vec2();
-                self.here + Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y)
+                self.pen.here() + Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y)
             } else {
                 self.map * given
             };
@@ -153,14 +152,9 @@ impl Machine {
 
     fn move_to(&mut self, word: &str, relative: bool) -> Result<()> {
         let [to] = self.points(word, relative)?;
-        self.end(false);
-        (self.here, self.start) = (to, Some(to));
+        self.pen.move_to(to);
+        self.has_point = true;
         Ok(())
-    }
-
-    fn push(&mut self, segment: PathSeg, to: Point) {
-        self.steps.push(Step::Given(segment));
-        self.here = to;
     }
 
     /// An arc, after a line to its start where there is a current point: in thirds, which their ends and radii determine.
@@ -175,39 +169,22 @@ impl Machine {
             let angle = start.degrees() + arc.sweep.degrees() * f64::from(third) / 3.0;
             map * Angle::from_degrees(angle).direction().to_point()
         };
-        if self.start.is_none() {
-            (self.here, self.start) = (at(0), Some(at(0)));
-        } else if self.here != at(0) {
-            self.push(PathSeg::Line(kurbo::Line::new(self.here, at(0))), at(0));
+        if !self.has_point {
+            self.pen.move_to(at(0));
+            self.has_point = true;
+        } else if self.pen.here() != at(0) {
+            self.pen.line(at(0));
         }
         for third in 1..=3 {
-            let arc = SvgArc {
-                from: self.here,
+            self.pen.arc(&SvgArc {
+                from: self.pen.here(),
                 radii: truth.radii,
                 rotation: Angle::of(truth.axis),
                 large_arc: false,
                 sweep: (sweep.degrees() > 0.0) == (self.map.determinant() > 0.0),
                 to: at(third),
-            };
-            self.steps.extend(Step::of_shape(arc.shape()?));
-            self.here = arc.to;
+            })?;
         }
         Ok(())
-    }
-
-    fn close(&mut self) {
-        let start = self.start.unwrap_or(self.here);
-        if self.here != start || self.steps.is_empty() {
-            self.push(PathSeg::Line(kurbo::Line::new(self.here, start)), start);
-        }
-        self.end(true);
-        self.here = start;
-    }
-
-    fn end(&mut self, closed: bool) {
-        if !self.steps.is_empty() {
-            let steps = core::mem::take(&mut self.steps);
-            self.contours.push(Contour { steps, closed });
-        }
     }
 }

@@ -6,7 +6,7 @@ use kurbo::{CubicBez, PathSeg, Point, QuadBez};
 use svgtypes::{PathParser, PathSegment};
 
 use super::refusal::{place, refusal};
-use crate::contour::{Contour, Step};
+use crate::contour::{Contour, ContourPen, Step};
 use crate::curve::{CLOSING_GAP, Curve, size};
 use crate::error::{Error, Result, TextError, UnmeasurableError, finite};
 use crate::number::decimal_sum;
@@ -28,8 +28,7 @@ pub fn contours(data: &str) -> Result<Vec<Contour>> {
             .map_err(|error| syntax(data, refusal(&error, data, "a command or a number")))?;
         subpaths.take(segment)?;
     }
-    subpaths.end();
-    Ok(subpaths.contours)
+    Ok(subpaths.pen.contours())
 }
 
 /// The curves of path data, one for each subpath. A closing line that is next to nothing, as rounding leaves one, is no segment.
@@ -129,10 +128,7 @@ pub fn shortened(text: &str) -> String {
 /// The current subpath.
 #[derive(Default)]
 struct Subpaths {
-    contours: Vec<Contour>,
-    steps: Vec<Step>,
-    start: Point,
-    here: Point,
+    pen: ContourPen,
     /// The last control point of the segment before, where the shorthands T and S reflect it.
     control: Control,
 }
@@ -147,40 +143,33 @@ enum Control {
 
 impl Subpaths {
     fn take(&mut self, segment: PathSegment) -> Result<()> {
+        let here = self.pen.here();
+        // The control point before, mirrored at the current point.
+        let mirrored = |p: Point| here + (here - p);
+        let control = core::mem::take(&mut self.control);
         match segment {
             PathSegment::MoveTo { abs, x, y } => {
-                let p = self.at(abs, x, y)?;
-                self.end();
-                (self.start, self.here) = (p, p);
+                let to = self.at(abs, x, y)?;
+                self.pen.move_to(to);
             }
-            PathSegment::LineTo { abs, x, y } => self.line(self.at(abs, x, y)?),
+            PathSegment::LineTo { abs, x, y } => self.pen.line(self.at(abs, x, y)?),
             PathSegment::HorizontalLineTo { abs, x } => {
                 let p = self.at(abs, x, 0.0)?;
-                self.line(Point::new(p.x, self.here.y));
+                self.pen.line(Point::new(p.x, here.y));
             }
             PathSegment::VerticalLineTo { abs, y } => {
                 let p = self.at(abs, 0.0, y)?;
-                self.line(Point::new(self.here.x, p.y));
+                self.pen.line(Point::new(here.x, p.y));
             }
-            PathSegment::ClosePath { .. } => self.close(),
-            segment => self.curved(segment)?,
-        }
-        Ok(())
-    }
-
-    /// A curve or an arc.
-    fn curved(&mut self, segment: PathSegment) -> Result<()> {
-        // The control point before, mirrored at the current point.
-        let mirrored = |p: Point| self.here + (self.here - p);
-        match segment {
+            PathSegment::ClosePath { .. } => self.pen.close(),
             #[rustfmt::skip]
             PathSegment::CurveTo { abs, x1, y1, x2, y2, x, y } => {
                 self.cubic(self.at(abs, x1, y1)?, self.at(abs, x2, y2)?, self.at(abs, x, y)?);
             }
             PathSegment::SmoothCurveTo { abs, x2, y2, x, y } => {
-                let first = match self.control {
+                let first = match control {
                     Control::Cubic(p) => mirrored(p),
-                    _ => self.here,
+                    _ => here,
                 };
                 self.cubic(first, self.at(abs, x2, y2)?, self.at(abs, x, y)?);
             }
@@ -188,15 +177,17 @@ impl Subpaths {
                 self.quadratic(self.at(abs, x1, y1)?, self.at(abs, x, y)?);
             }
             PathSegment::SmoothQuadratic { abs, x, y } => {
-                let control = match self.control {
+                let control = match control {
                     Control::Quadratic(p) => mirrored(p),
-                    _ => self.here,
+                    _ => here,
                 };
                 self.quadratic(control, self.at(abs, x, y)?);
             }
-            arc => {
-                if let Some(arc) = SvgArc::of_segment(self.here, arc) {
-                    self.arc(arc)?;
+            arc @ PathSegment::EllipticalArc { .. } => {
+                if let Some(arc) = SvgArc::of_segment(here, arc) {
+                    finite("coordinate", arc.to.x)?;
+                    finite("coordinate", arc.to.y)?;
+                    self.pen.arc(&arc)?;
                 }
             }
         }
@@ -206,66 +197,23 @@ impl Subpaths {
     /// A point of a command, absolute or counted from the current one.
     fn at(&self, abs: bool, x: f64, y: f64) -> Result<Point> {
         let (x, y) = (finite("coordinate", x)?, finite("coordinate", y)?);
-        let from = if abs { Point::ZERO } else { self.here };
+        let from = if abs { Point::ZERO } else { self.pen.here() };
         Ok(Point::new(
             finite("coordinate", decimal_sum(from.x, x))?,
             finite("coordinate", decimal_sum(from.y, y))?,
         ))
     }
 
-    fn push(&mut self, segment: PathSeg, end: Point, control: Control) {
-        self.steps.push(Step::Given(segment));
-        self.here = end;
-        self.control = control;
-    }
-
-    fn line(&mut self, end: Point) {
-        self.steps.push(Step::line(self.here, end));
-        self.here = end;
-        self.control = Control::None;
-    }
-
     fn cubic(&mut self, p1: Point, p2: Point, end: Point) {
-        let cubic = CubicBez::new(self.here, p1, p2, end);
-        self.push(PathSeg::Cubic(cubic), end, Control::Cubic(p2));
+        let cubic = CubicBez::new(self.pen.here(), p1, p2, end);
+        self.pen.segment(PathSeg::Cubic(cubic));
+        self.control = Control::Cubic(p2);
     }
 
     fn quadratic(&mut self, p1: Point, end: Point) {
-        let quad = QuadBez::new(self.here, p1, end);
-        self.push(PathSeg::Quad(quad), end, Control::Quadratic(p1));
-    }
-
-    fn arc(&mut self, arc: SvgArc) -> Result<()> {
-        finite("coordinate", arc.to.x)?;
-        finite("coordinate", arc.to.y)?;
-        self.steps.extend(Step::of_shape(arc.shape()?));
-        self.here = arc.to;
-        self.control = Control::None;
-        Ok(())
-    }
-
-    fn close(&mut self) {
-        // A point alone is a dot where lines have round ends.
-        if self.here != self.start || self.steps.is_empty() {
-            self.line(self.start);
-        }
-        self.keep(true);
-        self.here = self.start;
-    }
-
-    /// Ends a subpath that was not closed.
-    fn end(&mut self) {
-        if !self.steps.is_empty() {
-            self.keep(false);
-        }
-    }
-
-    fn keep(&mut self, closed: bool) {
-        self.control = Control::None;
-        self.contours.push(Contour {
-            steps: core::mem::take(&mut self.steps),
-            closed,
-        });
+        let quad = QuadBez::new(self.pen.here(), p1, end);
+        self.pen.segment(PathSeg::Quad(quad));
+        self.control = Control::Quadratic(p1);
     }
 }
 
