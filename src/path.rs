@@ -14,6 +14,8 @@ pub use postscript::postscript;
 pub use power::contours_of_power;
 pub use read::{contours, curve, curves, shortened};
 #[cfg(feature = "document")]
+pub(crate) use refusal::place as place_of;
+#[cfg(feature = "document")]
 pub(crate) use text::PathText;
 pub use transform::transform;
 pub use write::{data, data_of_courses, push_curve};

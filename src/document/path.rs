@@ -5,7 +5,7 @@ pub(super) mod bezier;
 pub(super) mod beziers;
 pub(super) mod collapse;
 pub(super) mod curve_text;
-mod grammar;
+pub(super) mod grammar;
 mod known;
 mod position;
 pub(super) mod run_text;

@@ -22,7 +22,6 @@ use super::xml::scan::Scanner;
 use super::{Error, read_bytes};
 use crate::contour::Contour;
 use crate::error::TextError;
-use crate::path;
 
 /// The elements in which no other one draws a path: character data, what is said of the drawing, and a `style` that is no sheet.
 const CHARACTER_DATA: [&str; 6] = ["text", "title", "desc", "metadata", "style", "script"];
@@ -193,13 +192,14 @@ impl Reading {
 
 fn contours(tag: &Tag<'_>, place: &Coordinates) -> crate::Result<(Vec<Contour>, Affine)> {
     let map = place.map.clone()?;
-    Ok((path::contours(&shapes::data(tag, place)?)?, map))
+    Ok((shapes::contours(tag, place)?, map))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::curve::Curve;
+    use crate::path;
     use kurbo::{ParamCurve as _, PathSeg, Point};
 
     fn curves(path: &SvgPath) -> Vec<Curve> {

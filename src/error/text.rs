@@ -14,6 +14,14 @@ pub enum TextError {
         /// What is expected, and where.
         why: String,
     },
+    /// The points of a `polyline` or a `polygon`.
+    #[error("cannot read the points '{points}': {why}")]
+    Points {
+        /// The points.
+        points: String,
+        /// What is expected, and where.
+        why: String,
+    },
     /// An SVG transform list.
     #[error("not an SVG transform list: {0}")]
     Transform(String),

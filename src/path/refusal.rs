@@ -21,7 +21,7 @@ pub(super) fn refusal(error: &svgtypes::Error, text: &str, expected: &str) -> St
 }
 
 /// Where the character is that is counted from 1, with its line where there are several.
-pub(super) fn place(text: &str, at: usize) -> String {
+pub(crate) fn place(text: &str, at: usize) -> String {
     let (mut line, mut character) = (1, 1);
     for c in text.chars().take(at.saturating_sub(1)) {
         character += 1;

@@ -2,6 +2,11 @@
 
 use crate::number::read as number;
 
+/// Whether a character is white space, as path data and lists of points have it.
+pub(in crate::document) const fn is_space(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\n' | '\r' | '\x0c')
+}
+
 /// The index after white space.
 #[inline]
 pub(in crate::document) fn after_space(bytes: &[u8], mut at: usize) -> usize {

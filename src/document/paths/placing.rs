@@ -5,6 +5,7 @@ use kurbo::{Affine, Vec2};
 use super::tag::Tag;
 use crate::document::shape::length::{self, Reading};
 use crate::error::{Error, Result, TextError, finite};
+use crate::number::read as number;
 use crate::path::{self, shortened};
 
 /// Where the coordinates of an element lie.
@@ -117,8 +118,9 @@ impl Coordinates {
     /// A length in user units, or a part of the viewport.
     fn measure(&self, text: &str, axis: usize) -> Option<f64> {
         if let Some(percent) = text.trim().strip_suffix('%') {
-            let share: f64 = percent.parse().ok()?;
-            return Some(share / 100.0 * self.viewport?[axis]);
+            let (share, end) = number::read(percent.as_bytes(), 0)?;
+            let is_whole = end == percent.len() && share.is_finite();
+            return is_whole.then_some(share / 100.0 * self.viewport?[axis]);
         }
         match length::read(text) {
             Reading::Length(length) => Some(length.value),
