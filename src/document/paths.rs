@@ -1,9 +1,11 @@
 //! The paths of SVG files, with the viewports and transforms of their ancestors.
 
+mod numbers;
 mod placing;
 mod shapes;
 mod tag;
 mod unread;
+mod view_box;
 
 use std::borrow::Cow;
 

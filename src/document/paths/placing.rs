@@ -3,6 +3,7 @@
 use kurbo::{Affine, Vec2};
 
 use super::tag::Tag;
+use super::view_box::ViewBox;
 use crate::document::shape::length::{self, Reading};
 use crate::error::{Error, Result, TextError, finite};
 use crate::number::read as number;
@@ -48,8 +49,8 @@ impl Coordinates {
                 [Some(width), Some(height)] => Some([width, height]),
                 _ => None,
             };
-            let view_box = view_box(tag).ok().flatten();
-            place.viewport = view_box.map(|[_, _, w, h]| [w, h]).or(size);
+            let view_box = ViewBox::of(tag).ok().flatten();
+            place.viewport = view_box.map(|view_box| view_box.size).or(size);
         }
         place
     }
@@ -67,8 +68,7 @@ impl Coordinates {
         else {
             return Ok(Affine::IDENTITY);
         };
-        let plain = text.replace("px", "").replace("deg", "");
-        let own = path::transform(&plain).map_err(|error| {
+        let own = path::transform(&without_units(&text)).map_err(|error| {
             Error::Text(TextError::ElementTransform {
                 text: shortened(&text),
                 why: Box::new(error),
@@ -89,17 +89,20 @@ impl Coordinates {
 
     fn origin(&self, text: &str) -> Result<Vec2> {
         let wrong = || unread("transform-origin", text);
-        let words: Vec<&str> = text.split_ascii_whitespace().collect();
+        let small = text.to_ascii_lowercase();
+        let words: Vec<&str> = small.split_ascii_whitespace().collect();
+        // Words may stand in either order.
         let [x, y] = match words[..] {
+            [y @ ("top" | "bottom")] => ["center", y],
             [x] => [x, "center"],
-            [x, y] => [x, y],
+            [y @ ("top" | "bottom"), x] | [y, x @ ("left" | "right")] | [x, y] => [x, y],
             _ => return Err(wrong()),
         };
         let one = |word: &str, axis: usize| {
-            let share = match word {
-                "left" | "top" => 0.0,
-                "center" => 0.5,
-                "right" | "bottom" => 1.0,
+            let share = match (word, axis) {
+                ("left", 0) | ("top", 1) => 0.0,
+                ("center", _) => 0.5,
+                ("right", 0) | ("bottom", 1) => 1.0,
                 _ => return self.measure(word, axis).ok_or_else(wrong),
             };
             match self.viewport {
@@ -108,10 +111,6 @@ impl Coordinates {
                 None => Err(wrong()),
             }
         };
-        // Words may stand in either order.
-        if matches!(x, "top" | "bottom") || matches!(y, "left" | "right") {
-            return Ok(Vec2::new(one(y, 0)?, one(x, 1)?));
-        }
         Ok(Vec2::new(one(x, 0)?, one(y, 1)?))
     }
 
@@ -162,39 +161,15 @@ impl Coordinates {
         let at = Affine::translate((x, y));
         let width = self.length(tag, "width", outer[0]);
         let height = self.length(tag, "height", outer[1]);
-        let Some([left, top, w, h]) = view_box(tag)? else {
+        let Some(view_box) = ViewBox::of(tag)? else {
             *size = width
                 .ok()
                 .zip(height.ok())
                 .map(|(width, height)| [width, height]);
             return Ok(at);
         };
-        *size = Some([w, h]);
-        let (width, height) = (width?, height?);
-        let [x_scale, y_scale] = [width / w, height / h];
-        let words = tag.property("preserveAspectRatio")?.unwrap_or_default();
-        let mut words = words.split_ascii_whitespace();
-        let align = words.next().unwrap_or("xMidYMid");
-        if align == "none" {
-            return Ok(at
-                * Affine::scale_non_uniform(x_scale, y_scale)
-                * Affine::translate((-left, -top)));
-        }
-        let scale = if words.next() == Some("slice") {
-            x_scale.max(y_scale)
-        } else {
-            x_scale.min(y_scale)
-        };
-        let share = |axis: char| match align.split_once(axis).map(|(_, rest)| rest.get(..3)) {
-            Some(Some("Min")) => 0.0,
-            Some(Some("Max")) => 1.0,
-            _ => 0.5,
-        };
-        let moved = Vec2::new(
-            share('x') * (width - w * scale),
-            share('Y') * (height - h * scale),
-        );
-        Ok(at * Affine::translate(moved) * Affine::scale(scale) * Affine::translate((-left, -top)))
+        *size = Some(view_box.size);
+        Ok(at * view_box.fitted(tag, [width?, height?])?)
     }
 }
 
@@ -205,15 +180,23 @@ fn unread(name: &str, value: &str) -> Error {
     })
 }
 
-fn view_box(tag: &Tag<'_>) -> Result<Option<[f64; 4]>> {
-    let Some(text) = tag.attribute("viewBox")? else {
-        return Ok(None);
+/// A list of transforms without the units that CSS has in them: of lengths that are moved by, and of angles. The others stay, and are refused.
+fn without_units(text: &str) -> String {
+    let plain = |function: &str| {
+        let name = function.split('(').next().unwrap_or_default();
+        let unit = match name.trim_matches([' ', '\t', '\n', '\r', ',']) {
+            "translate" => "px",
+            "rotate" | "skewX" | "skewY" => "deg",
+            _ => return function.to_owned(),
+        };
+        let parts: Vec<&str> = function.split(unit).collect();
+        let is_number = |part: &&str| part.ends_with(|c: char| c.is_ascii_digit());
+        match parts.split_last() {
+            Some((_, numbers)) if numbers.iter().all(is_number) => parts.join(" "),
+            _ => function.to_owned(),
+        }
     };
-    let words = text.split([' ', ',', '\t', '\n']);
-    let numbers = words.filter(|word| !word.is_empty()).map(str::parse);
-    let numbers: Result<Vec<f64>, _> = numbers.collect();
-    let numbers: Option<[f64; 4]> = numbers.ok().and_then(|numbers| numbers.try_into().ok());
-    Ok(numbers.filter(|numbers| numbers[2] > 0.0 && numbers[3] > 0.0))
+    text.split_inclusive(')').map(plain).collect()
 }
 
 #[cfg(test)]
@@ -247,6 +230,12 @@ mod tests {
             ("xMaxYMin slice", 20.0, 30.0),
             ("xMinYMax slice", 20.0, -20.0),
             ("none", 20.0, 25.0),
+            ("xMidYMid  slice", 20.0, 5.0),
+            ("defer xMinYMin", 15.0, 25.0),
+            // No such words: as if there were none.
+            ("xMinYMi", 40.0, 25.0),
+            ("xMinYMax cut", 40.0, 25.0),
+            ("slice", 40.0, 25.0),
         ] {
             let text = format!(
                 "<svg viewBox='0 0 200 100'><svg x='10' y='20' width='100' height='50' viewBox='2 3 10 10' preserveAspectRatio='{how}'>{PATH}</svg></svg>"
@@ -262,6 +251,7 @@ mod tests {
             "viewBox='0 0 200 100'",
             "width='200' height='100'",
             "width='7' height='7' viewBox='5 5 200 100'",
+            "viewBox=' 5-5,200 ,\n100 '",
         ] {
             near(&format!("<svg {outer}>{inner}</svg>"), 60.0, 40.0);
         }
@@ -271,6 +261,11 @@ mod tests {
             "viewBox='0 0 0 5'",
             "viewBox='0 0 5 0'",
             "viewBox='0 0 5'",
+            "viewBox='0 0 5 5 5'",
+            "viewBox='0 0 inf 5'",
+            "viewBox='0 0 1e999 5'",
+            "viewBox='0 0 5,,5'",
+            "viewBox='0 0 5 5,'",
         ] {
             assert_eq!(
                 placed(&format!("<svg {unknown}>{inner}</svg>")),
@@ -312,6 +307,8 @@ mod tests {
             ("bottom", 100.0, 100.0),
             ("10", 10.0, 50.0),
             ("25% 10%", 50.0, 10.0),
+            ("TOP", 100.0, 0.0),
+            ("right 7px", 200.0, 7.0),
         ] {
             near(
                 &text(origin, "viewBox='0 0 200 100'"),
@@ -322,6 +319,41 @@ mod tests {
         near(&text("left top", ""), -4.0, 3.0);
         for origin in ["center", "right top", "10", "50% 1", "1 2 3", "a b"] {
             assert_eq!(placed(&text(origin, "")), None, "{origin}");
+        }
+        for origin in [
+            "left right",
+            "top bottom",
+            "inf% 0",
+            "NaN% 0",
+            "1e999 0",
+            "5%% 0",
+        ] {
+            let sized = text(origin, "viewBox='0 0 200 100'");
+            assert_eq!(placed(&sized), None, "{origin}");
+        }
+    }
+
+    #[test]
+    fn units_stand_where_css_has_them() {
+        let path =
+            |transform: &str| format!("<svg><path transform='{transform}' d='M3 4L5 5'/></svg>");
+        for (transform, x, y) in [
+            ("translate(5px, 6px)", 8.0, 10.0),
+            ("rotate(90deg) , translate(1px)", -4.0, 4.0),
+            ("skewX(45deg)scale(2)", 14.0, 8.0),
+        ] {
+            near(&path(transform), x, y);
+        }
+        for transform in [
+            "scale(2deg)",
+            "scale(2px)",
+            "matrix(1 0 0 1 0 0px)",
+            "translate(5deg)",
+            "rotate(5px)",
+            "translate(px5)",
+            "rotate(1rad)",
+        ] {
+            assert_eq!(placed(&path(transform)), None, "{transform}");
         }
     }
 

@@ -2,17 +2,18 @@
 
 use kurbo::{Point, Vec2};
 
+use super::numbers;
 use super::placing::Coordinates;
 use super::tag::Tag;
 use crate::angle::Angle;
 use crate::contour::{Contour, ContourPen};
-use crate::document::path::grammar::{after_separator, is_space};
+use crate::document::path::grammar::is_space;
 use crate::document::reason::Reason;
 use crate::document::shape::element::{UsedShape, shape};
 use crate::document::shape::length::Length;
 use crate::document::style::property::ElementKind;
 use crate::error::{Error, Result, TextError, finite};
-use crate::number::{decimal_sum, read as number};
+use crate::number::decimal_sum;
 use crate::path::{self, place_of, shortened};
 use crate::shape::endpoint::SvgArc;
 
@@ -42,9 +43,8 @@ pub(super) fn contours(tag: &Tag<'_>, place: &Coordinates) -> Result<Vec<Contour
 
 /// The points of a `polyline` or a `polygon`. SVG 2 draws those before an error, as it does with path data: both are refused here.
 fn points(text: &str) -> Result<Vec<Point>> {
-    let text = text.trim_matches(is_space);
     let wrong = |at: usize| {
-        let place = if at == text.len() {
+        let place = if text[at..].trim_matches(is_space).is_empty() {
             "at the end".to_owned()
         } else {
             place_of(text, text[..at].chars().count() + 1)
@@ -54,15 +54,7 @@ fn points(text: &str) -> Result<Vec<Point>> {
             why: format!("a number is expected {place}"),
         })
     };
-    let (mut at, mut numbers) = (0, Vec::new());
-    while !text.is_empty() {
-        let (number, end) = number::read(text.as_bytes(), at).ok_or_else(|| wrong(at))?;
-        numbers.push(number);
-        if end == text.len() {
-            break;
-        }
-        at = after_separator(text.as_bytes(), end);
-    }
+    let numbers = numbers::list(text).map_err(wrong)?;
     match numbers.as_chunks::<2>() {
         (pairs, []) => Ok(pairs.iter().map(|[x, y]| Point::new(*x, *y)).collect()),
         _ => Err(wrong(text.len())),
@@ -228,7 +220,7 @@ mod tests {
             ),
             (
                 points(" 0,0 4 "),
-                "cannot read the points '0,0 4': a number is expected at the end",
+                "cannot read the points ' 0,0 4': a number is expected at the end",
             ),
             (
                 points("0,0 4,4,"),
