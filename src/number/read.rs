@@ -97,9 +97,11 @@ impl Short {
         let others = (((digits & !Self::HIGH) + 0x7676_7676_7676_7676) | digits) & Self::HIGH;
         let after = others & others.wrapping_sub(1);
         let (first, second) = (others.trailing_zeros() & !7, after.trailing_zeros() & !7);
-        // A point belongs to the number where digits follow it.
+        // A point belongs to the number where digits follow it. What follows one at the end of the word is not known: by the remainder
+        // that number counts as one that goes on after it.
         let is_point = (word >> (first & 63)) as u8 == b'.';
-        let has_point = (u64::from(is_point) & u64::from(second > first + 8)).wrapping_neg();
+        let goes_on = second > (first + 8) % 64;
+        let has_point = (u64::from(is_point) & u64::from(goes_on)).wrapping_neg();
         let end = first ^ ((first ^ second) & has_point as u32);
         let next = (word >> (end & 63)) as u8;
         (end > 0 && end < 64 && next | 0x20 != b'e').then_some(Self {
@@ -225,6 +227,31 @@ mod tests {
         }
         for text in ["", ".", "-", "e5", ".e5", "--1"] {
             assert_eq!(read(text.as_bytes(), 0), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_point_may_stand_after_any_number_of_digits() {
+        for whole in 0..12 {
+            for decimals in 0..12 {
+                for next in ["", " 5", ".5", "-5", "\" d=\"M0 0\""] {
+                    let digits = |count| &"123456789123"[..count];
+                    let number = format!("{}.{}", digits(whole), digits(decimals));
+                    let text = format!("{number}{next}");
+                    // Without digits after it a point belongs to what follows, if to anything.
+                    let number = match decimals {
+                        0 => digits(whole),
+                        _ => &number,
+                    };
+                    let expected = number.parse().ok().map(|value: f64| (value, number.len()));
+                    assert_eq!(read(text.as_bytes(), 0), expected, "{text}");
+                    assert_eq!(
+                        skip(text.as_bytes(), 0),
+                        expected.map(|(_, end)| end),
+                        "{text}"
+                    );
+                }
+            }
         }
     }
 }

@@ -585,3 +585,16 @@ fn the_smallest_arc_of_a_path_has_its_digits_and_so_have_the_others() {
     let both = format!("{large}M0 0A1e-40 1e-40 0 0 1 1e-40 1e-40");
     assert!(printed(&["path", &both]).starts_with("M0 0C2.75957512246755"));
 }
+
+#[test]
+fn a_point_after_seven_digits_does_not_end_a_number() {
+    let svg = "<svg><path d='M1000087.5 0A5 5 0 0 1 1000090.5 0'/></svg>";
+    let output = piped(&["convert"], svg.as_bytes());
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let made = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        said.is_empty() && made.contains("M1000087.5 0C"),
+        "{said}{made}"
+    );
+    assert!(made.contains(" 1000090.5 0'"), "{made}");
+}
