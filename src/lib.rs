@@ -49,6 +49,7 @@ mod numeric;
 #[cfg(feature = "serde")]
 pub mod page;
 pub mod path;
+mod path_data;
 pub mod picture;
 mod place;
 pub mod power;

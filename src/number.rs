@@ -13,7 +13,6 @@ pub(crate) mod digits;
 #[cfg(feature = "batch")]
 pub(crate) mod memo;
 mod people;
-#[cfg(feature = "document")]
 pub(crate) mod read;
 
 pub use people::{compact, counted, round_one_two_five, rounded_up, significant};
@@ -169,7 +168,6 @@ pub(crate) fn decimal_third(x: f64) -> f64 {
 
 /// The number that a word spells. A whole number up to 2^53 over an exact power of ten is the nearest float (Clinger 1990); what is
 /// longer or has an exponent is left to the standard library.
-#[cfg(any(feature = "batch", feature = "document"))]
 #[inline]
 pub(crate) fn parse(word: &str) -> Option<f64> {
     match Decimal::read(word) {

@@ -29,7 +29,6 @@ pub(crate) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
 }
 
 /// [`read`], and with how many decimals the number is spelled; [`WITH_EXPONENT`] where it has an exponent.
-#[cfg(feature = "document")]
 #[inline]
 pub(crate) fn read_counted(bytes: &[u8], at: usize) -> Option<(f64, usize, u8)> {
     let whole = after_sign(bytes, at);
@@ -44,11 +43,9 @@ pub(crate) fn read_counted(bytes: &[u8], at: usize) -> Option<(f64, usize, u8)> 
 }
 
 /// What stands for the decimals of a number with an exponent.
-#[cfg(feature = "document")]
 pub(crate) const WITH_EXPONENT: u8 = u8::MAX;
 
 /// The most decimals of the numbers in a text, below [`WITH_EXPONENT`]; `None` where one has an exponent.
-#[cfg(feature = "document")]
 pub(crate) fn decimals_spelled(text: &[u8]) -> Option<u8> {
     let (mut most, mut after, mut point) = (0_u8, 0_u8, false);
     for byte in text {
@@ -218,7 +215,6 @@ mod tests {
             let followed = format!("{text}\" fill=\"none\"/>");
             assert_eq!(read(followed.as_bytes(), 0), Some((value, end)), "{text}");
             assert_eq!(skip(followed.as_bytes(), 0), Some(end), "{text}");
-            #[cfg(feature = "document")]
             for spelled in [text, &followed] {
                 let decimals = decimals_spelled(&text.as_bytes()[..end]).unwrap_or(WITH_EXPONENT);
                 let counted = read_counted(spelled.as_bytes(), 0);

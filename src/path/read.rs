@@ -1,15 +1,13 @@
 //! SVG path data as contours and curves.
 
-use std::borrow::Cow;
-
 use kurbo::{CubicBez, PathSeg, Point, QuadBez};
-use svgtypes::{PathParser, PathSegment};
 
-use super::refusal::{place, refusal};
+use super::refusal::place;
 use crate::contour::{Contour, ContourPen, Step};
 use crate::curve::{CLOSING_GAP, Curve, size};
 use crate::error::{Error, Result, TextError, UnmeasurableError, finite};
 use crate::number::decimal_sum;
+use crate::path_data::{Fault, Segment, Segments};
 use crate::shape::endpoint::SvgArc;
 
 /// The contours of path data, one for each subpath that draws something. A closing line is a step of its own.
@@ -18,17 +16,18 @@ use crate::shape::endpoint::SvgArc;
 ///
 /// Where the data does not parse, or a number is not finite or beyond 1e150.
 pub fn contours(data: &str) -> Result<Vec<Contour>> {
-    if let Some(at) = stray_comma(data) {
-        let why = format!("a number is expected after the comma {}", place(data, at));
-        return Err(syntax(data, why));
-    }
     let mut subpaths = Subpaths::default();
-    for segment in PathParser::from(&*commas_first(data)) {
-        let segment = segment
-            .map_err(|error| syntax(data, refusal(&error, data, "a command or a number")))?;
-        subpaths.take(segment)?;
+    let mut segments = Segments::new(data, 0..data.len());
+    for segment in &mut segments {
+        subpaths.take(&segment, data).map_err(|error| {
+            let fault = Fault::too_large(data, &segment);
+            fault.map_or(error, |fault| syntax(data, fault))
+        })?;
     }
-    Ok(subpaths.pen.contours())
+    match segments.fault() {
+        Some(fault) => Err(syntax(data, fault)),
+        None => Ok(subpaths.pen.contours()),
+    }
 }
 
 /// The curves of path data, one for each subpath. A closing line that is next to nothing, as rounding leaves one, is no segment.
@@ -72,42 +71,16 @@ pub fn curve(contour: &Contour) -> Option<Result<Curve>> {
     (!curve.segments.is_empty()).then_some(Ok(curve))
 }
 
-/// The same data with each comma before the white space around it: after the flag of an arc svgtypes reads none behind.
-fn commas_first(data: &str) -> Cow<'_, str> {
-    let is_space = |c: char| matches!(c, ' ' | '\t' | '\n' | '\r' | '\x0c');
-    if !data.contains(['a', 'A']) || !data.contains(',') {
-        return Cow::Borrowed(data);
-    }
-    let mut out = String::with_capacity(data.len());
-    for c in data.chars() {
-        let end = out.trim_end_matches(is_space).len();
-        if c == ',' && end < out.len() && !out[..end].ends_with(',') {
-            out.insert(end, c);
-        } else {
-            out.push(c);
-        }
-    }
-    Cow::Owned(out)
-}
-
-/// The character, from 1, of a comma that no number follows, which svgtypes overlooks.
-fn stray_comma(data: &str) -> Option<usize> {
-    let mut comma = None;
-    for (i, c) in data.chars().enumerate() {
-        match c {
-            ',' => comma = Some(i + 1),
-            ' ' | '\t' | '\n' | '\r' | '\x0c' => {}
-            _ if c.is_ascii_alphabetic() && comma.is_some() => return comma,
-            _ => comma = None,
-        }
-    }
-    comma
-}
-
-fn syntax(data: &str, why: String) -> Error {
+fn syntax(data: &str, fault: Fault) -> Error {
+    let at = |at: usize| place(data, data[..at].chars().count() + 1);
     Error::Text(TextError::PathData {
         data: shortened(data),
-        why,
+        why: match fault {
+            Fault::Ends => "it ends where a command or a number should follow".to_owned(),
+            Fault::Comma(byte) => format!("a number is expected after the comma {}", at(byte)),
+            Fault::Unexpected(byte) => format!("a command or a number is expected {}", at(byte)),
+            Fault::TooLarge(byte) => format!("the number is too large {}", at(byte)),
+        },
     })
 }
 
@@ -142,49 +115,56 @@ enum Control {
 }
 
 impl Subpaths {
-    fn take(&mut self, segment: PathSegment) -> Result<()> {
+    fn take(&mut self, segment: &Segment, data: &str) -> Result<()> {
         let here = self.pen.here();
         // The control point before, mirrored at the current point.
         let mirrored = |p: Point| here + (here - p);
         let control = core::mem::take(&mut self.control);
-        match segment {
-            PathSegment::MoveTo { abs, x, y } => {
-                let to = self.at(abs, x, y)?;
+        match segment.kind() {
+            b'z' => self.pen.close(),
+            b'm' => {
+                let [to] = self.points(segment, data)?;
                 self.pen.move_to(to);
             }
-            PathSegment::LineTo { abs, x, y } => self.pen.line(self.at(abs, x, y)?),
-            PathSegment::HorizontalLineTo { abs, x } => {
-                let p = self.at(abs, x, 0.0)?;
-                self.pen.line(Point::new(p.x, here.y));
+            b'l' => {
+                let [to] = self.points(segment, data)?;
+                self.pen.line(to);
             }
-            PathSegment::VerticalLineTo { abs, y } => {
-                let p = self.at(abs, 0.0, y)?;
-                self.pen.line(Point::new(here.x, p.y));
+            b'h' | b'v' => {
+                let [value] = segment.values(data);
+                let to = if segment.kind() == b'h' {
+                    Point::new(sum(self.base(segment).x, value)?, here.y)
+                } else {
+                    Point::new(here.x, sum(self.base(segment).y, value)?)
+                };
+                self.pen.line(to);
             }
-            PathSegment::ClosePath { .. } => self.pen.close(),
-            #[rustfmt::skip]
-            PathSegment::CurveTo { abs, x1, y1, x2, y2, x, y } => {
-                self.cubic(self.at(abs, x1, y1)?, self.at(abs, x2, y2)?, self.at(abs, x, y)?);
+            b'c' => {
+                let [p1, p2, to] = self.points(segment, data)?;
+                self.cubic(p1, p2, to);
             }
-            PathSegment::SmoothCurveTo { abs, x2, y2, x, y } => {
-                let first = match control {
+            b's' => {
+                let [p2, to] = self.points(segment, data)?;
+                let p1 = match control {
                     Control::Cubic(p) => mirrored(p),
                     _ => here,
                 };
-                self.cubic(first, self.at(abs, x2, y2)?, self.at(abs, x, y)?);
+                self.cubic(p1, p2, to);
             }
-            PathSegment::Quadratic { abs, x1, y1, x, y } => {
-                self.quadratic(self.at(abs, x1, y1)?, self.at(abs, x, y)?);
+            b'q' => {
+                let [p1, to] = self.points(segment, data)?;
+                self.quadratic(p1, to);
             }
-            PathSegment::SmoothQuadratic { abs, x, y } => {
-                let control = match control {
+            b't' => {
+                let [to] = self.points(segment, data)?;
+                let p1 = match control {
                     Control::Quadratic(p) => mirrored(p),
                     _ => here,
                 };
-                self.quadratic(control, self.at(abs, x, y)?);
+                self.quadratic(p1, to);
             }
-            arc @ PathSegment::EllipticalArc { .. } => {
-                if let Some(arc) = SvgArc::of_segment(here, arc) {
+            _ => {
+                if let Some(arc) = SvgArc::of_segment(here, segment, data) {
                     finite("coordinate", arc.to.x)?;
                     finite("coordinate", arc.to.y)?;
                     self.pen.arc(&arc)?;
@@ -194,14 +174,24 @@ impl Subpaths {
         Ok(())
     }
 
-    /// A point of a command, absolute or counted from the current one.
-    fn at(&self, abs: bool, x: f64, y: f64) -> Result<Point> {
-        let (x, y) = (finite("coordinate", x)?, finite("coordinate", y)?);
-        let from = if abs { Point::ZERO } else { self.pen.here() };
-        Ok(Point::new(
-            finite("coordinate", decimal_sum(from.x, x))?,
-            finite("coordinate", decimal_sum(from.y, y))?,
-        ))
+    /// What coordinates count from.
+    const fn base(&self, segment: &Segment) -> Point {
+        if segment.is_relative() {
+            self.pen.here()
+        } else {
+            Point::ZERO
+        }
+    }
+
+    /// The points of a segment.
+    fn points<const N: usize>(&self, segment: &Segment, data: &str) -> Result<[Point; N]> {
+        let base = self.base(segment);
+        let values: [f64; 6] = segment.values(data);
+        let mut points = [Point::ZERO; N];
+        for (point, [x, y]) in points.iter_mut().zip(values.as_chunks().0) {
+            *point = Point::new(sum(base.x, *x)?, sum(base.y, *y)?);
+        }
+        Ok(points)
     }
 
     fn cubic(&mut self, p1: Point, p2: Point, end: Point) {
@@ -215,6 +205,10 @@ impl Subpaths {
         self.pen.segment(PathSeg::Quad(quad));
         self.control = Control::Quadratic(p1);
     }
+}
+
+fn sum(from: f64, x: f64) -> Result<f64> {
+    finite("coordinate", decimal_sum(from, finite("coordinate", x)?))
 }
 
 #[cfg(test)]

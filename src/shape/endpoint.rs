@@ -1,7 +1,6 @@
 //! Arcs given by their end points: the SVG form (SVG 2, appendix B.2, whose equation numbers are cited), three points, the DXF bulge.
 
 use kurbo::{Point, Vec2};
-use svgtypes::{PathParser, PathSegment};
 
 use super::frame::{circle_between, cotangent_between, products_about};
 pub use super::svg_arc::SvgArc;
@@ -10,6 +9,8 @@ use super::{Arc, Given, Line, Shape, finite_point};
 use crate::angle::Angle;
 use crate::error::{Error, Result, ShapeError, finite, positive};
 use crate::numeric::double::Double;
+use crate::path_data::grammar::after_space;
+use crate::path_data::{Fault, Segments};
 
 /// The arc of path data `M x y A rx ry rotation large sweep x y`, in any form that the grammar of SVG allows.
 ///
@@ -18,64 +19,45 @@ use crate::numeric::double::Double;
 /// [`Error::Syntax`] with the column where it does not parse, and where it is not one moveto and one arc.
 pub fn parse_svg_arc(text: &str) -> Result<SvgArc> {
     const MOVETO: &str = "a moveto 'M x y'";
-    let wrong =
-        |before: usize, why: &str| unexpected(text, column_after(text, before), why.to_owned());
-    let mut segments = PathParser::from(text);
-    let mut next = |expected: &str| {
-        let segment = segments.next().transpose();
-        segment.map_err(|error| misread(text, &error, expected))
-    };
-    let Some(PathSegment::MoveTo { x, y, .. }) = next(MOVETO)? else {
-        return Err(wrong(0, &format!("expected {MOVETO}")));
-    };
-    let arc = next("an arc 'A rx ry rotation large sweep x y'")?
-        .and_then(|segment| SvgArc::of_segment(Point::new(x, y), segment))
-        .ok_or_else(|| {
-            wrong(
-                1,
-                "expected one arc 'A rx ry rotation large sweep x y' after the moveto",
-            )
-        })?;
-    match next("the end")? {
-        None => Ok(arc),
-        Some(_) => Err(wrong(2, "expected one arc and nothing after it")),
-    }
-}
-
-/// The column where the segment after so many begins.
-fn column_after(text: &str, segments: usize) -> usize {
-    /// Two segments take less.
-    const LONGEST: usize = 500;
-    let is_whole = |before: &str| {
-        let mut read = PathParser::from(before);
-        read.try_fold(0, |count, segment| segment.ok().map(|_| count + 1)) == Some(segments)
-    };
-    let ends = text.char_indices().map(|(end, _)| end);
-    let ends = ends.chain([text.len()]).take(LONGEST);
-    let whole = ends.filter(|end| is_whole(&text[..*end])).last();
-    whole.map_or(1, |end| text[..end].chars().count() + 1)
-}
-
-/// An error of the reader of path data, where something else was `expected`.
-fn misread(text: &str, error: &svgtypes::Error, expected: &str) -> Error {
-    match *error {
-        svgtypes::Error::UnexpectedData(at) | svgtypes::Error::InvalidNumber(at) => {
-            unexpected(text, at, format!("expected {expected}"))
-        }
-        // Of path data nothing else is said than that it ends.
-        _ => {
-            let why = format!("it ends where {expected} should go on");
-            unexpected(text, text.chars().count() + 1, why)
-        }
-    }
-}
-
-fn unexpected(text: &str, column: usize, why: String) -> Error {
-    Error::Syntax {
+    const ARC: &str = "an arc 'A rx ry rotation large sweep x y'";
+    let wrong = |at: usize, why: &str| Error::Syntax {
         what: "the SVG arc",
         text: text.to_owned(),
-        column,
-        why,
+        column: text[..at].chars().count() + 1,
+        why: why.to_owned(),
+    };
+    let mut segments = Segments::new(text, 0..text.len());
+    let mut next = |expected: &str| {
+        let segment = segments.next();
+        let too_large = segment.and_then(|segment| Fault::too_large(text, &segment));
+        match too_large.or_else(|| segments.fault()) {
+            None => Ok(segment),
+            Some(Fault::Ends) => {
+                let why = format!("it ends where {expected} should go on");
+                Err(wrong(text.len(), &why))
+            }
+            Some(Fault::Comma(at) | Fault::Unexpected(at) | Fault::TooLarge(at)) => {
+                Err(wrong(at, &format!("expected {expected}")))
+            }
+        }
+    };
+    let after = |end: usize| after_space(text.as_bytes(), end);
+    let Some(moveto) = next(MOVETO)? else {
+        return Err(wrong(after(0), &format!("expected {MOVETO}")));
+    };
+    let [x, y] = moveto.values(text);
+    let second = next(ARC)?;
+    let arc = second.and_then(|arc| SvgArc::of_segment(Point::new(x, y), &arc, text));
+    let arc = arc.ok_or_else(|| {
+        let at = second.map_or(after(moveto.end), |segment| segment.start);
+        wrong(
+            at,
+            "expected one arc 'A rx ry rotation large sweep x y' after the moveto",
+        )
+    })?;
+    match next("the end")? {
+        None => Ok(arc),
+        Some(third) => Err(wrong(third.start, "expected one arc and nothing after it")),
     }
 }
 

@@ -1,13 +1,13 @@
 //! An arc as SVG path data gives it, and its chord (SVG 2, appendix B.2, whose equation numbers are cited).
 
 use kurbo::{Point, Vec2};
-use svgtypes::PathSegment;
 
 use super::{Arc, Given, Line, Shape, Truth, finite_point, positive_radii};
 use crate::angle::{Angle, quadrant_degrees};
 use crate::error::{Result, finite};
 use crate::number::decimal_sum;
 use crate::numeric::double::Double;
+use crate::path_data::Segment;
 
 /// An arc as SVG path data gives it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,22 +28,19 @@ pub struct SvgArc {
 
 impl SvgArc {
     /// The arc of a command of path data that begins at `from`; `None` where it is another command.
-    pub(crate) fn of_segment(from: Point, segment: PathSegment) -> Option<Self> {
-        #[rustfmt::skip]
-        let PathSegment::EllipticalArc { abs, rx, ry, x_axis_rotation, large_arc, sweep, x, y } = segment else {
-            return None;
-        };
-        let to = if abs {
-            Point::new(x, y)
-        } else {
+    pub(crate) fn of_segment(from: Point, segment: &Segment, data: &str) -> Option<Self> {
+        let [rx, ry, rotation, large_arc, sweep, x, y] = segment.arc_values(data)?;
+        let to = if segment.is_relative() {
             Point::new(decimal_sum(from.x, x), decimal_sum(from.y, y))
+        } else {
+            Point::new(x, y)
         };
         Some(Self {
             from,
             radii: Vec2::new(rx, ry),
-            rotation: Angle::from_degrees(x_axis_rotation),
-            large_arc,
-            sweep,
+            rotation: Angle::from_degrees(rotation),
+            large_arc: large_arc != 0.0,
+            sweep: sweep != 0.0,
             to,
         })
     }

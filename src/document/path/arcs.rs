@@ -15,11 +15,11 @@ use crate::Angle;
 use crate::document::path::curve_text::{absolute, relative, strayed};
 use crate::document::path::position::{Position, Trail, is_nearly_whole};
 use crate::document::path::scratch::Scratch;
-use crate::document::path::segments::{Segment, Segments};
 use crate::document::style::property::Markers;
 use crate::document::{Options, Reason};
 use crate::number::decimal::{After, BelowOne, Decimal};
 use crate::path::PathText;
+use crate::path_data::{Segment, Segments};
 use crate::shape::endpoint::SvgArc;
 pub(in crate::document) use sink::Sink;
 

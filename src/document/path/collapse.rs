@@ -4,8 +4,8 @@ use kurbo::Vec2;
 
 use crate::document::Options;
 use crate::document::path::position::Position;
-use crate::document::path::segments::{Segment, Segments};
 use crate::numeric::functions::power;
+use crate::path_data::{Segment, Segments};
 
 /// Whether a radius is so small that every point between a centre and it rounds to that centre.
 pub(in crate::document) fn is_too_small(radius: f64, precision: u8) -> bool {

@@ -3,11 +3,11 @@
 use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 
 use crate::document::path::beziers::{Beziers, arguments};
-use crate::document::path::segments::Segment;
 use crate::document::{Options, Reason};
 use crate::measure::radial;
 use crate::number::decimal::{After, BelowOne, Decimal};
 use crate::number::read as number;
+use crate::path_data::Segment;
 use crate::shape::endpoint::SvgArc;
 
 /// Coordinates beyond this are left alone.

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use kurbo::Vec2;
 
-use crate::document::path::segments::{Segment, Segments};
+use crate::path_data::{Segment, Segments};
 use crate::shape::endpoint::SvgArc;
 
 /// A chord of so small a part of the radius makes the larger arc nearly a whole ellipse.

@@ -5,9 +5,9 @@ use core::ops::Range;
 use kurbo::Vec2;
 
 use crate::arcs::recognize::Found;
-use crate::document::path::segments::Segment;
 use crate::number::decimal::{After, BelowOne, Decimal};
 use crate::number::decimals_of;
+use crate::path_data::Segment;
 
 /// A Bézier of path data.
 #[derive(Debug, Clone, Copy)]

@@ -13,11 +13,11 @@ use crate::arcs::together;
 use crate::document::path::arcs::Sink;
 use crate::document::path::position::Position;
 use crate::document::path::run_text::{self, Edit, Link, Run, family};
-use crate::document::path::segments::{Handles, Segment, Segments};
 use crate::document::reason::Reason;
 use crate::joints::Tolerance;
 use crate::number::Precision;
 use crate::number::read::{WITH_EXPONENT, decimals_spelled};
+use crate::path_data::{Handles, Segment, Segments};
 
 /// The tolerance where none is asked for, as a part of the radius.
 const DEFAULT_PART: f64 = 1e-3;

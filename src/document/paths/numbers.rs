@@ -1,7 +1,7 @@
 //! Lists of numbers in attributes.
 
-use crate::document::path::grammar::{after_separator, after_space, is_space};
 use crate::number::read as number;
+use crate::path_data::grammar::{after_separator, after_space, is_space};
 
 /// The numbers of a list with white space and at most one comma between them; else the byte where one is missing.
 pub(super) fn list(text: &str) -> Result<Vec<f64>, usize> {

@@ -7,7 +7,6 @@ use super::placing::Coordinates;
 use super::tag::Tag;
 use crate::angle::Angle;
 use crate::contour::{Contour, ContourPen};
-use crate::document::path::grammar::is_space;
 use crate::document::reason::Reason;
 use crate::document::shape::element::{UsedShape, shape};
 use crate::document::shape::length::Length;
@@ -15,6 +14,7 @@ use crate::document::style::property::ElementKind;
 use crate::error::{Error, Result, TextError, finite};
 use crate::number::decimal_sum;
 use crate::path::{self, place_of, shortened};
+use crate::path_data::grammar::is_space;
 use crate::shape::endpoint::SvgArc;
 
 /// The contours of an element.

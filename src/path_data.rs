@@ -1,54 +1,53 @@
 //! SVG 2 path data as segments with byte spans: a command letter with one set of arguments each.
 
+mod fault;
+pub(crate) mod grammar;
+
 use core::ops::Range;
 
 use kurbo::Vec2;
 
-use crate::document::path::grammar::{
-    after_arc_shape, after_arguments, after_numbers, after_separator, after_space,
-};
 use crate::number::read as number;
+pub(crate) use fault::Fault;
+use grammar::{after_arc_shape, after_arguments, after_numbers, after_separator, after_space};
 
 /// One command and one set of its arguments.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::document) struct Segment {
+pub(crate) struct Segment {
     /// The command letter; for implicit repetition the one that applies (`L` after `M`).
-    pub(in crate::document) letter: u8,
+    pub(crate) letter: u8,
     /// Whether the letter stands in the text.
-    pub(in crate::document) explicit: bool,
+    pub(crate) explicit: bool,
     /// The first byte: the letter, or the first argument of a repetition.
-    pub(in crate::document) start: usize,
+    pub(crate) start: usize,
     /// The first byte of the first argument.
-    pub(in crate::document) arguments: usize,
+    pub(crate) arguments: usize,
     /// The first byte of the end point's text (of the last argument for `H` and `V`); the end where the arc is known.
-    pub(in crate::document) tail: usize,
+    pub(crate) tail: usize,
     /// The index after the last argument.
-    pub(in crate::document) end: usize,
+    pub(crate) end: usize,
     /// The end point's numbers, for `H` and `V` the one there is, if they are wanted; infinite where one is beyond `f64`.
-    pub(in crate::document) to: [f64; 2],
+    pub(crate) to: [f64; 2],
 }
 
 impl Segment {
     /// The command as a small letter.
-    pub(in crate::document) const fn kind(&self) -> u8 {
+    pub(crate) const fn kind(&self) -> u8 {
         self.letter.to_ascii_lowercase()
     }
 
     /// Whether coordinates count from the current point.
-    pub(in crate::document) const fn is_relative(&self) -> bool {
+    pub(crate) const fn is_relative(&self) -> bool {
         self.letter.is_ascii_lowercase()
     }
 
     /// Whether the end point's numbers are within `f64`.
-    pub(in crate::document) const fn is_finite(&self) -> bool {
+    pub(crate) const fn is_finite(&self) -> bool {
         self.to[0].is_finite() && self.to[1].is_finite()
     }
 
     /// The texts of its numbers; of an arc, whose flags are no numbers, they are none.
-    pub(in crate::document) fn numbers<'t>(
-        &self,
-        text: &'t str,
-    ) -> impl Iterator<Item = &'t str> + use<'t> {
+    pub(crate) fn numbers<'t>(&self, text: &'t str) -> impl Iterator<Item = &'t str> + use<'t> {
         let (mut at, end) = (self.arguments, self.end);
         core::iter::from_fn(move || {
             let bytes = text.as_bytes();
@@ -59,8 +58,24 @@ impl Segment {
         })
     }
 
-    /// The arguments of an arc, flags as 0 or 1.
-    pub(in crate::document) fn arc_values(&self, text: &str) -> Option<[f64; 7]> {
+    /// Its first numbers, as many as it has; those of a segment that is no arc.
+    pub(crate) fn values<const N: usize>(&self, text: &str) -> [f64; N] {
+        let mut values = [0.0; N];
+        let mut at = self.arguments;
+        for value in &mut values {
+            if let Some((number, end)) = number::read(text.as_bytes(), at) {
+                *value = number;
+                at = after_separator(text.as_bytes(), end);
+            }
+        }
+        values
+    }
+
+    /// The arguments of an arc, flags as 0 or 1; `None` where it is none.
+    pub(crate) fn arc_values(&self, text: &str) -> Option<[f64; 7]> {
+        if !is_arc(self.letter) {
+            return None;
+        }
         let bytes = text.as_bytes();
         let mut values = [0.0; 7];
         let mut at = self.arguments;
@@ -79,16 +94,16 @@ impl Segment {
 
 /// What a Bézier has before its end point, and how its numbers are spelled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(in crate::document) struct Handles {
+pub(crate) struct Handles {
     /// Its control points, as many as it spells.
-    pub(in crate::document) points: [Vec2; 2],
+    pub(crate) points: [Vec2; 2],
     /// The most decimals of its numbers; [`WITH_EXPONENT`](number::WITH_EXPONENT) where one has an exponent.
-    pub(in crate::document) decimals: u8,
+    pub(crate) decimals: u8,
 }
 
 /// Reads path data up to its end or its first error.
 #[derive(Debug, Clone)]
-pub(in crate::document) struct Segments<'a> {
+pub(crate) struct Segments<'a> {
     bytes: &'a [u8],
     at: usize,
     end: usize,
@@ -106,7 +121,7 @@ pub(in crate::document) struct Segments<'a> {
 
 impl<'a> Segments<'a> {
     /// The path data in `text[span]`. After them the text ends or goes on with a quote, which no number does.
-    pub(in crate::document) const fn new(text: &'a str, span: Range<usize>) -> Self {
+    pub(crate) const fn new(text: &'a str, span: Range<usize>) -> Self {
         Self {
             bytes: text.as_bytes(),
             at: span.start,
@@ -120,12 +135,12 @@ impl<'a> Segments<'a> {
     }
 
     /// The segments with the numbers of their end points.
-    pub(in crate::document) const fn with_ends(self, wants_ends: bool) -> Self {
+    pub(crate) const fn with_ends(self, wants_ends: bool) -> Self {
         Self { wants_ends, ..self }
     }
 
     /// The same with the numbers of control points.
-    pub(in crate::document) const fn with_handles(self) -> Self {
+    pub(crate) const fn with_handles(self) -> Self {
         Self {
             wants_ends: true,
             handles: Some(Handles {
@@ -137,17 +152,27 @@ impl<'a> Segments<'a> {
     }
 
     /// What the last segment has, a Bézier, before its end point, where that is wanted.
-    pub(in crate::document) const fn handles(&self) -> Option<Handles> {
+    pub(crate) const fn handles(&self) -> Option<Handles> {
         self.handles
     }
 
     /// The index at which the data stop being path data; what stands after it is not drawn.
-    pub(in crate::document) const fn error(&self) -> Option<usize> {
+    pub(crate) const fn error(&self) -> Option<usize> {
         self.error
     }
 
+    /// What is wrong at the error, to the byte.
+    #[cold]
+    pub(crate) fn fault(&self) -> Option<Fault> {
+        let at = self.error?;
+        if !self.begun {
+            return Some(Fault::Unexpected(at));
+        }
+        Some(Fault::find(self.bytes, at, self.repeated))
+    }
+
     /// The index of the error, if it is a number too many or the first of too few.
-    pub(in crate::document) fn number_at_error(&self) -> Option<usize> {
+    pub(crate) fn number_at_error(&self) -> Option<usize> {
         self.error
             .filter(|&at| number::skip(self.bytes, after_separator(self.bytes, at)).is_some())
     }
@@ -155,7 +180,7 @@ impl<'a> Segments<'a> {
     /// The next segment, if it is a relative arc alone after its letter and `known` knows the text of its arguments, with what that
     /// gives: the index of the arc and its end point. Most arcs of icons have been met before, and are not read again.
     #[inline]
-    pub(in crate::document) fn next_known(
+    pub(crate) fn next_known(
         &mut self,
         known: impl FnOnce(&[u8]) -> Option<(usize, [f64; 2])>,
     ) -> Option<(Segment, usize)> {
@@ -186,7 +211,7 @@ impl<'a> Segments<'a> {
 
     /// Whether the data have an error right here where a reader that forgives it would find a smooth command: then an arc before it
     /// must stay an arc.
-    pub(in crate::document) fn is_broken_smooth(&self) -> bool {
+    pub(crate) fn is_broken_smooth(&self) -> bool {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
         let next = rest
             .iter()
@@ -302,9 +327,12 @@ impl<'a> Segments<'a> {
     fn fail<T>(&mut self, at: usize) -> Option<T> {
         self.error = Some(at);
         self.at = self.end;
-        self.repeated = None;
         None
     }
+}
+
+const fn is_arc(letter: u8) -> bool {
+    matches!(letter, b'a' | b'A')
 }
 
 const fn is_bezier(letter: u8) -> bool {
@@ -336,61 +364,4 @@ impl Iterator for Segments<'_> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn letters(text: &str) -> (String, Option<usize>) {
-        let mut segments = Segments::new(text, 0..text.len());
-        let read: String = segments.by_ref().map(|s| s.letter as char).collect();
-        (read, segments.error())
-    }
-
-    #[test]
-    fn commands_repeat_implicitly() {
-        assert_eq!(
-            letters("M0 0 1 1l2,2-3-3zm1 1 2 2Z"),
-            ("MLllzmlZ".to_owned(), None)
-        );
-        assert_eq!(
-            letters(" m0 0h1 2v3 4q1 1 1 1t2 2c1 1 1 1 1 1s1 1 1 1"),
-            ("mhhvvqtcs".to_owned(), None)
-        );
-        assert_eq!(letters(""), (String::new(), None));
-    }
-
-    #[test]
-    fn reading_stops_at_the_first_error() {
-        assert_eq!(letters("L0 0"), (String::new(), Some(0)));
-        assert_eq!(letters("M0 0 L1 x"), ("M".to_owned(), Some(5)));
-        assert_eq!(letters("M0 0,,1 1"), ("M".to_owned(), Some(4)));
-        assert_eq!(letters("M0 0z1 1"), ("Mz".to_owned(), Some(5)));
-        assert_eq!(letters("M0 0a1 1 0 2 0 1 1"), ("M".to_owned(), Some(4)));
-        assert_eq!(letters("M0 0b1"), ("M".to_owned(), Some(4)));
-        assert_eq!(letters("M0 0 L1 1, L2 2"), ("ML".to_owned(), Some(9)));
-        assert_eq!(letters("none"), (String::new(), Some(0)));
-    }
-
-    #[test]
-    fn compact_arcs_have_exact_spans() {
-        let text = "M600,350a25,25-30 0150-25l 1,1";
-        let arc = Segments::new(text, 0..text.len()).nth(1).unwrap();
-        assert_eq!(&text[arc.start..arc.end], "a25,25-30 0150-25");
-        assert_eq!(&text[arc.tail..arc.end], "50-25");
-        assert_eq!(
-            arc.arc_values(text).unwrap(),
-            [25.0, 25.0, -30.0, 0.0, 1.0, 50.0, -25.0]
-        );
-    }
-
-    #[test]
-    fn a_repeated_arc_begins_with_its_first_argument() {
-        let text = "M0 0a1 1 0 0 1 2 2, .5.5 0 00.1.1";
-        let arc = Segments::new(text, 0..text.len()).nth(2).unwrap();
-        assert_eq!(&text[arc.start..arc.end], ".5.5 0 00.1.1");
-        assert_eq!(
-            arc.arc_values(text).unwrap(),
-            [0.5, 0.5, 0.0, 0.0, 0.0, 0.1, 0.1]
-        );
-        assert!(!arc.explicit);
-    }
-}
+mod tests;

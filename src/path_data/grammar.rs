@@ -3,13 +3,13 @@
 use crate::number::read as number;
 
 /// Whether a character is white space, as path data and lists of points have it.
-pub(in crate::document) const fn is_space(c: char) -> bool {
+pub(crate) const fn is_space(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\n' | '\r' | '\x0c')
 }
 
 /// The index after white space.
 #[inline]
-pub(in crate::document) fn after_space(bytes: &[u8], mut at: usize) -> usize {
+pub(crate) fn after_space(bytes: &[u8], mut at: usize) -> usize {
     while let Some(b' ' | b'\t' | b'\n' | b'\r' | 0x0c) = bytes.get(at) {
         at += 1;
     }
@@ -18,7 +18,7 @@ pub(in crate::document) fn after_space(bytes: &[u8], mut at: usize) -> usize {
 
 /// The index after white space with at most one comma.
 #[inline]
-pub(in crate::document) fn after_separator(bytes: &[u8], at: usize) -> usize {
+pub(crate) fn after_separator(bytes: &[u8], at: usize) -> usize {
     /// The bit of each byte that parts numbers.
     const SEPARATORS: u64 =
         1 << b' ' | 1 << b'\t' | 1 << b'\n' | 1 << b'\r' | 1 << 0x0c | 1 << b',';
@@ -46,10 +46,7 @@ fn after_separators(bytes: &[u8], at: usize) -> usize {
 
 /// The index after `COUNT` numbers and what parts them from the next one.
 #[inline]
-pub(in crate::document) fn after_numbers<const COUNT: usize>(
-    bytes: &[u8],
-    mut at: usize,
-) -> Option<usize> {
+pub(crate) fn after_numbers<const COUNT: usize>(bytes: &[u8], mut at: usize) -> Option<usize> {
     for _ in 0..COUNT {
         at = after_separator(bytes, number::skip(bytes, at)?);
     }
@@ -58,7 +55,7 @@ pub(in crate::document) fn after_numbers<const COUNT: usize>(
 
 /// The index of the first byte above the digits, such as a letter; the end of the text where there is none.
 #[inline]
-pub(in crate::document) fn after_arguments(bytes: &[u8], mut at: usize) -> usize {
+pub(crate) fn after_arguments(bytes: &[u8], mut at: usize) -> usize {
     const HIGH: u64 = 0x8080_8080_8080_8080;
     while let Some(chunk) = bytes.get(at..).and_then(<[u8]>::first_chunk) {
         let word = u64::from_le_bytes(*chunk);
@@ -82,7 +79,7 @@ fn after_flag(bytes: &[u8], at: usize) -> Option<usize> {
 
 /// The index after the radii, the rotation and the flags of an arc.
 #[inline]
-pub(in crate::document) fn after_arc_shape(bytes: &[u8], at: usize) -> Option<usize> {
+pub(crate) fn after_arc_shape(bytes: &[u8], at: usize) -> Option<usize> {
     let large = after_numbers::<3>(bytes, at)?;
     let sweep = after_separator(bytes, after_flag(bytes, large)?);
     Some(after_separator(bytes, after_flag(bytes, sweep)?))
@@ -135,30 +132,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn the_grammar_is_that_of_the_reader_of_all_commands() {
-        let tokens = ["M", "l", "z", "a5 5 0 0 1", "0", "-1", ".5", " ", ",", "e"];
-        let mut texts = vec![String::new()];
-        let mut from = 0;
-        for _ in 0..5 {
-            let until = texts.len();
-            for i in from..until {
-                texts.extend(tokens.map(|token| format!("{}{token}", texts[i])));
-            }
-            from = until;
-        }
-        let mut wrong = Vec::new();
-        for text in texts {
-            let text = format!("M0 0{text}");
-            let mut segments = super::super::segments::Segments::new(&text, 0..text.len());
-            while segments.next().is_some() {}
-            let is_right = segments.error().is_none();
-            if crate::path::contours(&text).is_ok() != is_right {
-                wrong.push((text, is_right));
-            }
-        }
-        assert!(wrong.is_empty(), "{:?}", wrong.first());
     }
 }
