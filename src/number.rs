@@ -177,6 +177,13 @@ pub(crate) fn parse(word: &str) -> Option<f64> {
     }
 }
 
+/// How many decimals leave a number of this size about so many digits.
+#[cfg(feature = "document")]
+pub(crate) fn decimals_for(size: f64, digits: i32) -> u32 {
+    let before = libm::log10(size.abs().max(1e-300)).ceil() as i32;
+    (digits - before).max(0).unsigned_abs()
+}
+
 /// The number of decimals of the shortest form of `x`: 2 for `0.25`, 7 for `1e-7`, 0 for `50`; 255 at most.
 #[must_use]
 pub fn decimals_of(x: f64) -> u8 {

@@ -50,7 +50,7 @@ pub enum Reason {
     /// The path data have an error; renderers stop there.
     PathError,
     /// The path data have an error between this arc and a smooth command.
-    PathErrorBehindArc,
+    PathErrorAfterArc,
     /// The coordinates are too large for arithmetic to stay exact.
     TooLarge,
     /// The precision asked for would collapse it.
@@ -111,7 +111,7 @@ impl Reason {
             Self::Length { .. } => "length",
             Self::NotDrawn(_) => "not-drawn",
             Self::Entity => "entity",
-            Self::PathError | Self::PathErrorBehindArc => "path-error",
+            Self::PathError | Self::PathErrorAfterArc => "path-error",
             Self::TooLarge => "too-large",
             Self::Collapses => "precision",
             Self::Refused(_) => "method",
@@ -178,7 +178,7 @@ impl Reason {
                 "its ends are one point in single precision, so that some renderers draw nothing and others all of it"
             }
             Self::PathError => "the path data have an error here; nothing after it is drawn",
-            Self::PathErrorBehindArc => {
+            Self::PathErrorAfterArc => {
                 "the path data have an error between this arc and a smooth curve"
             }
             Self::TooLarge => "its coordinates are too large",

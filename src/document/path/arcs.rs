@@ -18,6 +18,7 @@ use crate::document::path::scratch::Scratch;
 use crate::document::style::property::Markers;
 use crate::document::{Options, Reason};
 use crate::number::decimal::{After, BelowOne, Decimal};
+use crate::number::decimals_for;
 use crate::path::PathText;
 use crate::path_data::{Segment, Segments};
 use crate::shape::endpoint::SvgArc;
@@ -204,8 +205,8 @@ impl<S: Sink> Writer<'_, '_, S> {
             _ if segment.is_relative() => after.push_text(text, b"0 0"),
             Some(arc) if !arc.is_relative() => after.push_text(text, &bytes[arc.tail..arc.end]),
             _ => {
-                let size = self.at.point.x.abs().max(self.at.point.y.abs()).max(1e-9);
-                let decimals = (12 - libm::log10(size).ceil() as i32).max(0).unsigned_abs();
+                let size = self.at.point.x.abs().max(self.at.point.y.abs());
+                let decimals = decimals_for(size, 12);
                 for x in [self.at.point.x, self.at.point.y] {
                     after.push(text, Decimal::round(x, decimals), BelowOne::Short);
                 }
@@ -219,7 +220,7 @@ impl<S: Sink> Writer<'_, '_, S> {
 
     fn arc(&mut self, segment: &Segment, known: Option<usize>, after: &Segments<'_>) {
         let replaced = if after.is_broken_smooth() {
-            Err(Reason::PathErrorBehindArc)
+            Err(Reason::PathErrorAfterArc)
         } else if self.collapses {
             Err(Reason::Collapses)
         } else {

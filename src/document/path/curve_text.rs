@@ -6,8 +6,9 @@ use crate::document::path::beziers::{Beziers, arguments};
 use crate::document::{Options, Reason};
 use crate::measure::radial;
 use crate::number::decimal::{After, BelowOne, Decimal};
-use crate::number::read as number;
+use crate::number::{decimals_for, read as number};
 use crate::path_data::Segment;
+use crate::path_data::grammar::after_separator;
 use crate::shape::endpoint::SvgArc;
 
 /// Coordinates beyond this are left alone.
@@ -161,18 +162,15 @@ pub(in crate::document) fn strayed(arc: &SvgArc, options: &Options, drawn: &Bezi
 fn end_point(data: &str, segment: &Segment) -> [Decimal; 2] {
     let bytes = data.as_bytes();
     let middle = number::skip(bytes, segment.tail).unwrap_or(segment.tail);
-    let second = data[middle..segment.end]
-        .find(|c: char| !matches!(c, ' ' | '\t' | '\n' | '\r' | '\x0c' | ','))
-        .unwrap_or(0);
+    let second = after_separator(bytes, middle);
     let read = |text: &str| {
         Decimal::read(text).unwrap_or_else(|| {
             let value: f64 = text.parse().unwrap_or_default();
-            let digits = 15 - libm::log10(value.abs().max(1e-300)).ceil() as i32;
-            Decimal::round(value, digits.max(0).unsigned_abs())
+            Decimal::round(value, decimals_for(value, 15))
         })
     };
     [
         read(&data[segment.tail..middle]),
-        read(&data[middle + second..segment.end]),
+        read(&data[second..segment.end]),
     ]
 }

@@ -6,7 +6,7 @@ use kurbo::Vec2;
 
 use crate::arcs::recognize::Found;
 use crate::number::decimal::{After, BelowOne, Decimal};
-use crate::number::decimals_of;
+use crate::number::{decimals_for, decimals_of};
 use crate::path_data::Segment;
 
 /// A Bézier of path data.
@@ -285,8 +285,7 @@ fn after(text: &str, links: &[Link], run: &Run, next_run: usize) -> Option<[Opti
 
 /// A coordinate that no number of the file spells.
 fn absolute(value: f64) -> Decimal {
-    let decimals = 12 - libm::log10(value.abs().max(1e-9)).ceil() as i32;
-    Decimal::round(value, decimals.max(0).unsigned_abs())
+    Decimal::round(value, decimals_for(value, 12))
 }
 
 /// The letter of a command that had none of its own.

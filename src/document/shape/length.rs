@@ -1,6 +1,7 @@
 //! Lengths of geometry attributes in user units.
 
 use crate::number::decimal::Decimal;
+use crate::number::decimals_for;
 use crate::number::read as number;
 
 /// A length: its value, and its digits as the file spells them.
@@ -34,10 +35,9 @@ const UNITS: [(&str, f64); 7] = [
 impl Length {
     /// A value that was computed.
     pub(in crate::document) fn computed(value: f64) -> Self {
-        let size = libm::log10(value.abs().max(1e-300)).ceil() as i32;
         Self {
             value,
-            exact: Decimal::round(value, (14 - size).clamp(0, 15).unsigned_abs()),
+            exact: Decimal::round(value, decimals_for(value, 14)),
         }
     }
 
