@@ -5,6 +5,9 @@ use super::refusal::refusal;
 use crate::angle::Angle;
 use crate::error::{Error, Result, TextError};
 
+/// What such a list holds.
+const FUNCTION: &str = "a function such as rotate(30) or translate(5,0)";
+
 /// Reads the list of an SVG `transform` as one map.
 ///
 /// svgtypes reads the list; the map is made here, because it would ask the platform for sines, and would turn by 90 degrees with a
@@ -16,15 +19,14 @@ use crate::error::{Error, Result, TextError};
 pub fn transform(text: &str) -> Result<Affine> {
     let mut map = Affine::IDENTITY;
     for token in TransformListParser::from(text) {
-        let token = token.map_err(|error| {
-            let why = refusal(
-                &error,
-                text,
-                "a function such as rotate(30) or translate(5,0)",
-            );
-            Error::Text(TextError::Transform(why))
-        })?;
+        let token = token
+            .map_err(|error| Error::Text(TextError::Transform(refusal(&error, text, FUNCTION))))?;
         map *= one(token);
+    }
+    // svgtypes takes a comma after the last one too.
+    if text.trim_end().ends_with(',') {
+        let why = refusal(&svgtypes::Error::UnexpectedEndOfStream, text, FUNCTION);
+        return Err(Error::Text(TextError::Transform(why)));
     }
     if map.is_finite() {
         Ok(map)

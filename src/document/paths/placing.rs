@@ -74,15 +74,19 @@ impl Coordinates {
                 why: Box::new(error),
             })
         })?;
-        let Some(origin) = tag.property("transform-origin")? else {
+        if own == Affine::IDENTITY {
             return Ok(own);
-        };
+        }
+        // Without an origin too: a box has its own corner.
         if let Some(value) = tag
             .property("transform-box")?
             .filter(|value| value != "view-box")
         {
             return Err(unread("transform-box", &value));
         }
+        let Some(origin) = tag.property("transform-origin")? else {
+            return Ok(own);
+        };
         let origin = self.origin(&origin)?;
         Ok(Affine::translate(origin) * own * Affine::translate(-origin))
     }
@@ -95,7 +99,9 @@ impl Coordinates {
         let [x, y] = match words[..] {
             [y @ ("top" | "bottom")] => ["center", y],
             [x] => [x, "center"],
-            [y @ ("top" | "bottom"), x] | [y, x @ ("left" | "right")] | [x, y] => [x, y],
+            [y @ ("top" | "bottom"), x @ ("left" | "center" | "right")]
+            | [y @ "center", x @ ("left" | "right")]
+            | [x, y] => [x, y],
             _ => return Err(wrong()),
         };
         let one = |word: &str, axis: usize| {
@@ -231,8 +237,10 @@ mod tests {
             ("xMinYMax slice", 20.0, -20.0),
             ("none", 20.0, 25.0),
             ("xMidYMid  slice", 20.0, 5.0),
-            ("defer xMinYMin", 15.0, 25.0),
             // No such words: as if there were none.
+            ("defer xMinYMin", 40.0, 25.0),
+            ("xMinYMin meet x", 40.0, 25.0),
+            ("xMinYMin,slice", 40.0, 25.0),
             ("xMinYMi", 40.0, 25.0),
             ("xMinYMax cut", 40.0, 25.0),
             ("slice", 40.0, 25.0),
@@ -323,6 +331,8 @@ mod tests {
         for origin in [
             "left right",
             "top bottom",
+            "top 7",
+            "7 left",
             "inf% 0",
             "NaN% 0",
             "1e999 0",
@@ -379,6 +389,7 @@ mod tests {
             "scale:2",
             "offset-path:none;offset-path:path(\"\")",
             "offset:path(\"M1 1\") 50%",
+            "transform:scale(2);transform-box:fill-box",
             "transform:scale(2);transform-origin:1px 1px;transform-box:fill-box",
         ] {
             assert_eq!(placed(&style(said)), None, "{said}");

@@ -1,7 +1,6 @@
 //! What of its coordinates a viewport shows.
 
 use kurbo::{Affine, Vec2};
-use svgtypes::{Align, AspectRatio};
 
 use super::numbers;
 use super::tag::Tag;
@@ -28,35 +27,57 @@ impl ViewBox {
         }))
     }
 
-    /// The map to a viewport of this size, as `preserveAspectRatio` has it; where that is wrong, as if it were missing.
+    /// The map to a viewport of this size, as `preserveAspectRatio` has it.
     pub(super) fn fitted(&self, tag: &Tag<'_>, size: [f64; 2]) -> Result<Affine> {
         let ratio = tag.attribute("preserveAspectRatio")?.unwrap_or_default();
-        let ratio: AspectRatio = ratio.parse().unwrap_or_default();
         let scales = Vec2::new(size[0] / self.size[0], size[1] / self.size[1]);
-        let scale = if ratio.slice {
-            scales.x.max(scales.y)
-        } else {
-            scales.x.min(scales.y)
-        };
-        let (x, y) = match ratio.align {
-            Align::None => {
+        let (scale, [x, y]) = match aspect_ratio(&ratio) {
+            AspectRatio::Free => {
                 let scale = Affine::scale_non_uniform(scales.x, scales.y);
                 return Ok(scale * Affine::translate(-self.corner));
             }
-            Align::XMinYMin => (0.0, 0.0),
-            Align::XMidYMin => (0.5, 0.0),
-            Align::XMaxYMin => (1.0, 0.0),
-            Align::XMinYMid => (0.0, 0.5),
-            Align::XMidYMid => (0.5, 0.5),
-            Align::XMaxYMid => (1.0, 0.5),
-            Align::XMinYMax => (0.0, 1.0),
-            Align::XMidYMax => (0.5, 1.0),
-            Align::XMaxYMax => (1.0, 1.0),
+            AspectRatio::Meet(align) => (scales.x.min(scales.y), align),
+            AspectRatio::Slice(align) => (scales.x.max(scales.y), align),
         };
         let moved = Vec2::new(
             x * (size[0] - self.size[0] * scale),
             y * (size[1] - self.size[1] * scale),
         );
         Ok(Affine::translate(moved) * Affine::scale(scale) * Affine::translate(-self.corner))
+    }
+}
+
+/// How a `viewBox` fills a viewport: how much of what is left over stands before it, by axis.
+enum AspectRatio {
+    /// Stretched along each axis.
+    Free,
+    /// All of it is seen.
+    Meet([f64; 2]),
+    /// All of the viewport is covered.
+    Slice([f64; 2]),
+}
+
+/// That of SVG 2; what is wrong counts as missing. svgtypes reads no more than its beginning, and the `defer` of SVG 1.1.
+fn aspect_ratio(text: &str) -> AspectRatio {
+    let words: Vec<&str> = text.split_ascii_whitespace().collect();
+    let (align, is_slice) = match *words {
+        [align] | [align, "meet"] => (align, false),
+        [align, "slice"] => (align, true),
+        _ => ("", false),
+    };
+    let part = |word: &str| match word {
+        "Min" => Some(0.0),
+        "Mid" => Some(0.5),
+        "Max" => Some(1.0),
+        _ => None,
+    };
+    let parts = align
+        .strip_prefix('x')
+        .and_then(|rest| rest.split_once('Y'));
+    let parts = parts.and_then(|(x, y)| Some([part(x)?, part(y)?]));
+    match parts {
+        _ if align == "none" => AspectRatio::Free,
+        Some(parts) if is_slice => AspectRatio::Slice(parts),
+        parts => AspectRatio::Meet(parts.unwrap_or([0.5; 2])),
     }
 }
