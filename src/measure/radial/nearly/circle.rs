@@ -1,4 +1,4 @@
-//! Whether segments are within a tolerance of a circle, by many samples: the extremes by roots take eight times as long.
+//! Whether segments are within a tolerance of a circle, by many samples: the extremes by roots take several times as long.
 //!
 //! F = |q|² - 1 of a segment is not larger than its largest sample over cos(6π/(2N)), as on an ellipse, and the distance from the unit circle
 //! is F/(1 + √(1 + F)): of two F of one size, the one inside is farther.
