@@ -63,7 +63,9 @@ impl Segment {
         let mut values = [0.0; N];
         let mut at = self.arguments;
         for value in &mut values {
-            if let Some((number, end)) = number::read(text.as_bytes(), at) {
+            if at < self.end
+                && let Some((number, end)) = number::read(text.as_bytes(), at)
+            {
                 *value = number;
                 at = after_separator(text.as_bytes(), end);
             }

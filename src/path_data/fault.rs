@@ -1,6 +1,6 @@
 //! What is wrong with path data.
 
-use super::grammar::{after_separator, after_space};
+use super::grammar::{after_separator, after_space, is_space};
 use super::{Segment, is_arc};
 use crate::number::read as number;
 
@@ -64,8 +64,9 @@ impl Fault {
     /// The fault where a number or a flag is missing.
     fn missing(bytes: &[u8], at: usize) -> Self {
         let next = bytes.get(at);
-        let is_space = |byte: &u8| matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | 0x0c);
-        let last = bytes[..at].iter().rposition(|byte| !is_space(byte));
+        let last = bytes[..at]
+            .iter()
+            .rposition(|byte| !is_space(char::from(*byte)));
         match last.filter(|last| bytes[*last] == b',') {
             Some(comma) if next.is_none_or(u8::is_ascii_alphabetic) => Self::Comma(comma),
             _ if next.is_none() => Self::Ends,
