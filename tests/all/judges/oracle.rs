@@ -3,6 +3,7 @@
 
 #![allow(unreachable_pub)]
 
+mod along;
 pub mod bezier;
 pub mod conic;
 pub mod ellipse;

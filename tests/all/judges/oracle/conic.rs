@@ -1,13 +1,9 @@
 //! True distances of a Bézier segment from the branch of a conic, and both ways.
 
+use super::along::Search;
 use super::bezier::Powers;
-use super::real::{
-    Point, Real, abs, cross, dot, int, norm, power_of_two, ratio, real, sign, to_f64,
-};
-
-/// Places at which a nearest point is looked for, and those of which the distance is.
-const GRID: u32 = 400;
-const PLACES: u32 = 64;
+use super::real::{Point, Real, cross, dot, int, max, norm, power_of_two, ratio, sign, to_f64};
+use super::solve::sign_changes;
 
 /// A rational quadratic from P0 over P1 of weight w to P2. With U = P0 - P1 and V = P2 - P1 the point at r, from 0 to infinity, lies at
 /// (U + r² V)/(1 + 2 w r + r²) from P1.
@@ -19,77 +15,17 @@ pub struct Branch {
     fineness: u32,
 }
 
-/// What a search for a nearest point begins with, in `f64`.
+/// A branch in `f64`.
 struct Rough {
     arms: [[f64; 2]; 2],
     weight: f64,
-    /// The points at the places.
-    grid: Vec<[f64; 2]>,
 }
 
 impl Rough {
-    fn new(arms: [[f64; 2]; 2], weight: f64, fineness: u32) -> Self {
-        let mut rough = Self {
-            arms,
-            weight,
-            grid: Vec::new(),
-        };
-        let steps = GRID * fineness;
-        let places = (0..=steps).map(|i| rough.place(f64::from(i) / f64::from(steps)));
-        rough.grid = places.map(|r| rough.point(r)).collect();
-        rough
-    }
-
-    /// From the first place on, by ratios.
-    fn place(&self, s: f64) -> f64 {
-        let first = self.first();
-        first * (1.0 / first).powf(s)
-    }
-
-    fn first(&self) -> f64 {
-        1e-4 / (1.0 + self.weight)
-    }
-
     fn point(&self, r: f64) -> [f64; 2] {
         let whole = 1.0 + 2.0 * self.weight * r + r * r;
         [0, 1].map(|i| (self.arms[0][i] + r * r * self.arms[1][i]) / whole)
     }
-
-    fn square(&self, q: [f64; 2], r: f64) -> f64 {
-        square(self.point(r), q)
-    }
-
-    /// The r up to 1 that is nearest, before the start too, and the square of its distance.
-    fn nearest(&self, q: [f64; 2]) -> (f64, f64) {
-        let (w, first) = (self.weight, self.first());
-        // Before the start up to where the branch goes to infinity or half around; evenly up to the first place; then by ratios.
-        let before = if w > 1.0 {
-            1.0 / (w + (w * w - 1.0).sqrt())
-        } else {
-            1.0
-        };
-        let before = |s: f64| -0.9 * before * s * s;
-        let near = |s: f64| s * first;
-        let far = |s: f64| self.place(s);
-        let on_grid: Vec<f64> = self.grid.iter().map(|p| square(*p, q)).collect();
-        let found = [
-            at(&before, valley(&|s| self.square(q, before(s)), 40)),
-            at(&near, valley(&|s| self.square(q, near(s)), 8)),
-            at(&far, valley_of(&|s| self.square(q, far(s)), &on_grid)),
-        ];
-        found
-            .into_iter()
-            .min_by(|a, b| a.1.total_cmp(&b.1))
-            .unwrap()
-    }
-}
-
-fn at(place: &dyn Fn(f64) -> f64, (s, value): (f64, f64)) -> (f64, f64) {
-    (place(s), value)
-}
-
-fn square(p: [f64; 2], q: [f64; 2]) -> f64 {
-    (p[0] - q[0]).powi(2) + (p[1] - q[1]).powi(2)
 }
 
 impl Branch {
@@ -100,7 +36,8 @@ impl Branch {
         let plain = |p: &Point| [to_f64(&p[0]), to_f64(&p[1])];
         let rough = [0, 1].map(|end| {
             let arms = [plain(&arms[end]), plain(&arms[1 - end])];
-            Rough::new(arms, to_f64(&weight), fineness)
+            let weight = to_f64(&weight);
+            Rough { arms, weight }
         });
         Self {
             arms,
@@ -111,53 +48,65 @@ impl Branch {
         }
     }
 
-    /// The point at r from one of the ends, 0 the first.
+    /// The point at r from one of the ends, 0 the first, about P1.
     fn point(&self, end: usize, r: &Real) -> Point {
         let [u, v] = [&self.arms[end], &self.arms[1 - end]];
         let whole = int(1) + int(2) * &self.weight * r + r * r;
-        [0, 1].map(|i| &self.origin[i] + (&u[i] + r * r * &v[i]) / &whole)
+        [0, 1].map(|i| (&u[i] + r * r * &v[i]) / &whole)
     }
 
-    /// The signed distance of a point, positive on the control point's side.
-    pub fn distance(&self, p: &Point) -> Real {
-        let q = [&p[0] - &self.origin[0], &p[1] - &self.origin[1]];
-        let plain = |p: &Point| [to_f64(&p[0]), to_f64(&p[1])];
-        let rough = [0, 1].map(|end: usize| self.rough[end].nearest(plain(&q)));
-        let end = usize::from(rough[1].1 < rough[0].1);
+    /// The normal at r towards P1: square to -w U + r (V - U) + w r² V.
+    fn normal(&self, end: usize, r: &Real) -> Point {
         let [u, v] = [&self.arms[end], &self.arms[1 - end]];
         let w = &self.weight;
-        let mut r = real(rough[end].0);
-        let less = |a: &Point, b: &Point| [&a[0] - &b[0], &a[1] - &b[1]];
-        let (first, last, across) = (less(&q, u), less(&q, v), less(v, u));
-        // ((q - U) + 2 w r q + r² (q - V)) · (-w U + r (V - U) + w r² V)
-        let value = |r: &Real| {
-            let a = |i: usize| &first[i] + int(2) * w * r * &q[i] + r * r * &last[i];
-            let b = |i: usize| r * &across[i] + w * r * r * &v[i] - w * &u[i];
-            let da = |i: usize| int(2) * w * &q[i] + int(2) * r * &last[i];
-            let db = |i: usize| &across[i] + int(2) * w * r * &v[i];
-            let (a, b, da, db) = ([a(0), a(1)], [b(0), b(1)], [da(0), da(1)], [db(0), db(1)]);
-            (dot(&a, &b), dot(&da, &b) + dot(&a, &db))
-        };
-        for _ in 0..12 {
-            let (value, slope) = value(&r);
-            if sign(&slope) == 0 {
-                break;
-            }
-            let step = value / slope;
-            if abs(&step) > abs(&r) * ratio(1, 2) + real(0.2) / (int(1) + w) {
-                break;
-            }
-            let is_last = abs(&step) <= power_of_two(-140) * abs(&r);
-            r -= step;
-            if is_last {
-                break;
-            }
+        let [x, y] = [0, 1].map(|i| r * (&v[i] - &u[i]) + w * (r * r * &v[i] - &u[i]));
+        let normal = [-y, x];
+        if sign(&dot(&normal, &self.point(end, r))) < 0 {
+            return normal;
         }
-        let far = |r: &Real| norm(&less(p, &self.point(end, r)));
-        // The steps may lead to another place where the distance is stationary.
-        let (size, start) = (far(&r), far(&real(rough[end].0)));
-        let size = if size < start { size } else { start };
-        if self.is_inside(&q) { -size } else { size }
+        normal.map(|x| -x)
+    }
+
+    /// The signed distance of a point, positive on the control point's side, and the normal towards there at the nearest point.
+    fn nearest(&self, p: &Point) -> (Real, Point) {
+        let q = less(p, &self.origin);
+        let feet = [0, 1].into_iter().flat_map(|end| {
+            let feet = self.feet(end, &q).into_iter();
+            feet.map(move |r| (end, r))
+        });
+        let far = |(end, r): (usize, Real)| (norm(&less(&q, &self.point(end, &r))), end, r);
+        let nearest = feet.map(far).reduce(|a, b| if b.0 < a.0 { b } else { a });
+        let (size, end, r) = nearest.unwrap();
+        let signed = if self.is_inside(&q) { -size } else { size };
+        (signed, self.normal(end, &r))
+    }
+
+    /// Where the distance of a point from the branch can be least, from one of the ends to the middle, and before it as far as the
+    /// branch goes: the two bounds, and where ((q - U) + 2 w r q + r² (q - V)) · (-w U + r (V - U) + w r² V) = 0.
+    fn feet(&self, end: usize, q: &Point) -> Vec<Real> {
+        let [u, v] = [&self.arms[end], &self.arms[1 - end]];
+        let w = &self.weight;
+        let one = int(1);
+        // To where the branch goes to infinity, or half around.
+        let before = if *w > one {
+            -&one / (w + (w * w - &one).sqrt())
+        } else {
+            -one.clone()
+        };
+        // Short of infinity.
+        let before = before * (&one - power_of_two(-60));
+        let (first, last, across) = (less(q, u), less(q, v), less(v, u));
+        let to_foot = [0, 1].map(|i| quadratic([&first[i], &(w * &q[i]), &last[i]], &before));
+        let speed = [0, 1].map(|i| {
+            let half = &across[i] * ratio(1, 2);
+            quadratic([&(-w * &u[i]), &half, &(w * &v[i])], &before)
+        });
+        let [x, y] = [0, 1].map(|i| product(&to_foot[i], &speed[i]));
+        let stationary: Vec<Real> = x.into_iter().zip(y).map(|(x, y)| x + y).collect();
+        let within = |s: Real| &before + s * (&one - &before);
+        let mut feet: Vec<Real> = sign_changes(&stationary).into_iter().map(within).collect();
+        feet.extend([before.clone(), one.clone()]);
+        feet
     }
 
     fn is_inside(&self, q: &Point) -> bool {
@@ -171,11 +120,10 @@ impl Branch {
 
     /// The largest distances of a segment outside and inside the whole branch.
     pub fn extremes(&self, points: &[Point]) -> [Real; 2] {
-        let curve = Powers::new(points);
-        let at = |t: f64| self.distance(&curve.at(&real(t)));
-        let inner = largest(&at);
-        let outer = largest(&|t| -at(t));
-        [inner, outer].map(|d| if sign(&d) > 0 { d } else { int(0) })
+        let near = |p: &Point| self.nearest(p);
+        let distances = Search::new(&Powers::new(points), &near).distances(Vec::new());
+        let largest = |of: &dyn Fn(&Real) -> Real| distances.iter().map(of).fold(int(0), max);
+        [largest(&Real::clone), largest(&|d| -d)]
     }
 
     /// How far the arc lies from these segments at most, by the digits of `f64`.
@@ -200,6 +148,28 @@ impl Branch {
     }
 }
 
+fn less(a: &Point, b: &Point) -> Point {
+    [&a[0] - &b[0], &a[1] - &b[1]]
+}
+
+/// The Bernstein coefficients of a + 2 b r + c r² from a place to 1: its polar form at both, at each and at the other.
+fn quadratic([a, b, c]: [&Real; 3], from: &Real) -> [Real; 3] {
+    let polar = |r: &Real, s: &Real| a + b * (r + s) + c * (r * s);
+    let to = int(1);
+    [polar(from, from), polar(from, &to), polar(&to, &to)]
+}
+
+/// The Bernstein coefficients of the product of two quadratics.
+fn product(p: &[Real; 3], q: &[Real; 3]) -> [Real; 5] {
+    [
+        &p[0] * &q[0],
+        (&p[0] * &q[1] + &p[1] * &q[0]) * ratio(1, 2),
+        (&p[0] * &q[2] + int(4) * &p[1] * &q[1] + &p[2] * &q[0]) * ratio(1, 6),
+        (&p[1] * &q[2] + &p[2] * &q[1]) * ratio(1, 2),
+        &p[2] * &q[2],
+    ]
+}
+
 fn eval(cubic: &[[f64; 2]; 4], t: f64) -> [f64; 2] {
     let s = 1.0 - t;
     let weights = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
@@ -218,10 +188,7 @@ fn nearest(cubic: &[[f64; 2]; 4], q: [f64; 2], steps: u32) -> f64 {
 /// Where a function on [0, 1] is least, and its value there: every valley of its samples is looked into.
 fn valley(at: &dyn Fn(f64) -> f64, steps: u32) -> (f64, f64) {
     let places = (0..=steps).map(|i| f64::from(i) / f64::from(steps));
-    valley_of(at, &places.map(at).collect::<Vec<_>>())
-}
-
-fn valley_of(at: &dyn Fn(f64) -> f64, samples: &[f64]) -> (f64, f64) {
+    let samples: Vec<f64> = places.map(at).collect();
     let step = 1.0 / (samples.len() - 1) as f64;
     let is_low = |i: &usize| {
         let beside = [i.checked_sub(1), Some(i + 1)];
@@ -255,37 +222,4 @@ fn valley_of(at: &dyn Fn(f64) -> f64, samples: &[f64]) -> (f64, f64) {
 /// The largest value on [0, 1].
 fn peak(at: &dyn Fn(f64) -> f64) -> f64 {
     -valley(&|t| -at(t), 400).1
-}
-
-/// The largest value on [0, 1], from samples on, which crowd at the ends.
-fn largest(of: &dyn Fn(f64) -> Real) -> Real {
-    let place = |i: u32| {
-        let s = f64::from(i) / f64::from(PLACES);
-        s * s * (3.0 - 2.0 * s)
-    };
-    let samples: Vec<Real> = (0..=PLACES).map(|i| of(place(i))).collect();
-    let mut order: Vec<usize> = (0..samples.len()).collect();
-    order.sort_by(|&i, &j| samples[j].partial_cmp(&samples[i]).unwrap());
-    let mut most = samples[order[0]].clone();
-    for &top in &order[..3] {
-        let near = |i: usize| place(i as u32);
-        let (mut low, mut high) = (
-            near(top.saturating_sub(1)),
-            near((top + 1).min(PLACES as usize)),
-        );
-        for _ in 0..28 {
-            let (a, b) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
-            let (at_a, at_b) = (of(a), of(b));
-            let larger = if at_a > at_b { &at_a } else { &at_b };
-            if *larger > most {
-                most.clone_from(larger);
-            }
-            if at_a > at_b {
-                high = b;
-            } else {
-                low = a;
-            }
-        }
-    }
-    most
 }
