@@ -131,7 +131,7 @@ impl Branch {
         let about = |p: &Point| [0, 1].map(|i| to_f64(&(&p[i] - &self.origin[i])));
         let cubics: Vec<[[f64; 2]; 4]> = segments
             .iter()
-            .map(|points| std::array::from_fn(|i| about(&points[i])))
+            .map(|points| raised(points).each_ref().map(about))
             .collect();
         let mut most = 0.0_f64;
         for side in &self.rough {
@@ -168,6 +168,15 @@ fn product(p: &[Real; 3], q: &[Real; 3]) -> [Real; 5] {
         (&p[1] * &q[2] + &p[2] * &q[1]) * ratio(1, 2),
         &p[2] * &q[2],
     ]
+}
+
+/// A cubic's control points, or those of a quadratic as a cubic.
+fn raised(points: &[Point]) -> [Point; 4] {
+    let third = |a: &Point, b: &Point| [0, 1].map(|i| (&a[i] + int(2) * &b[i]) * ratio(1, 3));
+    match points {
+        [a, b, c] => [a.clone(), third(a, b), third(c, b), c.clone()],
+        _ => std::array::from_fn(|i| points[i].clone()),
+    }
 }
 
 fn eval(cubic: &[[f64; 2]; 4], t: f64) -> [f64; 2] {
