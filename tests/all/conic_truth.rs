@@ -198,7 +198,7 @@ fn wrong(verdicts: &[Verdict]) -> Vec<&str> {
     wrong.map(|v| v.words.as_str()).collect()
 }
 
-/// Conics whose error was stated five times too small, as infinite, right where the judge was wrong, and 200 units in the last place too
+/// Conics whose error was stated five times too small, as infinite, right where the judge was wrong twice, and 200 units in the last place too
 /// large.
 #[test]
 fn what_is_stated_of_sharp_conics_is_a_bound() {
@@ -236,6 +236,18 @@ fn what_is_stated_of_sharp_conics_is_a_bound() {
             Method::Minimax,
             8,
             Precision::Full,
+        ),
+        // Near an end the curve is on the other side by less than a billionth.
+        (
+            [
+                (0.135_636_563_295_255_92, -0.362_250_723_720_186_85),
+                (0.113_750_248_069_668_74, -0.330_862_843_430_957_45),
+                (-0.095_261_808_379_701_88, -0.031_111_838_222_118_993),
+            ],
+            1.141_759_671_778_414_4,
+            Method::Minimax,
+            3,
+            Precision::Fixed(2),
         ),
         (
             [(-40.0, 7.0), (10.0, 60.0), (12.0, -3.0)],

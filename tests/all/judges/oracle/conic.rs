@@ -2,7 +2,7 @@
 
 use super::along::Search;
 use super::bezier::Powers;
-use super::real::{Point, Real, cross, dot, int, max, norm, power_of_two, ratio, sign, to_f64};
+use super::real::{Point, Real, cross, int, max, norm, power_of_two, ratio, sign, to_f64};
 use super::solve::sign_changes;
 
 /// A rational quadratic from P0 over P1 of weight w to P2. With U = P0 - P1 and V = P2 - P1 the point at r, from 0 to infinity, lies at
@@ -55,16 +55,16 @@ impl Branch {
         [0, 1].map(|i| (&u[i] + r * r * &v[i]) / &whole)
     }
 
-    /// The normal at r towards P1: square to -w U + r (V - U) + w r² V.
+    /// The normal at r to P1's side: square to -w U + r (V - U) + w r² V, and turned to where it leads to P1 at r = 1.
     fn normal(&self, end: usize, r: &Real) -> Point {
         let [u, v] = [&self.arms[end], &self.arms[1 - end]];
         let w = &self.weight;
         let [x, y] = [0, 1].map(|i| r * (&v[i] - &u[i]) + w * (r * r * &v[i] - &u[i]));
-        let normal = [-y, x];
-        if sign(&dot(&normal, &self.point(end, r))) < 0 {
-            return normal;
+        if sign(&cross(u, v)) > 0 {
+            [-y, x]
+        } else {
+            [y, -x]
         }
-        normal.map(|x| -x)
     }
 
     /// The signed distance of a point, positive on the control point's side, and the normal towards there at the nearest point.
