@@ -243,6 +243,20 @@ impl Joints {
         })
     }
 
+    /// The same with the inner joints moved by a part of the segments before them.
+    pub(crate) fn nudged(&self, arc: &UnitArc, part: f64) -> Self {
+        let mut ways: Vec<f64> = self
+            .angles
+            .iter()
+            .map(|a| (a - self.angles[0]).abs())
+            .collect();
+        let inner = ways[1..].iter_mut().zip(&self.spans);
+        for (way, before) in inner.take(self.count() - 1) {
+            *way += part * before.degrees();
+        }
+        Self::after(arc, &ways)
+    }
+
     /// Joints this many degrees after the start, ascending, both ends included.
     pub(crate) fn after(arc: &UnitArc, ways: &[f64]) -> Self {
         let sign = 1.0_f64.copysign(arc.sweep.degrees());

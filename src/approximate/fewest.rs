@@ -37,6 +37,9 @@ const NEARLY: [f64; 14] = [
     1.1, 1.03, 0.99, 0.96, 0.93, 0.9, 0.87, 0.84, 0.8, 0.7, 0.6, 0.5, 0.4, 0.33,
 ];
 
+/// By how much of a segment joints of equal error are moved where rounding alone brings them beyond a tolerance.
+const NUDGES: [f64; 4] = [1e-3, -1e-3, 2e-3, -2e-3];
+
 #[cfg(test)]
 thread_local! {
     /// How many curves were cut: what a search costs, to one who counts.
@@ -251,25 +254,38 @@ impl Request<'_> {
             .take(BELOW + MOST_BEYOND)
             .find_map(|count| {
                 let adaptive = balance.joints_from(count, begun.take(), LUCK * allowed);
+                let told = adaptive.as_ref().and_then(|(_, told)| *told);
                 let equal = || within(Joints::equal(&self.outline.unit, count).ok()?);
-                let greedy = || {
-                    // What rounding would have to bring far is not worth a march.
+                let other = || {
+                    // What rounding would have to bring far is not worth a look.
                     let near = LUCK * tolerance / radius;
                     let least = || balance.least(near).map(|least| least.count);
                     if is_told && least() > Some(count) {
                         return None;
                     }
+                    if told.is_some() {
+                        return self.nudged(balance, count, tolerance);
+                    }
                     let mut all = marched.of_count(count);
-                    all.find_map(|joints| within(joints.clone()))
+                    let greedy = all.find_map(|joints| within(joints.clone()));
+                    greedy.or_else(|| within(balance.joints_from(count, None, f64::INFINITY)?.0))
                 };
                 let adaptive = adaptive.and_then(|(joints, told)| within_if_told(joints, told));
-                adaptive.or_else(equal).or_else(greedy)
+                adaptive.or_else(equal).or_else(other)
             })?;
         let count = found.curve.segments.len();
         let fewer = balance
             .may_be_beaten(allowed, first, count)
             .then(|| self.fewer_truly(balance, count, tolerance));
         Some(fewer.flatten().unwrap_or(found))
+    }
+
+    /// This many segments whose error is alike and that rounding alone brings beyond the tolerance: that of other joints may not.
+    fn nudged(&self, balance: &Balance, count: usize, tolerance: f64) -> Option<Sketch> {
+        let (joints, _) = balance.joints_from(count, None, f64::INFINITY)?;
+        let unit = &self.outline.unit;
+        let mut nudged = NUDGES.iter().map(|part| joints.nudged(unit, *part));
+        nudged.find_map(|joints| self.within(joints, None, tolerance).ok()?)
     }
 
     /// The counts that may be the fewest, ascending.

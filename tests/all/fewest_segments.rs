@@ -4,6 +4,7 @@
 use crate::judges::oracle;
 use crate::judges::random::uniform;
 
+use curveto::batch::spec::{Spec, Subject};
 use curveto::method::Span;
 use curveto::number::Precision;
 use curveto::path;
@@ -240,6 +241,32 @@ fn fewer(
         drawing.is_some_and(|drawing| drawing.is_ok_and(|it| it.error.peak() <= tolerance))
     };
     [found, (1..found).find(is_within).unwrap_or(found)]
+}
+
+/// Segments of one error are within the tolerance, and rounding brings them beyond it: that of joints beside theirs does not.
+#[test]
+fn joints_beside_those_of_one_error_serve_where_rounding_decides() {
+    for (line, least) in [
+        (
+            "arc 109.576 -856.966 150.082 31.790 22.634 133.278 332.972",
+            4,
+        ),
+        (
+            "arc 498.458 -640.563 158.570 132.537 18.502 -150.793 -224.388",
+            3,
+        ),
+        (
+            "arc 29.329 781.714 208.944 126.162 -116.551 -92.241 -291.085",
+            4,
+        ),
+    ] {
+        let Subject::Shape(shape) = Spec::parse(line).unwrap().subject else {
+            panic!("{line}");
+        };
+        let drawing = within(&shape, Method::Minimax, 0.01);
+        assert_eq!(drawing.curve.segments.len(), least, "{line}");
+        assert!(drawing.error.peak() <= 0.01);
+    }
 }
 
 #[test]
