@@ -268,7 +268,8 @@ impl Request<'_> {
                     }
                     let mut all = marched.of_count(count);
                     let greedy = all.find_map(|joints| within(joints.clone()));
-                    greedy.or_else(|| within(balance.joints_from(count, None, f64::INFINITY)?.0))
+                    let narrowed = || balance.narrowed_joints(count).and_then(within);
+                    greedy.or_else(narrowed)
                 };
                 let adaptive = adaptive.and_then(|(joints, told)| within_if_told(joints, told));
                 adaptive.or_else(equal).or_else(other)

@@ -8,7 +8,7 @@
 //! cut into as many segments therefore errs less than the least of these errors.
 
 use super::lobes::{Lobes, Peak};
-use super::{Balance, MOST};
+use super::{Balance, Joints, MOST};
 use crate::numeric::functions::power;
 
 /// The most steps, and the ratio of the largest to the least error that ends them.
@@ -117,6 +117,15 @@ impl Balance {
             }
             None => self.level(whole, pieces, f64::INFINITY),
         }
+    }
+
+    /// Joints for a count as for no error, where those for one are narrowed down from it: both end a little apart.
+    pub(crate) fn narrowed_joints(&self, count: usize) -> Option<Joints> {
+        let joints = || self.joints_from(count, None, f64::INFINITY);
+        self.errors
+            .is_quick()
+            .then(joints)?
+            .map(|(joints, _)| joints)
     }
 
     /// The least count of segments whose errors, over the larger radius, may all be within `allowed`: with one less they are beyond for
