@@ -33,8 +33,11 @@ impl<'a> Bench<'a> {
             start + remainder(measured_start - start)
         });
         let mut angles = vec![start];
-        for f in &framed {
-            angles.push(angles[angles.len() - 1] + f.turned(1.0).to_degrees());
+        for (i, f) in framed.iter().enumerate() {
+            if f.starts_in_center() {
+                angles[i] += remainder(f.first_angle().to_degrees() - angles[i]);
+            }
+            angles.push(angles[i] + f.turned(1.0).to_degrees());
         }
         let turned = angles[angles.len() - 1] - start;
         let returns = curve.closed || gap(curve) <= CLOSING_GAP * size(curve);
@@ -171,16 +174,19 @@ impl<'a> Bench<'a> {
         let (mut least, mut largest) = (nothing, nothing);
         for (i, segment) in self.segments() {
             let inner = curvature::extremes(segment);
-            for t in core::iter::once(0.0).chain(inner.iter()).chain([1.0]) {
-                if let Some(found) = curvature::at(segment, t) {
-                    largest.take(found.value * self.sense(), i, t);
-                    least.take(-found.value * self.sense(), i, t);
+            for t in core::iter::once(0.0).chain(inner).chain([1.0]) {
+                let pole = curvature::pole(segment, t).map(|sign| f64::INFINITY * sign);
+                let value = pole.or_else(|| Some(curvature::at(segment, t)?.value));
+                if let Some(value) = value {
+                    largest.take(value * self.sense(), i, t);
+                    least.take(-value * self.sense(), i, t);
                 }
             }
         }
         let extreme = |found: Largest, sign: f64| {
             let (i, t) = found.place?;
-            let (value, at) = (sign * found.value, self.place(i, t));
+            let value = Some(sign * found.value).filter(|k| k.is_finite());
+            let at = self.place(i, t);
             Some(Extreme { value, at })
         };
         let (true_least, true_largest) = self.true_curvature();

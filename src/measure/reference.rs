@@ -1,5 +1,7 @@
 //! What a curve is measured against.
 
+use core::iter;
+
 use kurbo::{Affine, PathSeg, Point, Vec2};
 
 use crate::curve::control_points;
@@ -87,15 +89,34 @@ impl Framed {
 
     /// The angle of the first point, in radians between -π and π.
     pub(crate) fn first_angle(&self) -> f64 {
-        angle_of(self.at(0.0))
+        angle_of(self.outset())
     }
 
-    /// How far the curve has turned about the centre at t, in radians; whole turns count.
+    /// Whether the first point is the centre.
+    pub(crate) fn starts_in_center(&self) -> bool {
+        self.at(0.0) == Vec2::ZERO
+    }
+
+    /// The first point, or where the curve leads from the centre: the first derivative that is not 0.
+    fn outset(&self) -> Vec2 {
+        let derivative = |of: &Self| Self {
+            x: of.x.derivative(),
+            y: of.y.derivative(),
+        };
+        iter::successors(Some(*self), |of| Some(derivative(of)))
+            .take(4)
+            .map(|of| of.at(0.0))
+            .find(|v| *v != Vec2::ZERO)
+            .unwrap_or_default()
+    }
+
+    /// How far the curve has turned about the centre at t, in radians; whole turns count. The centre itself has no angle of its own.
     pub(crate) fn turned(&self, t: f64) -> f64 {
-        let mut before = self.at(0.0);
+        let mut before = self.outset();
         (1..=STEPS)
-            .map(|step| {
-                let here = self.at(t * f64::from(step) / f64::from(STEPS));
+            .map(|step| self.at(t * f64::from(step) / f64::from(STEPS)))
+            .filter(|here| *here != Vec2::ZERO)
+            .map(|here| {
                 let turn = libm::atan2(before.cross(here), before.dot(here));
                 before = here;
                 turn

@@ -63,13 +63,13 @@ pub struct Place {
     pub angle: f64,
 }
 
-/// A value and where it is taken.
+/// An extreme of the curvature and where it is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Extreme {
-    /// The value.
-    pub value: f64,
+    /// The value; `null` where the curvature grows beyond any bound, as it does where the curve stands still.
+    pub value: Option<f64>,
     /// Where.
     pub at: Place,
 }
@@ -189,7 +189,7 @@ impl Report {
         self.area = Extent::new(self.area.curve * unit * unit, self.area.truth * unit * unit);
         let k = &mut self.curvature;
         for extreme in [&mut k.least, &mut k.largest].into_iter().flatten() {
-            extreme.value /= unit;
+            extreme.value = extreme.value.map(|k| k / unit);
         }
         k.true_least /= unit;
         k.true_largest /= unit;

@@ -191,10 +191,10 @@ const COLUMNS: [(&str, Field); 31] = [
     ("true_area", |m| text(m.report.area.truth)),
     ("area_difference", |m| text(m.report.area.difference)),
     ("least_curvature", |m| {
-        optional(m.report.curvature.least.map(|e| e.value))
+        optional(m.report.curvature.least.and_then(|e| e.value))
     }),
     ("largest_curvature", |m| {
-        optional(m.report.curvature.largest.map(|e| e.value))
+        optional(m.report.curvature.largest.and_then(|e| e.value))
     }),
     ("continuity", |m| {
         m.report

@@ -4,8 +4,9 @@ use crate::judges::oracle;
 
 use curveto::continuity::Continuity;
 use curveto::curve::{Curve, control_points};
-use curveto::measure::{Quantity, Reference, Report, curvature, fit, profile, report};
+use curveto::measure::{Quantity, Reference, Report, curvature, fit, profile, report, samples};
 use curveto::number::Precision;
+use curveto::path;
 use curveto::picture::plot::Chart;
 use curveto::shape::Truth;
 use curveto::write::{self, Image};
@@ -262,7 +263,10 @@ fn the_extremes_of_curvature_are_the_largest_and_least_of_many_samples() {
         };
         let drawing = approximate(&unit_circle(), &options).unwrap();
         let found = measured(&drawing).curvature;
-        let (least, largest) = (found.least.unwrap().value, found.largest.unwrap().value);
+        let (least, largest) = (
+            found.least.unwrap().value.unwrap(),
+            found.largest.unwrap().value.unwrap(),
+        );
         let mut samples = (f64::INFINITY, f64::NEG_INFINITY);
         for segment in &drawing.curve.segments {
             for i in 0..=4000 {
@@ -415,18 +419,18 @@ fn a_mirrored_or_reversed_shape_measures_alike() {
         mirrored.curvature.true_largest,
     );
     same(
-        plain.curvature.largest.unwrap().value,
-        mirrored.curvature.largest.unwrap().value,
+        plain.curvature.largest.unwrap().value.unwrap(),
+        mirrored.curvature.largest.unwrap().value.unwrap(),
     );
     same(plain.angle_lag.largest, mirrored.angle_lag.largest);
-    assert!(plain.curvature.least.unwrap().value > 0.0);
+    assert!(plain.curvature.least.unwrap().value.unwrap() > 0.0);
     let backward = measured(&drawn(
         arc(-160.0),
         Method::Chen3,
         Cut::Count(3),
         Affine::IDENTITY,
     ));
-    assert!(backward.curvature.least.unwrap().value > 0.0 && backward.area.curve > 0.0);
+    assert!(backward.curvature.least.unwrap().value.unwrap() > 0.0 && backward.area.curve > 0.0);
     same(
         plain.length.truth + backward.length.truth,
         15.865_439_589_290_59,
@@ -664,8 +668,18 @@ fn extremes_are_those_of_samples(drawing: &Drawing, what: &str) {
         parts.clone().map(curvature)
     });
     let (least, most) = sampled.fold((f64::INFINITY, 0.0_f64), |(a, b), k| (a.min(k), b.max(k)));
-    near(found.curvature.least.unwrap().value, least, 1e-3, what);
-    near(found.curvature.largest.unwrap().value, most, 1e-3, what);
+    near(
+        found.curvature.least.unwrap().value.unwrap(),
+        least,
+        1e-3,
+        what,
+    );
+    near(
+        found.curvature.largest.unwrap().value.unwrap(),
+        most,
+        1e-3,
+        what,
+    );
     let reference = Reference::from(&drawing.outline.unwrap());
     let lags = profile::along(&drawing.curve, &reference, Quantity::AngleLag, 100);
     let lags = lags.concat().into_iter().map(|(_, lag)| lag.abs());
@@ -725,5 +739,49 @@ fn hairpins_are_as_long_as_they_are() {
             (found / exact - 1.0).abs() < 1e-14,
             "{found} and not {exact}"
         );
+    }
+}
+
+/// Path data beside a circle about the origin.
+fn beside_a_circle(data: &str, radius: f64) -> (Curve, Reference) {
+    let curve = path::curves(data).unwrap().remove(0);
+    let truth = Truth::circle(Point::ORIGIN, radius);
+    (curve, Reference::from(truth))
+}
+
+#[test]
+fn curvature_beyond_any_bound_has_no_value() {
+    for (data, [has_least, has_largest]) in [
+        // Handles of no length: beside them the curvature is about (a × b)/(12 |a|³ t), a and b the next differences.
+        ("M10 0C10 0 5 10 0 10", [true, false]),
+        ("M10 0C10 5 0 10 0 10", [true, false]),
+        ("M0 10C5 10 10 0 10 0", [true, false]),
+        // A cusp, and a loop as narrow as can be seen.
+        ("M0 0C10 10 0 10 10 0", [false, true]),
+        ("M0 0C10.001 10 0 10 10 0", [true, true]),
+        // Straight, so that it is 0 where the curve stands still too.
+        ("M10 0C10 0 5 0 0 0", [true, true]),
+    ] {
+        let (curve, reference) = beside_a_circle(data, 10.0);
+        let found = report(&curve, &reference, None).unwrap().curvature;
+        let (least, largest) = (found.least.unwrap(), found.largest.unwrap());
+        let has = [least.value.is_some(), largest.value.is_some()];
+        assert_eq!(has, [has_least, has_largest], "{data} {found:?}");
+    }
+}
+
+#[test]
+fn angles_count_from_where_a_curve_leaves_the_centre() {
+    for (data, degrees) in [
+        ("M0 0L0 50C-27.6 50-50 27.6-50 0", [90.0, 90.0, 90.0, 180.0]),
+        ("M0 0L4 4", [45.0, 45.0, f64::NAN, f64::NAN]),
+        ("M0 0C0 0 0 3 4 4", [90.0, 45.0, f64::NAN, f64::NAN]),
+        ("M50 0L0 0L0 50", [0.0, 0.0, 90.0, 90.0]),
+    ] {
+        let (curve, reference) = beside_a_circle(data, 50.0);
+        let found = samples::samples(&curve, &reference, 2).unwrap();
+        for (sample, degrees) in found.iter().zip(degrees) {
+            assert!((sample.degrees - degrees).abs() < 1e-9, "{data} {sample:?}");
+        }
     }
 }

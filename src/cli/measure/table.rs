@@ -81,8 +81,12 @@ fn extents(report: &Report) -> [TableLine; 2] {
 }
 
 fn curvature(k: &CurvatureReport) -> [TableLine; 3] {
-    let value =
-        |extreme: Option<Extreme>| extreme.map_or_else(|| "none".to_owned(), |e| number(e.value));
+    let value = |extreme: Option<Extreme>| {
+        extreme.map_or_else(
+            || "none".to_owned(),
+            |e| e.value.map_or_else(|| "unbounded".to_owned(), number),
+        )
+    };
     [
         line(
             "curvature from",
