@@ -8,7 +8,7 @@ use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
 use crate::number::rounded_up;
 
 /// How many quadratics a cubic becomes: the fewest of equal parameter length that stay, with the tenth that rounding may add,
-/// within the tolerance, or within a thousandth of the larger side of its control points' box.
+/// within the tolerance, or within a thousandth of half the larger side of its control points' box.
 pub(super) fn count_of_quadratics(cubic: &CubicBez, cut: &Cut) -> Result<usize> {
     count_within(cubic, tolerance(cubic, cut)?)
 }
@@ -17,7 +17,7 @@ fn tolerance(cubic: &CubicBez, cut: &Cut) -> Result<f64> {
     Ok(match *cut {
         Cut::Tolerance(Tolerance::Absolute(distance)) => positive("tolerance", distance)?,
         Cut::Tolerance(Tolerance::Relative(share)) => share * size(cubic) / 2.0,
-        _ => size(cubic) / 1000.0,
+        _ => size(cubic) / 2000.0,
     })
 }
 

@@ -48,7 +48,7 @@ enum TargetArg {
     /// Arcs become Béziers, all else stays as it is
     #[default]
     Beziers,
-    /// Arcs and cubics become quadratics, cubics within -t or a thousandth of their size
+    /// Arcs and cubics become quadratics, cubics within -t or a thousandth of half the size of their control points' box
     Quadratics,
     /// All becomes lines within -t, or a thousandth of half the subpath's size
     Lines,
