@@ -309,7 +309,9 @@ impl Conic {
                 (automatic_precision(error, &curve.segments), &given[..])
             }
         };
-        let curve = curve.rounded(precision, kept);
+        let rounded = curve.rounded(precision, kept);
+        curve.check_left(&rounded, options.precision)?;
+        let curve = rounded;
         // A map rounds the points.
         let is_mapped = options.transform != kurbo::Affine::IDENTITY;
         let is_whole = method.is_none() && curve.segments.len() == 1;

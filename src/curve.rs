@@ -4,6 +4,7 @@ use core::borrow::Borrow;
 
 use kurbo::{Affine, CubicBez, ParamCurve, PathSeg, Point, QuadBez, Rect, Vec2};
 
+use crate::error::{Error, Result};
 use crate::number::{Precision, round};
 
 /// A closing line shorter than this part of the curve's extent is the gap of a joint, not a segment; an open curve whose ends
@@ -61,6 +62,31 @@ impl Curve {
                 Point::new(round(p.x, decimals), round(p.y, decimals))
             }
         })
+    }
+
+    /// Refuses a precision that leaves nothing of this curve, which was rounded to it: no extent of a closed one, a point of an open one.
+    pub(crate) fn check_left(&self, rounded: &Self, precision: Option<Precision>) -> Result<()> {
+        let Some(Precision::Fixed(decimals)) = precision else {
+            return Ok(());
+        };
+        let is_lost = |axis: fn(&Point) -> f64| rounded.is_flat(axis) && !self.is_flat(axis);
+        let [x, y] = [is_lost(|p| p.x), is_lost(|p| p.y)];
+        let is_point = || rounded.is_flat(|p| p.x) && rounded.is_flat(|p| p.y);
+        if (x || y) && (self.closed || is_point()) {
+            return Err(Error::Collapsed { decimals });
+        }
+        Ok(())
+    }
+
+    /// Whether all control points are alike along an axis.
+    fn is_flat(&self, axis: fn(&Point) -> f64) -> bool {
+        let mut all = self
+            .segments
+            .iter()
+            .flat_map(control_points)
+            .map(|p| axis(&p));
+        let first = all.next();
+        all.all(|x| Some(x) == first)
     }
 
     /// The curve without segments of no length: those whose control points are all within a ten-millionth of the curve's extent of

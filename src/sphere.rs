@@ -231,6 +231,8 @@ impl Picture {
             )
         });
         let asked = self.options.precision.is_some();
+        let outline = &self.outline.curve;
+        outline.check_left(&outline.rounded(precision, &[]), self.options.precision)?;
         let mut moved = 0.0_f64;
         for part in self.parts_mut() {
             let rounded = part.curve.rounded(precision, &[]);

@@ -217,10 +217,17 @@ impl Spline {
             let cubic = CubicBez::new(node(c.p0)?, at(c.p1)?, at(c.p2)?, node(c.p3)?);
             Ok(PathSeg::Cubic(cubic))
         };
-        Ok(Curve {
-            segments: self.segments().map(place).collect::<Result<_>>()?,
-            closed: self.options.ends == SplineEnds::Cyclic,
-        })
+        let closed = self.options.ends == SplineEnds::Cyclic;
+        let segments = self.segments().map(place).collect::<Result<_>>()?;
+        let rounded = Curve { segments, closed };
+        if !automatic {
+            let segments = self
+                .segments()
+                .map(|c| PathSeg::Cubic(transform * c))
+                .collect();
+            Curve { segments, closed }.check_left(&rounded, Some(precision))?;
+        }
+        Ok(rounded)
     }
 
     fn automatic_precision(&self, transform: Affine) -> Precision {

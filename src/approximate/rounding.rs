@@ -5,7 +5,7 @@ use kurbo::Point;
 use super::{Request, Sketch};
 use crate::angle::Angle;
 use crate::curve::{Curve, largest_move};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::number::Precision;
 use crate::numeric::functions::power;
 use crate::radial_error::{RadialError, within};
@@ -14,7 +14,8 @@ impl Request<'_> {
     /// Refuses a precision that leaves nothing of a shape: no extent of a closed one, a point of an arc.
     pub(super) fn check_extent(&self, sketch: &Sketch) -> Result<()> {
         let radii = self.outline.truth.radii;
-        let Some(Precision::Fixed(decimals)) = self.options.precision else {
+        let precision = self.options.precision;
+        let Some(Precision::Fixed(decimals)) = precision else {
             return Ok(());
         };
         let unit = power(10.0, i32::from(decimals));
@@ -27,12 +28,7 @@ impl Request<'_> {
         if !is_small {
             return Ok(());
         }
-        let extent = sketch.rounded().bounding_box().unwrap_or_default();
-        let (flat, narrow) = (extent.height() == 0.0, extent.width() == 0.0);
-        if (flat && narrow) || (closed && (flat || narrow)) {
-            return Err(Error::Collapsed { decimals });
-        }
-        Ok(())
+        sketch.curve.check_left(&sketch.rounded(), precision)
     }
 
     /// Refuses a precision that moves an end of an arc farther than the tolerance, whatever the number of segments.

@@ -348,6 +348,17 @@ fn a_small_arc_may_become_level_and_a_shape_may_not() {
     assert!(said("ellipse 0.2 3 --precision 0").contains("no more than a point"));
     assert!(said("ellipse 3 0.6 --precision 0").starts_with('M'));
     assert!(said("circle 0.3 --precision 0 -t 0.5").contains("no more than a point"));
+    for lost in [
+        "spline --points 0,0;.1,.1;.2,0 -p 0",
+        "spline --points 0,0;.1,.1;.2,0 -f glif",
+        "spline --points 0,0;3,.1;6,0 --ends cyclic -p 0",
+        "sphere .1 -p 0",
+        "conic --from 0,0 --control .1,.2 --to .3,0 --weight .9 -p 0",
+        "conic --from 0,0 --control .1,.2 --to .3,0 --weight 1 -p 0",
+        "conic --from 0,0 --control .1,.2 --to .3,0 --weight 3 -p 0",
+    ] {
+        assert!(said(lost).contains("no more than a point"), "{lost}");
+    }
 }
 
 #[test]
