@@ -122,7 +122,8 @@ pub struct Answers {
 ///
 /// # Errors
 ///
-/// Where reading or writing fails, and [`io::ErrorKind::InvalidData`] for a line longer than 4 MiB.
+/// Where reading or writing fails, and [`io::ErrorKind::InvalidData`] for a line longer than 4 MiB, whatever [`OnError`] says: its
+/// message begins with the number of the line.
 ///
 /// ```
 /// use curveto::batch::{Options, run};
@@ -199,9 +200,21 @@ impl<W: Write, C: FnMut(u64, &Error)> Writer<W, C> {
     }
 }
 
+/// What is wrong with a line so that the run cannot go on.
+fn too_much(line: u64, why: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, format!("{line}: {why}"))
+}
+
+/// The same for each kind of run.
+fn too_long(line: u64) -> io::Error {
+    too_much(line, "the line is longer than 4 MiB, which ends the run")
+}
+
 /// The input in whole lines, as much as a read returns at a time.
 struct Chunks<R> {
     input: R,
+    /// How many lines stand before those that were handed out last.
+    before: u64,
     buffer: Vec<u8>,
     /// How much of the buffer is filled, and how much of that was handed out.
     filled: usize,
@@ -217,6 +230,7 @@ impl<R: Read> Chunks<R> {
     fn new(input: R) -> Self {
         Self {
             input,
+            before: 0,
             buffer: vec![0; 2 * CHUNK],
             filled: 0,
             taken: 0,
@@ -238,6 +252,7 @@ impl<R: Read> Chunks<R> {
     }
 
     fn whole_lines(&mut self) -> io::Result<Option<&[u8]>> {
+        self.before += memchr::memchr_iter(b'\n', &self.buffer[..self.taken]).count() as u64;
         self.buffer.copy_within(self.taken..self.filled, 0);
         self.filled -= self.taken;
         self.taken = 0;
@@ -245,10 +260,7 @@ impl<R: Read> Chunks<R> {
         while !self.ended {
             if self.buffer.len() - self.filled < CHUNK {
                 if self.filled > LONGEST_LINE {
-                    return Err(io::Error::new(
-                        io::ErrorKind::InvalidData,
-                        "a line is longer than 4 MiB",
-                    ));
+                    return Err(too_long(self.before + 1));
                 }
                 self.buffer.resize(self.filled + 2 * CHUNK, 0);
             }
@@ -271,107 +283,4 @@ impl<R: Read> Chunks<R> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Gives one piece a read, or an error.
-    struct Pieces(std::vec::IntoIter<io::Result<Vec<u8>>>);
-
-    fn pieces<const N: usize>(pieces: [io::Result<&[u8]>; N]) -> Pieces {
-        let pieces = pieces.map(|piece| piece.map(<[u8]>::to_vec));
-        Pieces(Vec::from(pieces).into_iter())
-    }
-
-    impl Read for Pieces {
-        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-            let Some(piece) = self.0.next().transpose()? else {
-                return Ok(0);
-            };
-            buffer[..piece.len()].copy_from_slice(&piece);
-            Ok(piece.len())
-        }
-    }
-
-    /// What is written for this input, by one thread and by several, and the lines that failed.
-    fn answered(input: impl Fn() -> Pieces, on_error: OnError) -> io::Result<(String, Vec<u64>)> {
-        let of = |jobs| {
-            let options = Options {
-                on_error,
-                jobs,
-                ..Options::default()
-            };
-            let (mut out, mut failed) = (Vec::new(), Vec::new());
-            run(input(), &mut out, &options, |line, _| failed.push(line))?;
-            Ok((String::from_utf8(out).unwrap(), failed))
-        };
-        let alone = of(1);
-        if let (Ok(alone), Ok(together)) = (&alone, &of(3)) {
-            assert_eq!(alone, together);
-        }
-        alone
-    }
-
-    #[test]
-    fn a_byte_order_mark_is_left_out_at_the_beginning_only() {
-        let input = || {
-            pieces([
-                Ok(b"\xef\xbb\xbf#\n"),
-                Ok(b"#\n"),
-                Ok(b"\xef\xbb\xbf#\n#\n"),
-            ])
-        };
-        let (text, failed) = answered(input, OnError::Skip).unwrap();
-        assert_eq!((text.as_str(), failed), ("\n\n\n", vec![3]));
-    }
-
-    #[test]
-    fn an_interrupted_read_is_tried_again_and_a_failed_one_ends_the_run() {
-        let input = || {
-            let interrupted = io::ErrorKind::Interrupted.into();
-            pieces([Ok(b"# a"), Err(interrupted), Ok(b" b\n#\n")])
-        };
-        assert_eq!(answered(input, OnError::Stop).unwrap().0, "\n\n");
-        let input = || pieces([Ok(b"#\n"), Err(io::ErrorKind::TimedOut.into()), Ok(b"#\n")]);
-        let error = answered(input, OnError::Stop).unwrap_err();
-        assert_eq!(error.kind(), io::ErrorKind::TimedOut);
-    }
-
-    #[test]
-    fn a_line_may_be_four_mebibytes_long() {
-        let comment = |length: usize| {
-            let mut input = vec![b'#'; length];
-            input.extend_from_slice(b"\narc 0 0 1 0 90\n");
-            io::Cursor::new(input)
-        };
-        let lines = |length| {
-            let mut out = Vec::new();
-            run(comment(length), &mut out, &Options::default(), |_, _| ()).map(|_| out)
-        };
-        let short = lines(1).unwrap();
-        assert!(short.starts_with(b"\nM"));
-        for length in [
-            3 * CHUNK - 1,
-            3 * CHUNK,
-            3 * CHUNK + 1,
-            LONGEST_LINE - CHUNK,
-        ] {
-            assert_eq!(lines(length).unwrap(), short, "{length}");
-        }
-        let error = lines(LONGEST_LINE + 3 * CHUNK).unwrap_err();
-        assert_eq!(error.kind(), io::ErrorKind::InvalidData);
-    }
-
-    #[test]
-    fn the_first_of_the_worst_lines_is_named() {
-        let input = &b"circle 0 0 1\ncircle 0 0 50\ncircle 0 0 9\ncircle 0 0 50\n"[..];
-        for jobs in [1, 2] {
-            let options = Options {
-                jobs,
-                measure: true,
-                ..Options::default()
-            };
-            let summary = run(input, io::sink(), &options, |_, _| ()).unwrap();
-            assert_eq!(summary.worst.unwrap().0, 2);
-        }
-    }
-}
+mod tests;

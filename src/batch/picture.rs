@@ -6,7 +6,7 @@ use kurbo::Affine;
 
 use super::lines::text_of;
 use super::spec::{Spec, Subject};
-use super::{BYTE_ORDER_MARK, LONGEST_LINE, OnError, Options, Summary, worsen};
+use super::{BYTE_ORDER_MARK, LONGEST_LINE, OnError, Options, Summary, too_long, too_much, worsen};
 use crate::approximate::{self, approximate};
 use crate::arcs;
 use crate::contour::{Contour, Step, Target, draw};
@@ -90,7 +90,7 @@ impl Picture {
 /// # Errors
 ///
 /// Where reading fails, and [`io::ErrorKind::InvalidData`] for a line longer than 4 MiB and for more than [`MOST_SHAPES`] shapes or a
-/// million segments.
+/// million segments: its message begins with the number of the line.
 ///
 /// ```
 /// use curveto::batch::{Options, figure};
@@ -115,7 +115,7 @@ pub fn figure(
             break;
         }
         if line.len() > LONGEST_LINE {
-            return Err(too_much("a line is longer than 4 MiB"));
+            return Err(too_long(picture.summary.lines + 1));
         }
         let bytes = match line.strip_prefix(BYTE_ORDER_MARK) {
             Some(rest) if picture.summary.lines == 0 => rest,
@@ -139,6 +139,7 @@ pub fn figure(
         }
         if picture.figure.layers.len() > MOST_SHAPES || segments > MOST_SEGMENTS {
             return Err(too_much(
+                picture.summary.lines,
                 "a picture has at most 100000 shapes and 1000000 segments; path data has no such limit",
             ));
         }
@@ -146,10 +147,6 @@ pub fn figure(
     let worst = picture.summary.worst.map_or(0.0, |(_, peak)| peak);
     describe(&mut picture.figure, worst);
     Ok(picture)
-}
-
-fn too_much(why: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, why)
 }
 
 fn describe(figure: &mut Figure, worst: f64) {

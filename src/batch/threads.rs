@@ -91,14 +91,12 @@ fn hand_out(
     queues: &Queues,
     free: &Receiver<Job>,
 ) -> io::Result<()> {
-    let mut before = 0;
     while let Some(chunk) = chunks.next_chunk()? {
         let mut job = free.try_recv().unwrap_or_default();
         job.is_last = false;
         job.chunk.clear();
         job.chunk.extend_from_slice(chunk);
-        job.answers.before = before;
-        before += memchr::memchr_iter(b'\n', chunk).count() as u64;
+        job.answers.before = chunks.before;
         let (parts, answers) = sync_channel(1);
         let (written, was_written) = channel();
         let outcome = WriterEnd {

@@ -141,8 +141,7 @@ fn picture(
     if format == Format::Image(Image::Png) {
         target.refuse_terminal()?;
     }
-    let picture = batch::figure(input, options, complain)
-        .with_context(|| format!("cannot go on with {name}"))?;
+    let picture = batch::figure(input, options, complain).map_err(|error| ended(name, error))?;
     if keeps(picture.summary, options) {
         let bytes = match format {
             Format::Dxf => picture.dxf().into_bytes(),
@@ -174,9 +173,20 @@ fn stream(
         progress,
     };
     let summary = batch::run(input, output, options, complain);
-    Ok(summary.with_context(|| match target {
-        _ if !failed.get() => format!("cannot go on with {name}"),
-        OutputTarget::Stdout => "cannot write to standard output".to_owned(),
-        OutputTarget::File(path) => format!("cannot write {}", path.display()),
-    })?)
+    if failed.get() {
+        Ok(summary.with_context(|| match target {
+            OutputTarget::Stdout => "cannot write to standard output".to_owned(),
+            OutputTarget::File(path) => format!("cannot write {}", path.display()),
+        })?)
+    } else {
+        Ok(summary.map_err(|error| ended(name, error))?)
+    }
+}
+
+/// Why a run ended at its input. What is wrong with a line begins with the number of that.
+fn ended(name: &str, error: io::Error) -> anyhow::Error {
+    match error.kind() {
+        io::ErrorKind::InvalidData => anyhow::anyhow!("{name}:{error}"),
+        _ => anyhow::Error::from(error).context(format!("cannot go on with {name}")),
+    }
 }

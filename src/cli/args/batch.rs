@@ -60,6 +60,8 @@ pub(crate) struct BatchArgs {
     #[command(flatten)]
     each: EachArgs,
     /// What becomes of a line that cannot be drawn
+    ///
+    /// One longer than 4 MiB ends the run in any case.
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
     on_error: OnError,
     #[command(flatten)]
