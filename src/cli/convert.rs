@@ -95,11 +95,9 @@ fn progress(count: usize) -> ProgressBar {
 
 /// The names of the files with something to do, one a line.
 fn list_changed(reports: &[FileReport]) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    for report in reports.iter().filter(|report| report.changed) {
-        writeln!(out, "{}", report.file)?;
-    }
-    Ok(out.flush()?)
+    let changed = reports.iter().filter(|report| report.changed);
+    let lines: String = changed.flat_map(|report| [&report.file, "\n"]).collect();
+    OutputTarget::Stdout.write(lines.as_bytes())
 }
 
 /// Why one file failed.

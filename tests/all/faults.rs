@@ -305,6 +305,25 @@ fn a_pipe_that_is_closed_at_any_stage_ends_every_command_quietly() {
 }
 
 #[test]
+fn every_command_says_that_standard_output_is_full() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("large.svg"), drawing(10)).unwrap();
+    for arguments in TALKERS.into_iter().chain([&["circle", "--help"][..]]) {
+        let full = File::options().write(true).open("/dev/full").unwrap();
+        let output = program_in(folder.path(), arguments)
+            .stdout(full)
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(
+            said(&output).contains("cannot write to standard output: No space left on device\n"),
+            "{arguments:?}: {}",
+            said(&output)
+        );
+    }
+}
+
+#[test]
 fn a_closed_standard_error_changes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(
