@@ -16,12 +16,12 @@ mod hints;
 mod input;
 mod measure;
 mod methods;
+mod new_file;
 mod output;
 mod path;
 mod procset;
 mod remedies;
 mod shell;
-#[cfg(unix)]
 mod signals;
 mod sphere;
 mod spline;

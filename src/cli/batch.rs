@@ -13,7 +13,7 @@ use curveto::write::{Format, Image, write};
 use super::args::BatchArgs;
 use super::failure::{Failure, tell};
 use super::input::Source;
-use super::output::{OutputTarget, stream_file};
+use super::output::OutputTarget;
 use super::{Outcome, remedies};
 
 /// How often the progress of a run is shown.
@@ -51,8 +51,9 @@ struct Progress {
 }
 
 impl Progress {
-    fn new() -> Option<Self> {
-        io::stderr().is_terminal().then(|| Self {
+    fn new(target: &OutputTarget) -> Option<Self> {
+        let is_shown = matches!(target, OutputTarget::File(_)) && io::stderr().is_terminal();
+        is_shown.then(|| Self {
             lines: 0,
             shown: Instant::now(),
         })
@@ -118,14 +119,10 @@ fn lines(
     complain: impl FnMut(u64, &curveto::Error),
 ) -> Result<Summary, Failure> {
     let mut summary = Summary::default();
-    let whole = |output: &mut dyn Write, progress| {
-        summary = stream(input, output, progress, options, names, complain)?;
+    names.1.stream(|output| {
+        summary = stream(input, output, options, names, complain)?;
         Ok(keeps(summary, options))
-    };
-    match names.1 {
-        OutputTarget::Stdout => whole(&mut io::stdout().lock(), None).map(drop)?,
-        OutputTarget::File(path) => stream_file(path, |file| whole(file, Progress::new()))?,
-    }
+    })?;
     Ok(summary)
 }
 
@@ -161,7 +158,6 @@ fn keeps(summary: Summary, options: &Options) -> bool {
 fn stream(
     input: Box<dyn Read + Send>,
     output: &mut dyn Write,
-    progress: Option<Progress>,
     options: &Options,
     (name, target): (&str, &OutputTarget),
     complain: impl FnMut(u64, &curveto::Error),
@@ -170,14 +166,11 @@ fn stream(
     let output = WatchedOutput {
         inner: output,
         failed: &failed,
-        progress,
+        progress: Progress::new(target),
     };
     let summary = batch::run(input, output, options, complain);
     if failed.get() {
-        Ok(summary.with_context(|| match target {
-            OutputTarget::Stdout => "cannot write to standard output".to_owned(),
-            OutputTarget::File(path) => format!("cannot write {}", path.display()),
-        })?)
+        Ok(summary.with_context(|| target.cannot())?)
     } else {
         Ok(summary.map_err(|error| ended(name, error))?)
     }

@@ -8,8 +8,6 @@ use std::fs::{File, Metadata};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::SystemTime;
 
 use anyhow::Context;
@@ -22,12 +20,10 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use self::report::FileReport;
 use self::tree::{Destination, Input, Job};
 use super::Outcome;
-use super::args::{ConvertArgs, DestinationArgs};
+use super::args::ConvertArgs;
 use super::failure::{Failure, tell};
-use super::input;
-use super::output::{Durability, OutputTarget, write_file, write_file_unless};
-#[cfg(unix)]
-use super::signals;
+use super::output::{OutputTarget, replace_input};
+use super::{input, signals};
 
 /// The most threads.
 const MOST_THREADS: usize = 256;
@@ -46,11 +42,13 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
         .num_threads(threads.min(jobs.len().clamp(1, MOST_THREADS)))
         .build()
         .context("cannot start threads")?;
-    let interrupt = Interrupt::new(&args.destination)?;
+    if args.destination.in_place || args.destination.out_dir.is_some() {
+        signals::finish_files_first().context("cannot watch for signals")?;
+    }
     let bar = progress(jobs.len());
     let reports: Vec<FileReport> = pool.install(|| {
         jobs.par_iter()
-            .filter(|_| interrupt.signal().is_none())
+            .filter(|_| signals::heard().is_none())
             .map(|job| {
                 let report = FileReport::of(job, process(job, &options));
                 bar.inc(1);
@@ -69,7 +67,7 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     report::tell(&reports, args.report, args.talk, args.goes_back());
-    if let Some(signal) = interrupt.signal() {
+    if let Some(signal) = signals::heard() {
         let (done, all) = (reports.len(), jobs.len());
         tell(&format!(
             "error: interrupted after {done} of {all} files; each is whole, old or new\n"
@@ -150,25 +148,23 @@ fn process(job: &Job, options: &Options) -> Result<Done, Trouble> {
         notes: converted.notes,
         strayed: converted.strayed,
     };
-    let target = match &job.destination {
+    match &job.destination {
         Destination::Nowhere => return Ok(done),
         Destination::InPlace(_) if !changed => return Ok(done),
-        Destination::InPlace(path) => ResultPlace::Input(path, seen),
-        Destination::OutDir(path) | Destination::File(path) => ResultPlace::New(path),
-        Destination::Stdout => ResultPlace::Stdout,
-    };
+        _ => {}
+    }
     let compress = match &job.destination {
         // The name tells: `-o icon.svgz`.
-        Destination::File(path) => is_svgz(path),
+        Destination::Output(OutputTarget::File(path)) => is_svgz(path),
         _ => compressed,
     };
     let text = &*converted.bytes;
     if !changed && compress == compressed {
-        target.write(&raw)?;
+        job.destination.write(&raw, seen)?;
     } else if compress {
-        target.write(&deflate(text)?)?;
+        job.destination.write(&deflate(text)?, seen)?;
     } else {
-        target.write(text)?;
+        job.destination.write(text, seen)?;
     }
     Ok(done)
 }
@@ -189,30 +185,24 @@ fn read(input: &Input) -> Result<Vec<u8>, Trouble> {
     }
 }
 
-/// Where one result goes.
-enum ResultPlace<'a> {
-    Stdout,
-    New(&'a Path),
-    /// The input itself, and what it was like before it was read.
-    Input(&'a Path, Option<Stamp>),
-}
-
-impl ResultPlace<'_> {
-    fn write(&self, bytes: &[u8]) -> Result<(), Trouble> {
-        let named = |path: &Path| format!("cannot write {}", path.display());
+impl Destination {
+    /// Writes a result here; `seen` is what the input was like before it was read.
+    fn write(&self, bytes: &[u8], seen: Option<Stamp>) -> Result<(), Failure> {
         match self {
-            Self::Stdout => Ok(OutputTarget::Stdout.write(bytes)?),
-            Self::New(path) => {
+            Self::Nowhere => Ok(()),
+            Self::Output(OutputTarget::File(path)) | Self::OutDir(path) => {
                 if let Some(folder) = path.parent() {
                     std::fs::create_dir_all(folder)
                         .with_context(|| format!("cannot make {}", folder.display()))?;
                 }
-                Ok(write_file(path, bytes).with_context(|| named(path))?)
+                OutputTarget::File(path.clone()).write(bytes)
             }
-            Self::Input(path, seen) => {
-                let changed = |now: &Metadata| Stamp::of(now) != *seen;
-                let written = write_file_unless(path, bytes, Durability::Synced, changed);
-                if !written.with_context(|| named(path))? {
+            Self::Output(target) => target.write(bytes),
+            Self::InPlace(path) => {
+                let changed = |now: &Metadata| Stamp::of(now) != seen;
+                let replaced = replace_input(path, bytes, changed)
+                    .with_context(|| format!("cannot write {}", path.display()))?;
+                if !replaced {
                     let why =
                         "it was changed by someone else while it was read, and is left as it is";
                     return Err(anyhow::anyhow!(why).into());
@@ -252,30 +242,6 @@ impl Input {
             Self::File(path) => Stamp::of(&std::fs::metadata(path).ok()?),
             Self::Stdin | Self::Unreadable(..) => None,
         }
-    }
-}
-
-/// Whether a signal asked for an end, where files are written: the one at hand is finished, and no other is begun.
-struct Interrupt(Arc<AtomicUsize>);
-
-impl Interrupt {
-    fn new(destination: &DestinationArgs) -> Result<Self, Failure> {
-        let seen = Arc::new(AtomicUsize::new(0));
-        #[cfg(unix)]
-        if destination.in_place || destination.out_dir.is_some() {
-            for signal in signals::of_end() {
-                let number = signal.unsigned_abs() as usize;
-                signal_hook::flag::register_usize(signal, Arc::clone(&seen), number)?;
-            }
-        }
-        #[cfg(not(unix))]
-        let _ = destination;
-        Ok(Self(seen))
-    }
-
-    fn signal(&self) -> Option<u8> {
-        let seen = self.0.load(Ordering::Relaxed);
-        u8::try_from(seen).ok().filter(|&signal| signal > 0)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where output goes: standard output, or a file that is either whole and new or untouched.
 
-use std::fs::{self, File, Permissions};
+use std::fs::{self, File, Metadata};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -10,15 +10,13 @@ use curveto::write::{Format, Image, Options, Writable, write};
 
 use super::args::OutputArgs;
 use super::failure::Failure;
-#[cfg(unix)]
-use super::signals;
+use super::new_file::{NewFile, folder_of};
 
 /// Where output goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum OutputTarget {
-    /// Standard output.
     Stdout,
-    /// A file.
+    /// A file, or what else has a name.
     File(PathBuf),
 }
 
@@ -62,7 +60,7 @@ fn stated(work: &impl Writable, format: Format, options: &Options, bytes: &[u8])
 }
 
 impl OutputTarget {
-    /// The target of `-o`: a file, or standard output for `-` and without it.
+    /// The target of `-o`: standard output for `-` and without it.
     pub(crate) fn new(output: Option<&Path>) -> Self {
         match output {
             Some(path) if !is_stdout(path) => Self::File(path.to_owned()),
@@ -86,7 +84,11 @@ impl OutputTarget {
 
     /// Refuses pixels on a terminal.
     pub(crate) fn refuse_terminal(&self) -> Result<(), Failure> {
-        if *self == Self::Stdout && io::stdout().is_terminal() {
+        let is_terminal = match self {
+            Self::Stdout => io::stdout().is_terminal(),
+            Self::File(_) => false,
+        };
+        if is_terminal {
             return Err(Failure::request_with_hint(
                 "a png file is not for a terminal",
                 "name a file with -o FILE.png, or redirect standard output",
@@ -95,55 +97,107 @@ impl OutputTarget {
         Ok(())
     }
 
+    /// What an error says that hinders to write.
+    pub(crate) fn cannot(&self) -> String {
+        match self {
+            Self::Stdout => "cannot write to standard output".to_owned(),
+            Self::File(path) => format!("cannot write {}", path.display()),
+        }
+    }
+
     /// Writes everything at once.
     pub(crate) fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
+        self.stream(|out| {
+            let written = out.write_all(bytes).and_then(|()| out.flush());
+            written.with_context(|| self.cannot())?;
+            Ok(true)
+        })
+    }
+
+    /// Writes bit by bit. Where `write` says that it is not to be, a plain file stays as it was.
+    pub(crate) fn stream(
+        &self,
+        write: impl FnOnce(&mut dyn Write) -> Result<bool, Failure>,
+    ) -> Result<(), Failure> {
         match self {
-            Self::Stdout => {
-                let mut out = io::stdout().lock();
-                Ok(out
-                    .write_all(bytes)
-                    .and_then(|()| out.flush())
-                    .context("cannot write to standard output")?)
-            }
-            Self::File(path) => Ok(write_file(path, bytes)
-                .with_context(|| format!("cannot write {}", path.display()))?),
+            Self::Stdout => write(&mut io::stdout().lock()).map(drop),
+            Self::File(path) => match followed(path).open() {
+                Ok(Opened::Through(mut file)) => write(&mut file).map(drop),
+                Ok(Opened::New(mut file)) => {
+                    if write(file.file())? {
+                        file.take_place().with_context(|| self.cannot())?;
+                    }
+                    Ok(())
+                }
+                Err(error) => Err(error).with_context(|| self.cannot())?,
+            },
         }
     }
 }
 
+/// Puts a result in the place of the input that it was made from, on its disk before; where `changed` says of the input that it is
+/// another by now, it stays and the answer is no.
+pub(crate) fn replace_input(
+    path: &Path,
+    bytes: &[u8],
+    changed: impl FnOnce(&Metadata) -> bool,
+) -> io::Result<bool> {
+    match followed(path).open()? {
+        Opened::Through(mut file) => file.write_all(bytes)?,
+        Opened::New(mut file) => {
+            file.file().write_all(bytes)?;
+            file.file().sync_all()?;
+            if fs::metadata(path).is_ok_and(|now| changed(&now)) {
+                return Ok(false);
+            }
+            file.take_place()?;
+        }
+    }
+    Ok(true)
+}
+
+/// Where a path leads by its links.
+enum Place {
+    /// What has to be written to and is never replaced: a device, a FIFO, what the process has open already.
+    Through(PathBuf),
+    /// A plain file, also where none is yet.
+    File(PathBuf),
+}
+
+/// What is written to.
+enum Opened {
+    Through(File),
+    New(Box<NewFile>),
+}
+
+impl Place {
+    fn open(self) -> io::Result<Opened> {
+        Ok(match self {
+            Self::Through(path) => Opened::Through(File::options().append(true).open(path)?),
+            Self::File(path) => Opened::New(NewFile::beside(path)?.into()),
+        })
+    }
+}
+
 /// Where a path leads by its links, also where nothing is there yet.
-fn followed(path: &Path) -> PathBuf {
+fn followed(path: &Path) -> Place {
+    let is_open = path.starts_with("/dev") || path.starts_with("/proc");
     let mut path = path.to_owned();
     // As many as Linux follows.
     for _ in 0..40 {
         if let Ok(real) = fs::canonicalize(&path) {
-            return real;
+            path = real;
+            break;
         }
         let Ok(target) = fs::read_link(&path) else {
             break;
         };
         path = folder_of(&path).join(target);
     }
-    path
-}
-
-/// The same by one name for one place, however it is spelled.
-pub(crate) fn place_of(path: &Path) -> PathBuf {
-    let path = followed(path);
-    let folder = folder_of(&path);
-    match path.file_name() {
-        Some(name) if folder != path && !path.exists() => place_of(folder).join(name),
-        _ => path,
-    }
-}
-
-/// The folder in which a file lies.
-pub(crate) fn folder_of(path: &Path) -> &Path {
-    let folder = path.parent().unwrap_or(path);
-    if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
+    match fs::metadata(&path) {
+        Ok(data) if !data.is_file() => Place::Through(path),
+        _ if is_open => Place::Through(path),
+        _ => Place::File(path),
     }
 }
 
@@ -154,163 +208,12 @@ fn is_stdout(path: &Path) -> bool {
         .any(|name| path.as_os_str() == *name)
 }
 
-/// What the names of files begin with that are being made.
-pub(crate) const TEMPORARY: &str = ".curveto-";
-
-/// Writes a file atomically: it is made beside its place and moved there when it is whole. The mode and the owner of a file that
-/// was there are kept; a link is followed; what is no plain file, such as a device or a pipe, is written to directly, and so is
-/// what the process has open already.
-pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    write_file_unless(path, bytes, Durability::System, |_| false).map(drop)
-}
-
-/// As [`write_file`], of what is written bit by bit; where `write` says that it is not to be, the file that was there stays.
-pub(crate) fn stream_file(
-    path: &Path,
-    write: impl FnOnce(&mut File) -> Result<bool, Failure>,
-) -> Result<(), Failure> {
-    let cannot = || format!("cannot write {}", path.display());
-    let open_already = path.starts_with("/dev") || path.starts_with("/proc");
-    let path = &followed(path);
-    let existing = fs::metadata(path).ok();
-    if open_already || existing.as_ref().is_some_and(|data| !data.is_file()) {
-        let mut file = File::options()
-            .append(true)
-            .open(path)
-            .with_context(cannot)?;
-        return write(&mut file).map(drop);
+/// Where a path leads by its links, by one name for one place, however it is spelled.
+pub(crate) fn place_of(path: &Path) -> PathBuf {
+    let (Place::File(path) | Place::Through(path)) = followed(path);
+    let folder = folder_of(&path);
+    match path.file_name() {
+        Some(name) if folder != path && !path.exists() => place_of(folder).join(name),
+        _ => path,
     }
-    let mut file = beside(path, existing.as_ref()).with_context(cannot)?;
-    #[cfg(unix)]
-    remove_on_signal(file.path()).with_context(cannot)?;
-    if write(file.as_file_mut())? {
-        take_over(file.as_file(), path, existing.as_ref()).with_context(cannot)?;
-        file.persist(path)
-            .map_err(|error| error.error)
-            .with_context(cannot)?;
-    }
-    Ok(())
-}
-
-/// Where a signal asks for an end, removes the file that is being made and ends the program as a shell tells it: by 129, 130 or 143.
-#[cfg(unix)]
-fn remove_on_signal(path: &Path) -> io::Result<()> {
-    let mut signals = signal_hook::iterator::Signals::new(signals::of_end())?;
-    let path = path.to_owned();
-    std::thread::Builder::new().spawn(move || {
-        if let Some(signal) = signals.forever().next() {
-            // Once it has taken its place, it has this name no longer.
-            let _ = fs::remove_file(path);
-            std::process::exit(128 + signal);
-        }
-    })?;
-    Ok(())
-}
-
-/// A new file in the folder of another, whose place it is to take.
-fn beside(
-    path: &Path,
-    existing: Option<&fs::Metadata>,
-) -> io::Result<tempfile::NamedTempFile<File>> {
-    let folder = folder_of(path);
-    let mode = existing.map(fs::Metadata::permissions);
-    // Opened and written here and not by tempfile, whose errors name a file that nobody knows.
-    let file = tempfile::Builder::new()
-        .prefix(TEMPORARY)
-        .make_in(folder, |path| create(path, mode.as_ref()))?;
-    // A lock ends with its process, so that a later run knows a file that was left. Not every file system has locks.
-    let _ = file.as_file().try_lock();
-    Ok(file)
-}
-
-/// Gives a new file the owner, the extended attributes and the mode of the one that was there.
-fn take_over(file: &File, path: &Path, existing: Option<&fs::Metadata>) -> io::Result<()> {
-    if let Some(existing) = existing {
-        keep_owner(file, existing)?;
-        keep_attributes(file, path);
-        // The mask of the process does not apply to a mode that was there; a change of owner takes bits away, so that this comes last.
-        file.set_permissions(existing.permissions())?;
-    }
-    Ok(())
-}
-
-/// Whether a file is to be on its disk when the call ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Durability {
-    /// When the system sees fit.
-    System,
-    /// Before it takes the place of the old one.
-    Synced,
-}
-
-/// As [`write_file`], but where `changed` says of the file that was there that it is another by now, it stays and the answer is no.
-pub(crate) fn write_file_unless(
-    path: &Path,
-    bytes: &[u8],
-    durability: Durability,
-    changed: impl Fn(&fs::Metadata) -> bool,
-) -> io::Result<bool> {
-    let open_already = path.starts_with("/dev") || path.starts_with("/proc");
-    let path = &followed(path);
-    let existing = fs::metadata(path).ok();
-    if open_already || existing.as_ref().is_some_and(|data| !data.is_file()) {
-        File::options().append(true).open(path)?.write_all(bytes)?;
-        return Ok(true);
-    }
-    let mut file = beside(path, existing.as_ref())?;
-    file.as_file_mut().write_all(bytes)?;
-    take_over(file.as_file(), path, existing.as_ref())?;
-    if durability == Durability::Synced {
-        file.as_file().sync_all()?;
-    }
-    if fs::metadata(path).is_ok_and(|now| changed(&now)) {
-        return Ok(false);
-    }
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(true)
-}
-
-/// Gives a new file the extended attributes of the old one, access lists among them, as far as the file system and the rights of the
-/// process allow: some belong to the system alone.
-fn keep_attributes(file: &File, old: &Path) {
-    use xattr::FileExt;
-    for name in xattr::list(old).into_iter().flatten() {
-        if let Ok(Some(value)) = xattr::get(old, &name) {
-            let _ = file.set_xattr(&name, &value);
-        }
-    }
-}
-
-/// Gives a new file the owner and the group of the old one, where they differ.
-#[cfg(unix)]
-fn keep_owner(file: &File, old: &fs::Metadata) -> io::Result<()> {
-    use std::os::unix::fs::{MetadataExt, fchown};
-    let new = file.metadata()?;
-    if (new.uid(), new.gid()) == (old.uid(), old.gid()) {
-        return Ok(());
-    }
-    fchown(file, Some(old.uid()), Some(old.gid()))
-        .map_err(|error| io::Error::new(error.kind(), format!("its owner cannot be kept: {error}")))
-}
-
-#[cfg(not(unix))]
-fn keep_owner(_: &File, _: &fs::Metadata) -> io::Result<()> {
-    Ok(())
-}
-
-/// Makes a file that nobody may read who may not read the one whose place it takes.
-#[cfg(unix)]
-fn create(path: &Path, mode: Option<&Permissions>) -> io::Result<File> {
-    use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
-    let mode = mode.map_or(0o666, |mode| mode.mode() & 0o777);
-    File::options()
-        .write(true)
-        .create_new(true)
-        .mode(mode)
-        .open(path)
-}
-
-#[cfg(not(unix))]
-fn create(path: &Path, _: Option<&Permissions>) -> io::Result<File> {
-    File::create_new(path)
 }

@@ -9,7 +9,7 @@ use clap::{Command, CommandFactory};
 
 use super::args::{Cli, CompletionsArgs, ManArgs};
 use super::failure::Failure;
-use super::output::{OutputTarget, write_file};
+use super::output::OutputTarget;
 use super::{Outcome, examples};
 
 pub(super) fn completions(args: &CompletionsArgs) -> Outcome {
@@ -44,9 +44,7 @@ pub(super) fn man(args: &ManArgs) -> Outcome {
 fn write_page(command: &Command, topic: &str, folder: &Path) -> Result<(), Failure> {
     let name = command.get_display_name().unwrap_or(command.get_name());
     let path = folder.join(format!("{name}.1"));
-    write_file(&path, &page(command, topic)?)
-        .with_context(|| format!("cannot write {}", path.display()))?;
-    Ok(())
+    OutputTarget::File(path).write(&page(command, topic)?)
 }
 
 /// A manual page: what the long help of a command says.

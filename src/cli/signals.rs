@@ -1,11 +1,79 @@
-//! Signals that ask for an end.
+//! Signals that ask for an end: they leave no file behind that was being made.
 
+use std::collections::BTreeSet;
+#[cfg(unix)]
 use std::fs;
+use std::io;
+use std::path::PathBuf;
+#[cfg(unix)]
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+#[cfg(unix)]
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+
+/// The names of the files that are being made.
+static MAKING: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// Whether the files at hand are finished before an end.
+static FINISHES: AtomicBool = AtomicBool::new(false);
+/// The signal that was heard first, or 0.
+static HEARD: AtomicI32 = AtomicI32::new(0);
+
+/// The names of the files that are being made, for who makes one or moves it to its place: after a signal nobody does.
+pub(super) fn making() -> io::Result<MutexGuard<'static, BTreeSet<PathBuf>>> {
+    static WATCHED: AtomicBool = AtomicBool::new(false);
+    let making = MAKING.lock().unwrap_or_else(PoisonError::into_inner);
+    if !WATCHED.swap(true, Ordering::Relaxed) {
+        watch()?;
+    }
+    Ok(making)
+}
+
+/// From now on a signal ends nothing by itself: who makes many files asks for it between them.
+pub(super) fn finish_files_first() -> io::Result<()> {
+    FINISHES.store(true, Ordering::Relaxed);
+    making().map(drop)
+}
+
+/// The signal that was heard, where files are finished first.
+pub(super) fn heard() -> Option<u8> {
+    let signal = HEARD.load(Ordering::Relaxed);
+    u8::try_from(signal).ok().filter(|&signal| signal > 0)
+}
+
+/// Where a signal asks for an end, removes what is being made and ends the program as a shell tells it: by 129, 130 or 143.
+#[cfg(unix)]
+fn watch() -> io::Result<()> {
+    // A file that grows beyond the limit of the process is an error of its writing like any other.
+    signal_hook::flag::register(SIGXFSZ, Arc::<AtomicBool>::default())?;
+    let mut signals = signal_hook::iterator::Signals::new(of_end())?;
+    std::thread::Builder::new().spawn(move || {
+        for signal in signals.forever() {
+            if FINISHES.load(Ordering::Relaxed) {
+                let _ = HEARD.compare_exchange(0, signal, Ordering::Relaxed, Ordering::Relaxed);
+                continue;
+            }
+            // Nothing is made or moved any more until the end, so that no failure of that is told either.
+            let making = MAKING.lock().unwrap_or_else(PoisonError::into_inner);
+            for path in making.iter() {
+                let _ = fs::remove_file(path);
+            }
+            std::process::exit(128 + signal);
+        }
+    })?;
+    Ok(())
+}
+
+#[cfg(not(unix))]
+#[allow(clippy::unnecessary_wraps)]
+fn watch() -> io::Result<()> {
+    Ok(())
+}
 
 /// Those that are not ignored: `nohup` and a shell's background jobs ignore some, and mean it.
-pub(super) fn of_end() -> impl Iterator<Item = i32> {
+#[cfg(unix)]
+fn of_end() -> impl Iterator<Item = i32> {
     let ignored = ignored();
     [SIGINT, SIGTERM, SIGHUP]
         .into_iter()
@@ -13,6 +81,7 @@ pub(super) fn of_end() -> impl Iterator<Item = i32> {
 }
 
 /// The signals that this process ignores, a bit each from signal 1 on, as Linux tells them; none where nothing does.
+#[cfg(unix)]
 fn ignored() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mut masks = status

@@ -5,6 +5,7 @@ use crate::judges::random::uniform;
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::os::unix::fs::PermissionsExt;
+use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant, SystemTime};
@@ -33,7 +34,7 @@ fn temporary(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The signals that end the program, with the exit codes; not those that it is told to ignore, as SIGINT in a background job of some shells.
-fn signals() -> impl Iterator<Item = (&'static str, i32)> {
+fn signals() -> impl Iterator<Item = (&'static str, i32)> + Clone {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let ignored = status
         .lines()
@@ -438,6 +439,75 @@ fn a_signal_removes_what_batch_was_writing_and_leaves_the_old_file() {
         assert_eq!(temporary(folder.path()), Vec::<PathBuf>::new());
         assert_eq!(fs::read_to_string(&old).unwrap(), "old");
     }
+}
+
+/// A drawing of which little is to be converted, and much to be written.
+fn long_drawing() -> String {
+    let comment = format!("<!--{}-->\n", "x".repeat(100));
+    HEAD.to_owned() + &comment.repeat(60_000) + "<circle r=\"5\"/></svg>\n"
+}
+
+#[test]
+fn a_signal_at_any_moment_leaves_the_old_file_or_the_new_one_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::write(at("long.svg"), long_drawing()).unwrap();
+    fs::write(at("lines"), "circle 0 0 5\n".repeat(300)).unwrap();
+    fs::create_dir(at("out")).unwrap();
+    let mut random = 54321_u64;
+    let mut caught = 0;
+    for words in [
+        &["convert", "long.svg", "-o", "out/x"][..],
+        &["circle", "5", "-n", "3000", "-o", "out/x"],
+        &["batch", "lines", "-f", "svg", "-o", "out/x"],
+    ] {
+        let start = Instant::now();
+        assert!(run_in(folder.path(), words).status.success());
+        let (whole, new) = (start.elapsed(), fs::read(at("out/x")).unwrap());
+        for (round, (signal, code)) in signals().cycle().take(6).enumerate() {
+            fs::write(at("out/x"), "old").unwrap();
+            let mut child = program_in(folder.path(), words).spawn().unwrap();
+            if round % 3 == 0 {
+                std::thread::sleep(whole.mul_f64(uniform(&mut random)));
+            } else {
+                // Just when it is being written.
+                let ended = || fs::metadata(at("out/x")).unwrap().len() != 3;
+                wait_until("the new file", || {
+                    ended() || !temporary(&at("out")).is_empty()
+                });
+            }
+            kill(&child, signal);
+            let status = child.wait().unwrap();
+            caught += usize::from(status.code() == Some(code));
+            // Before a file is made, the signal ends the program by itself.
+            let by_signal = status.signal().map(|number| 128 + number);
+            assert!(
+                [0, code].contains(&status.code().or(by_signal).unwrap()),
+                "{words:?}: {status}"
+            );
+            assert_eq!(temporary(&at("out")), Vec::<PathBuf>::new(), "{words:?}");
+            let left = fs::read(at("out/x")).unwrap();
+            assert!(
+                left == new || (left == b"old" && !status.success()),
+                "{words:?}"
+            );
+        }
+    }
+    assert!(caught > 0, "no signal came while a file was being made");
+}
+
+#[test]
+fn a_file_that_would_be_larger_than_the_process_may_make_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "ulimit -f 8; curveto circle 5 -n 5000 -o x";
+    let output = shell(folder.path(), script).output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(
+        said(&output).starts_with("error: cannot write x: File too large"),
+        "{}",
+        said(&output)
+    );
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
 /// As under `nohup`.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::tree::{Destination, Job};
-use crate::cli::output::TEMPORARY;
+use crate::cli::new_file::TEMPORARY;
 
 /// A file that is made takes its lock at once, but not in the same moment: a younger one is left alone.
 const YOUNGEST: Duration = Duration::from_secs(60);
@@ -38,7 +38,7 @@ pub(super) fn remove_left_overs(folder: &Path) {
     }
 }
 
-/// Whether a name is one that [`crate::cli::output::write_file`] gives.
+/// Whether a name is one that [`crate::cli::new_file::NewFile`] has.
 fn is_temporary(name: &str) -> bool {
     name.strip_prefix(TEMPORARY).is_some_and(|rest| {
         rest.len() == 6 && rest.bytes().all(|byte| byte.is_ascii_alphanumeric())

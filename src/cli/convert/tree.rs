@@ -10,7 +10,8 @@ use walkdir::{DirEntry, WalkDir};
 use crate::cli::args::{DestinationArgs, TalkArgs};
 use crate::cli::failure::Failure;
 use crate::cli::input::Source;
-use crate::cli::output::{folder_of, place_of};
+use crate::cli::new_file::folder_of;
+use crate::cli::output::{OutputTarget, place_of};
 
 /// What is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,9 +25,8 @@ pub(super) enum Input {
 /// Where the result goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Destination {
-    Stdout,
-    /// The file of `-o`.
-    File(PathBuf),
+    /// What `-o` names, or standard output.
+    Output(OutputTarget),
     /// A file below the folder of `--out-dir`.
     OutDir(PathBuf),
     /// The input itself.
@@ -97,13 +97,9 @@ pub(super) fn jobs(
                     },
                     _,
                 ) => Destination::OutDir(dir.join(below)),
-                (
-                    DestinationArgs {
-                        output: Some(path), ..
-                    },
-                    _,
-                ) if !Source::of(path).is_stdin() => Destination::File(path.clone()),
-                _ => Destination::Stdout,
+                (DestinationArgs { output, .. }, _) => {
+                    Destination::Output(OutputTarget::new(output.as_deref()))
+                }
             };
             Job { input, destination }
         })
@@ -312,10 +308,9 @@ fn without_clashes(jobs: Vec<Job>) -> Result<Vec<Job>, Failure> {
     for job in jobs {
         let place = match &job.destination {
             // A link below the folder of results may lead two of them to one file, and one file by two names is one file.
-            Destination::OutDir(path) | Destination::File(path) | Destination::InPlace(path) => {
-                place_of(path)
-            }
-            Destination::Stdout | Destination::Nowhere => {
+            Destination::OutDir(path) | Destination::InPlace(path) => place_of(path),
+            // These are the place of one result.
+            Destination::Output(_) | Destination::Nowhere => {
                 kept.push(job);
                 continue;
             }
