@@ -16,6 +16,7 @@ use super::new_file::{NewFile, folder_of};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum OutputTarget {
     Stdout,
+    Stderr,
     /// A file, or what else has a name.
     File(PathBuf),
 }
@@ -62,9 +63,13 @@ fn stated(work: &impl Writable, format: Format, options: &Options, bytes: &[u8])
 impl OutputTarget {
     /// The target of `-o`: standard output for `-` and without it.
     pub(crate) fn new(output: Option<&Path>) -> Self {
-        match output {
-            Some(path) if !is_stdout(path) => Self::File(path.to_owned()),
-            _ => Self::Stdout,
+        let Some(path) = output.filter(|path| path.as_os_str() != "-") else {
+            return Self::Stdout;
+        };
+        match followed(path) {
+            Ok(Place::Open(1)) => Self::Stdout,
+            Ok(Place::Open(2)) => Self::Stderr,
+            _ => Self::File(path.to_owned()),
         }
     }
 
@@ -86,6 +91,7 @@ impl OutputTarget {
     pub(crate) fn refuse_terminal(&self) -> Result<(), Failure> {
         let is_terminal = match self {
             Self::Stdout => io::stdout().is_terminal(),
+            Self::Stderr => io::stderr().is_terminal(),
             Self::File(_) => false,
         };
         if is_terminal {
@@ -101,6 +107,7 @@ impl OutputTarget {
     pub(crate) fn cannot(&self) -> String {
         match self {
             Self::Stdout => "cannot write to standard output".to_owned(),
+            Self::Stderr => "cannot write to standard error".to_owned(),
             Self::File(path) => format!("cannot write {}", path.display()),
         }
     }
@@ -121,7 +128,9 @@ impl OutputTarget {
     ) -> Result<(), Failure> {
         match self {
             Self::Stdout => write(&mut io::stdout().lock()).map(drop),
-            Self::File(path) => match followed(path).open() {
+            // Without its lock, since messages go there too.
+            Self::Stderr => write(&mut io::stderr()).map(drop),
+            Self::File(path) => match followed(path).and_then(Place::open) {
                 Ok(Opened::Through(mut file)) => write(&mut file).map(drop),
                 Ok(Opened::New(mut file)) => {
                     if write(file.file())? {
@@ -142,7 +151,7 @@ pub(crate) fn replace_input(
     bytes: &[u8],
     changed: impl FnOnce(&Metadata) -> bool,
 ) -> io::Result<bool> {
-    match followed(path).open()? {
+    match followed(path)?.open()? {
         Opened::Through(mut file) => file.write_all(bytes)?,
         Opened::New(mut file) => {
             file.file().write_all(bytes)?;
@@ -158,7 +167,9 @@ pub(crate) fn replace_input(
 
 /// Where a path leads by its links.
 enum Place {
-    /// What has to be written to and is never replaced: a device, a FIFO, what the process has open already.
+    /// What this process has open already, by its number.
+    Open(i32),
+    /// What has to be written to and is never replaced: a device, a FIFO, what another process has open.
     Through(PathBuf),
     /// A plain file, also where none is yet.
     File(PathBuf),
@@ -173,44 +184,71 @@ enum Opened {
 impl Place {
     fn open(self) -> io::Result<Opened> {
         Ok(match self {
+            Self::Open(number) => Opened::Through(open_already(number)?),
             Self::Through(path) => Opened::Through(File::options().append(true).open(path)?),
             Self::File(path) => Opened::New(NewFile::beside(path)?.into()),
         })
     }
 }
 
+/// What this process has open by this number, to go on where that is; where the system does not hand it out, at its end.
+fn open_already(number: i32) -> io::Result<File> {
+    let path = format!("/dev/fd/{number}");
+    #[cfg(target_os = "linux")]
+    {
+        use rustix::process::{PidfdFlags, PidfdGetfdFlags, getpid, pidfd_getfd, pidfd_open};
+        // Else a number that is free would be that of the next line.
+        fs::symlink_metadata(&path)?;
+        let own = pidfd_open(getpid(), PidfdFlags::empty());
+        let same = own.and_then(|own| pidfd_getfd(own, number, PidfdGetfdFlags::empty()));
+        if let Ok(same) = same {
+            return Ok(same.into());
+        }
+    }
+    File::options().append(true).open(path)
+}
+
+/// The most links that lead from one to the next, as in Linux.
+const MOST_LINKS: usize = 40;
+
 /// Where a path leads by its links, also where nothing is there yet.
-fn followed(path: &Path) -> Place {
-    let is_open = path.starts_with("/dev") || path.starts_with("/proc");
+fn followed(path: &Path) -> io::Result<Place> {
     let mut path = path.to_owned();
-    // As many as Linux follows.
-    for _ in 0..40 {
-        if let Ok(real) = fs::canonicalize(&path) {
-            path = real;
-            break;
+    for _ in 0..=MOST_LINKS {
+        if let Some(place) = descriptor(&path) {
+            return Ok(place);
         }
         let Ok(target) = fs::read_link(&path) else {
-            break;
+            let path = fs::canonicalize(&path).unwrap_or(path);
+            return Ok(match fs::metadata(&path) {
+                Ok(data) if !data.is_file() => Place::Through(path),
+                _ => Place::File(path),
+            });
         };
         path = folder_of(&path).join(target);
     }
-    match fs::metadata(&path) {
-        Ok(data) if !data.is_file() => Place::Through(path),
-        _ if is_open => Place::Through(path),
-        _ => Place::File(path),
-    }
+    Err(io::Error::other("too many links lead from one to the next"))
 }
 
-/// Whether a path names standard output, which is written through and never replaced, whatever it leads to.
-fn is_stdout(path: &Path) -> bool {
-    ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]
-        .iter()
-        .any(|name| path.as_os_str() == *name)
+/// What some process has open already, where a path is its name. That looks like a link, but what is read from it may be the name of
+/// nothing, or of a file that others write to.
+fn descriptor(path: &Path) -> Option<Place> {
+    let number = path.file_name()?.to_str()?.parse().ok()?;
+    let folder = folder_of(path);
+    let real = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
+    let own = fs::canonicalize("/proc/self").unwrap_or_else(|_| "/proc/self".into());
+    if real == Path::new("/dev/fd") || (real.starts_with(own) && real.ends_with("fd")) {
+        return Some(Place::Open(number));
+    }
+    (real.starts_with("/proc") && real.ends_with("fd")).then(|| Place::Through(path.to_owned()))
 }
 
 /// Where a path leads by its links, by one name for one place, however it is spelled.
 pub(crate) fn place_of(path: &Path) -> PathBuf {
-    let (Place::File(path) | Place::Through(path)) = followed(path);
+    let path = match followed(path) {
+        Ok(Place::File(real) | Place::Through(real)) => real,
+        _ => path.to_owned(),
+    };
     let folder = folder_of(&path);
     match path.file_name() {
         Some(name) if folder != path && !path.exists() => place_of(folder).join(name),

@@ -2,7 +2,10 @@
 
 use crate::judges::program::{program_in, run_in, shell};
 use std::fs;
+use std::io::{Read as _, Seek as _};
+use std::os::fd::OwnedFd;
 use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, chown, symlink};
+use std::os::unix::net::UnixStream;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
@@ -143,17 +146,109 @@ fn a_folder_of_results_is_not_walked_and_not_the_input() {
     );
 }
 
+/// One of each command that writes.
+const WRITERS: [&str; 14] = [
+    "circle 3 -p 0",
+    "ellipse 3 2",
+    "arc 3 --start 0 --sweep 90",
+    "conic --from 0,0 --control 5,8 --to 10,0 --weight 0.7",
+    "path M0,0A5,5,0,0,1,9,0",
+    "spline --points-file points",
+    "sphere 3",
+    "procset",
+    "measure circle 3",
+    "compare -m minimax -n 4",
+    "explore circle 3 -m minimax -n 4",
+    "batch lines",
+    "convert a.svg",
+    "circle 3 -f png",
+];
+
 #[test]
-fn standard_output_is_written_through() {
+fn what_is_open_already_is_written_through_by_every_command() {
     let folder = folder();
-    let script = "{ echo a; curveto circle 3 -p 0 -o /dev/stdout; echo b; } > f";
-    let status = shell(folder.path(), script).status().unwrap();
-    assert!(status.success());
-    let text = fs::read_to_string(folder.path().join("f")).unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::write(at("points"), "0 0\n1 0\n1 1\n").unwrap();
+    fs::write(at("lines"), "circle 0 0 5\n").unwrap();
+    symlink("/dev/stdout", at("link")).unwrap();
+    for words in WRITERS {
+        let alone = shell(folder.path(), &format!("curveto {words}")).output();
+        let expected = [b"a\n", &*alone.unwrap().stdout, b"b\n"].concat();
+        assert!(expected.len() > 20, "{words}");
+        let ways = [
+            ("/dev/stdout", 1, "> f"),
+            ("/dev/stdout", 1, "| cat > f"),
+            ("/dev/stderr", 2, "2> f"),
+            ("/dev/fd/3", 3, "3> f"),
+            ("/dev/fd/3", 3, "3>> f"),
+            ("/dev/fd/3", 3, "3>&1 | cat > f"),
+            ("/dev/stderr", 2, "2>&1 | cat > f"),
+            ("/dev/fd/1", 1, "> f"),
+            ("link", 1, "> f"),
+        ];
+        let taken = if words == WRITERS[0] { ways.len() } else { 4 };
+        for (name, number, way) in &ways[..taken] {
+            let script = format!(
+                "rm -f f; {{ echo a >&{number}; curveto {words} -o {name}; echo b >&{number}; }} {way}"
+            );
+            assert!(shell(folder.path(), &script).status().unwrap().success());
+            let found = fs::read(at("f")).unwrap();
+            assert!(
+                found == expected,
+                "{script}: {}",
+                String::from_utf8_lossy(&found)
+            );
+        }
+    }
+}
+
+#[test]
+fn standard_output_may_be_a_socket_or_a_file_without_a_name() {
+    let folder = folder();
+    for (words, begin) in [("circle 3", "M3 0"), ("convert a.svg", "<svg")] {
+        let arguments: Vec<&str> = words.split(' ').chain(["-o", "/dev/stdout"]).collect();
+        let (mut here, there) = UnixStream::pair().unwrap();
+        let status = program_in(folder.path(), &arguments)
+            .stdout(OwnedFd::from(there))
+            .status();
+        assert!(status.unwrap().success(), "{words}");
+        let mut text = String::new();
+        here.read_to_string(&mut text).unwrap();
+        assert!(text.starts_with(begin), "{text}");
+        let mut file = tempfile::tempfile().unwrap();
+        let status = program_in(folder.path(), &arguments)
+            .stdout(file.try_clone().unwrap())
+            .status();
+        assert!(status.unwrap().success(), "{words}");
+        file.rewind().unwrap();
+        assert_eq!(std::io::read_to_string(file).unwrap(), text);
+    }
+}
+
+#[test]
+fn what_is_not_open_is_an_error_and_a_folder_in_memory_is_one_like_any_other() {
+    let folder = folder();
+    let output = run_in(folder.path(), &["circle", "3", "-o", "/dev/fd/99"]);
+    assert_eq!(output.status.code(), Some(1));
     assert!(
-        text.starts_with("a\nM3 0") && text.ends_with("\nb\n"),
-        "{text}"
+        said(&output).starts_with("error: cannot write /dev/fd/99: "),
+        "{}",
+        said(&output)
     );
+    let Ok(memory) = tempfile::tempdir_in("/dev/shm") else {
+        eprintln!("skipped: there is no /dev/shm");
+        return;
+    };
+    let file = memory.path().join("new.path");
+    for begin in ["M3 ", "M4 "] {
+        let words = ["circle", &begin[1..2], "-o", file.to_str().unwrap()];
+        assert!(run_in(folder.path(), &words).status.success());
+        let text = fs::read_to_string(&file).unwrap();
+        assert!(
+            text.starts_with(begin) && text.lines().count() == 1,
+            "{text}"
+        );
+    }
 }
 
 #[test]
@@ -386,18 +481,6 @@ fn links_to_folders_are_not_walked() {
 }
 
 #[test]
-fn what_is_open_already_is_written_through() {
-    let folder = folder();
-    let script = "exec 3>>out; echo before >&3; echo circle 0 0 5 | curveto batch -o /dev/fd/3; echo after >&3";
-    let status = shell(folder.path(), script).status().unwrap();
-    assert!(status.success());
-    let out = fs::read_to_string(folder.path().join("out")).unwrap();
-    let lines: Vec<&str> = out.lines().collect();
-    assert!(lines.len() == 3 && lines[1].starts_with('M'), "{out}");
-    assert_eq!([lines[0], lines[2]], ["before", "after"]);
-}
-
-#[test]
 fn links_within_the_folder_are_followed_and_those_out_of_it_are_not() {
     let outer = folder();
     let inner = outer.path().join("in/deeper");
@@ -473,6 +556,37 @@ fn a_link_that_leads_nowhere_yet_is_followed() {
             .unwrap()
             .starts_with("M3 0")
     );
+}
+
+#[test]
+fn links_that_lead_to_one_another_are_an_error_and_stay() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    symlink("two", at("one")).unwrap();
+    symlink("one", at("two")).unwrap();
+    // As many as the system follows, and one more.
+    symlink("new", at("1")).unwrap();
+    for i in 2..=41 {
+        symlink((i - 1).to_string(), at(&i.to_string())).unwrap();
+    }
+    for words in [
+        "circle 3 -o one",
+        "convert a.svg -o two",
+        "batch a.svg -o 41",
+    ] {
+        let words: Vec<&str> = words.split(' ').collect();
+        let output = run_in(folder.path(), &words);
+        let why = "too many links lead from one to the next";
+        let why = format!("cannot write {}: {why}", words[3]);
+        assert_eq!(output.status.code(), Some(1), "{words:?}");
+        assert!(said(&output).contains(&why), "{words:?}: {}", said(&output));
+        for link in ["one", "two", "41"] {
+            assert!(fs::symlink_metadata(at(link)).unwrap().is_symlink());
+        }
+    }
+    let output = run_in(folder.path(), &["circle", "3", "-o", "40"]);
+    assert!(output.status.success(), "{}", said(&output));
+    assert!(fs::read_to_string(at("new")).unwrap().starts_with("M3 0"));
 }
 
 #[test]
