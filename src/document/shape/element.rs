@@ -148,7 +148,14 @@ pub(in crate::document) fn path_data(
             )?;
             let drawn = &scratch.beziers;
             let mut text = ShapeText::new(options.precision, drawn.decimals, out);
-            text.known = [radii[0], radii[1]];
+            // Where digits are asked for that leave some out, sums are rounded as every command rounds them.
+            let fits = |length: &Length| {
+                let asked = options.precision.map(u32::from);
+                asked.is_none_or(|asked| length.exact.decimals <= asked)
+            };
+            if center.iter().chain(radii).all(fits) {
+                text.known = *radii;
+            }
             text.base = *center;
             text.truth = options.measure.then(|| {
                 let [cx, cy] = center.map(|length| length.value);
