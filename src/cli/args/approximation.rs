@@ -20,7 +20,7 @@ pub(crate) struct ApproximationArgs {
     segments: Vec<usize>,
     /// The fewest segments within T of the true shape
     ///
-    /// T is a distance in user units, or a percentage of the larger radius.
+    /// T is a distance in user units, or a percentage of the larger radius. The curve is judged as it is printed: where rounding takes a segment more, more decimals (-p) may save it.
     #[arg(short, long, value_name = "T", value_parser = values::tolerance, allow_hyphen_values = true, conflicts_with = "joints")]
     tolerance: Option<Tolerance>,
     /// Joints at these angles instead; for an arc, inside its sweep
