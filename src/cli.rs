@@ -28,9 +28,10 @@ mod spline;
 mod table;
 mod usage;
 
+use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory as _, FromArgMatches as _};
 
 use args::{Cli, Command};
 use failure::Failure;
@@ -40,7 +41,7 @@ type Outcome = Result<ExitCode, Failure>;
 
 /// Parses the command line, runs it and tells how it went.
 pub(crate) fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let cli = match parse() {
         Ok(cli) => cli,
         Err(error) => return usage::tell_of(error),
     };
@@ -51,6 +52,16 @@ pub(crate) fn main() -> ExitCode {
             failure.exit_code()
         }
     }
+}
+
+/// Parses the command line. Help that goes into a file is the same on every terminal.
+fn parse() -> Result<Cli, clap::Error> {
+    let mut command = Cli::command();
+    if !io::stdout().is_terminal() {
+        command = command.term_width(usize::from(table::PROSE));
+    }
+    let mut matches = command.try_get_matches_from_mut(std::env::args_os())?;
+    Cli::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))
 }
 
 fn run(command: Command) -> Outcome {

@@ -1,5 +1,7 @@
 //! Tables for people: without rules, and without blanks at the ends of their lines.
 
+use std::io::{self, IsTerminal as _};
+
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 
 /// The width of prose: longer lines are hard to read, and a pipe has no width of its own.
@@ -21,8 +23,11 @@ pub(super) fn wrapped(width: u16) -> Table {
     table
 }
 
-/// The width of the terminal, or what `COLUMNS` says of it, as far as this one.
+/// The width of the terminal, or what `COLUMNS` says of it, as far as this one. A file is the same on every terminal.
 pub(super) fn width(widest: u16) -> u16 {
+    if !io::stdout().is_terminal() {
+        return PROSE;
+    }
     let told = std::env::var("COLUMNS").ok();
     let told = told.and_then(|columns| columns.parse().ok());
     let width = told.or_else(|| Table::new().width());

@@ -5,7 +5,7 @@ use curveto::{Cut, Options, Tolerance, path};
 use kurbo::{ParamCurve, PathSeg, Point};
 use proptest::prelude::*;
 
-use crate::judges::program::{self, json, printed, refused, run};
+use crate::judges::program::{self, drawn, json, printed, refused, run};
 use crate::judges::random::uniform;
 
 /// What the program prints for this input, and on standard error.
@@ -488,14 +488,26 @@ fn a_method_that_needs_thousands_of_segments_answers() {
 }
 
 #[test]
+fn what_goes_into_a_file_is_the_same_on_every_terminal() {
+    for words in [
+        "methods",
+        "methods minimax",
+        "measure circle 50",
+        "compare",
+        "circle --help",
+        "-h",
+    ] {
+        let mut command = program::program(&program::words(words));
+        let narrow = command.env("COLUMNS", "40").output().unwrap().stdout;
+        assert_eq!(drawn(words), narrow, "{words}");
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
 fn the_catalogue_fits_terminals_from_60_to_200_columns() {
     for columns in [60, 66, 72, 80, 100, 200] {
-        let mut command = program::program(&["methods"]);
-        let output = command
-            .env("COLUMNS", columns.to_string())
-            .output()
-            .unwrap();
-        let table = String::from_utf8(output.stdout).unwrap();
+        let table = program::on_terminal("methods", columns);
         let widest = table
             .lines()
             .map(|line| line.chars().count())

@@ -127,6 +127,22 @@ pub(crate) fn shell(folder: &Path, script: &str) -> Command {
     shell
 }
 
+/// What it shows on a terminal of so many columns, without colours; where none is to be had, what it prints.
+pub(crate) fn on_terminal(arguments: &str, columns: usize) -> String {
+    if cfg!(not(target_os = "linux")) {
+        return printed(&words(arguments));
+    }
+    let program = env!("CARGO_BIN_EXE_curveto");
+    let typed = format!("stty rows 50 cols {columns} && exec '{program}' {arguments}");
+    let mut script = Command::new("script");
+    script.args(["-qec", &typed, "/dev/null"]);
+    let variables = [("NO_COLOR", "1"), ("TERM", "dumb")];
+    let output = script.envs(variables).env_remove("COLUMNS").output();
+    let output = output.unwrap();
+    assert!(output.status.success(), "curveto {arguments}");
+    String::from_utf8(output.stdout).unwrap().replace('\r', "")
+}
+
 /// A value of JSON that is a number.
 pub(crate) fn number(value: &Value) -> f64 {
     value
