@@ -1,8 +1,8 @@
 //! Completion for shells. The scripts that clap writes know one word a flag; here lists with commas are taught to them, so that the
-//! word after each comma is completed too.
+//! word after each comma is completed too, and bash offers files where a command takes one.
 
 use clap::builder::PossibleValue;
-use clap::{Arg, Command, CommandFactory as _};
+use clap::{Arg, Command, CommandFactory as _, ValueHint};
 use clap_complete::Shell;
 
 use super::args::Cli;
@@ -28,7 +28,7 @@ pub(super) fn script(shell: Shell) -> String {
         collect(top, top.get_name(), &mut lists);
     }
     match shell {
-        Shell::Bash => script + &bash(&lists),
+        Shell::Bash => script + &bash(&lists, &takers_of_files(&command)),
         Shell::Zsh => zsh(script, &lists),
         Shell::Fish => fish(&script, &lists) + &fish_arguments(&command),
         _ => script,
@@ -59,9 +59,18 @@ fn collect(command: &Command, top: &str, lists: &mut Vec<List>) {
     }
 }
 
+/// The commands of which a word without a flag may name a file.
+fn takers_of_files(program: &Command) -> Vec<&str> {
+    let takes = |arg: &Arg| matches!(arg.get_value_hint(), ValueHint::AnyPath);
+    let commands = program.get_subcommands();
+    let takers = commands.filter(|command| command.get_positionals().any(takes));
+    takers.map(Command::get_name).collect()
+}
+
 /// A function before clap's own, which sees only what stands after the last comma, and the value of `--flag=value` as that of the flag:
-/// bash gives it three words, or one where `=` is not in `COMP_WORDBREAKS`.
-fn bash(lists: &[List]) -> String {
+/// bash gives it three words, or one where `=` is not in `COMP_WORDBREAKS`. Where it answers an empty word by flags though a file may stand
+/// there, the answer is left to bash, which has the files.
+fn bash(lists: &[List], takers_of_files: &[&str]) -> String {
     let flags = |list: &List| {
         let short = list.short.map(|short| format!("\"{} -{short}\"", list.top));
         let long = format!("\"{} --{}\"", list.top, list.long);
@@ -89,6 +98,11 @@ _curveto_list() {{
     esac
     COMP_WORDS[COMP_CWORD]="$word"
     _curveto "$1" "$word" "$flag"
+    if [[ -z "$word" && "${{COMPREPLY[0]}}" == -* ]]; then
+        case "${{COMP_WORDS[1]}}" in
+            {}) COMPREPLY=() ;;
+        esac
+    fi
     COMPREPLY=("${{COMPREPLY[@]/#/$before}}")
 }}
 complete -F _curveto_list -o bashdefault -o default curveto
@@ -97,7 +111,8 @@ complete -F _curveto_list -o bashdefault -o default curveto
             .iter()
             .map(|pattern| format!("{pattern},*,*"))
             .collect::<Vec<_>>()
-            .join("|")
+            .join("|"),
+        takers_of_files.join("|")
     )
 }
 

@@ -485,6 +485,17 @@ fn bash_completes_the_word_after_each_comma_of_a_list() {
         "glif",
         "a sphere is never G-code"
     );
+    // Files are bash's own answer, where there is no other.
+    for words in ["diff", "diff old.svg", "convert", "batch -f json", "path"] {
+        let words = format!("curveto {words}");
+        let mut words = program::words(&words);
+        words.push("");
+        assert_eq!(completed(&words), "", "{words:?}");
+    }
+    for words in [["circle", ""], ["diff", "-"]] {
+        assert!(completed(&["curveto", words[0], words[1]]).contains("--version"));
+    }
+    assert!(printed(&["completions", "bash"]).ends_with("-o default curveto\n"));
 }
 
 #[test]

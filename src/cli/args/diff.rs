@@ -1,6 +1,6 @@
 //! The words of `diff`.
 
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, ValueHint};
 
 use super::values;
 
@@ -10,10 +10,10 @@ use super::values;
 )]
 pub(crate) struct DiffArgs {
     /// The one drawing: path data, or a file; - is standard input
-    #[arg(value_name = "OLD", allow_hyphen_values = true)]
+    #[arg(value_name = "OLD", value_hint = ValueHint::AnyPath, allow_hyphen_values = true)]
     pub(crate) old: String,
     /// The other
-    #[arg(value_name = "NEW", allow_hyphen_values = true)]
+    #[arg(value_name = "NEW", value_hint = ValueHint::AnyPath, allow_hyphen_values = true)]
     pub(crate) new: String,
     /// How far they may lie apart, in user units
     #[arg(

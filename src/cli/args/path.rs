@@ -1,6 +1,6 @@
 //! The words of `path`.
 
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, ValueHint};
 use curveto::contour::Target;
 use curveto::{Cut, Method, Rule, Tolerance};
 
@@ -17,6 +17,7 @@ pub(crate) struct PathArgs {
     /// SVG path data, or a file that holds it; - is standard input
     #[arg(
         value_name = "DATA|FILE|-",
+        value_hint = ValueHint::AnyPath,
         allow_hyphen_values = true,
         required_unless_present = "power"
     )]
