@@ -2,6 +2,7 @@
 
 mod read;
 
+use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
@@ -35,8 +36,9 @@ pub(super) fn run(args: &DiffArgs) -> Outcome {
         ));
     }
     let notes = QuietArgs { quiet: args.quiet };
-    let old = read::drawing(&args.old, notes).map_err(trouble)?;
-    let new = read::drawing(&args.new, notes).map_err(trouble)?;
+    // Exit code 1 says that the drawings differ.
+    let old = read::drawing(&args.old, notes).map_err(Failure::requested)?;
+    let new = read::drawing(&args.new, notes).map_err(Failure::requested)?;
     let difference = compare(&old, &new, args.tolerance)?;
     let report = match args.format {
         _ if args.quiet => String::new(),
@@ -45,16 +47,8 @@ pub(super) fn run(args: &DiffArgs) -> Outcome {
     };
     OutputTarget::Stdout
         .write(report.as_bytes())
-        .map_err(trouble)?;
+        .map_err(Failure::requested)?;
     Ok(ExitCode::from(u8::from(!difference.is_within())))
-}
-
-/// A failure of any kind as that of a wrong request, whose exit code is 2: 1 says that the drawings differ.
-fn trouble(failure: Failure) -> Failure {
-    match failure {
-        Failure::Running(error) => Failure::request(format!("{error:#}")),
-        other => other,
-    }
 }
 
 fn text(difference: &Difference, args: &DiffArgs) -> String {
@@ -130,9 +124,9 @@ fn bound(distance: f64, noise: f64) -> String {
     significant(rounded_up(known, 4), 4)
 }
 
-fn name(words: &str) -> String {
+fn name(words: &OsStr) -> String {
     match Source::of(words) {
         Source::Stdin => Source::Stdin.name(),
-        Source::File(_) => curveto::path::shortened(words),
+        Source::File(_) => curveto::path::shortened(&words.to_string_lossy()),
     }
 }

@@ -49,6 +49,14 @@ impl Failure {
         }
     }
 
+    /// A failure of any kind as that of a wrong request.
+    pub(crate) fn requested(self) -> Self {
+        match self {
+            Self::Running(error) => Self::request(format!("{error:#}")),
+            other => other,
+        }
+    }
+
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Request { .. } => ExitCode::from(2),

@@ -44,6 +44,9 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
                 .any(|name| flag.starts_with(name));
             if apart { None } else { of_measure(words) }
         }
+        ErrorKind::InvalidUtf8 => {
+            Some("names of files may be of any bytes, all other words are text in UTF-8".to_owned())
+        }
         ErrorKind::MissingRequiredArgument => of_missing(words, command),
         _ => None,
     }

@@ -1,5 +1,6 @@
 //! Where input comes from: a word on the command line, a file, or standard input.
 
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -118,21 +119,22 @@ pub(crate) fn named(name: &str, error: curveto::Error) -> Failure {
 }
 
 /// Path data: what stands in `words` itself where that begins with a moveto, else in the file of that name or on standard input.
-pub(crate) fn path_data(words: &str) -> Result<(String, String), Failure> {
+pub(crate) fn path_data(words: &OsStr) -> Result<(String, String), Failure> {
     let (bytes, name) = drawing(words)?;
     Ok((in_utf8(bytes, &name)?, name))
 }
 
 /// The same, which may be any kind of drawing, as bytes.
-pub(crate) fn drawing(words: &str) -> Result<(Vec<u8>, String), Failure> {
-    let trimmed = words.trim_start();
+pub(crate) fn drawing(words: &OsStr) -> Result<(Vec<u8>, String), Failure> {
+    let text = words.to_string_lossy();
+    let trimmed = text.trim_start();
     let after = trimmed.strip_prefix(['M', 'm']);
     let is_data = after.is_some_and(|rest| {
         !rest.starts_with(|c: char| c.is_alphabetic() || c == '_' || c == '/')
             && !Path::new(words).is_file()
     });
     if is_data || trimmed.is_empty() {
-        return Ok((words.as_bytes().to_owned(), THE_PATH.to_owned()));
+        return Ok((typed(words, THE_PATH)?.into_bytes(), THE_PATH.to_owned()));
     }
     document(existing(
         words,
@@ -141,11 +143,16 @@ pub(crate) fn drawing(words: &str) -> Result<(Vec<u8>, String), Failure> {
     )?)
 }
 
+/// What a word on the command line holds itself, which messages call so.
+fn typed(word: &OsStr, name: &str) -> Result<String, Failure> {
+    in_utf8(word.as_encoded_bytes().to_owned(), name).map_err(Failure::requested)
+}
+
 /// Coefficients as JSON: what stands in `words` itself where that begins like JSON, else in the file of that name or on standard
 /// input.
-pub(crate) fn coefficients(words: &str) -> Result<String, Failure> {
-    if words.trim_start().starts_with(['{', '[']) && !Path::new(words).is_file() {
-        return Ok(words.to_owned());
+pub(crate) fn coefficients(words: &OsStr) -> Result<String, Failure> {
+    if words.to_string_lossy().trim_start().starts_with(['{', '[']) && !Path::new(words).is_file() {
+        return typed(words, "the JSON");
     }
     let source = existing(
         words,
@@ -156,12 +163,12 @@ pub(crate) fn coefficients(words: &str) -> Result<String, Failure> {
 }
 
 /// The input that words name which are none of this kind themselves.
-fn existing<'a>(words: &'a str, kind: &str, hint: &str) -> Result<Source<'a>, Failure> {
+fn existing<'a>(words: &'a OsStr, kind: &str, hint: &str) -> Result<Source<'a>, Failure> {
     let source = Source::of(words);
     if source.is_stdin() || Path::new(words).exists() {
         return Ok(source);
     }
-    let words = curveto::path::shortened(words);
+    let words = curveto::path::shortened(&words.to_string_lossy());
     let message = format!("'{words}' is neither {kind} nor a file");
     Err(Failure::request_with_hint(message, hint))
 }

@@ -635,3 +635,51 @@ fn a_new_file_has_the_mode_of_the_mask_and_is_never_open_to_more_than_the_old_on
         assert_eq!(mode, 0o640, "{name}: {mode:o}");
     }
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_file_name_may_be_of_any_bytes_and_data_is_text() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt as _;
+
+    let folder = tempfile::tempdir().unwrap();
+    let run = |words: &[&[u8]]| {
+        let mut command = program_in(folder.path(), &[]);
+        command.args(words.iter().map(|word| OsStr::from_bytes(word)));
+        command.output().unwrap()
+    };
+    let name = &b"M\xff.path"[..];
+    let power = &b"\xff.json"[..];
+    let json = br#"{"x": [0,0,5,0], "y": [0,0,0,5]}"#;
+    for (name, data) in [(name, &b"M0 0C0 5 5 10 10 10"[..]), (power, json)] {
+        fs::write(folder.path().join(OsStr::from_bytes(name)), data).unwrap();
+    }
+    for words in [
+        &[&b"path"[..], name][..],
+        &[b"path", b"--power", power],
+        &[b"measure", b"--path", name],
+        &[b"diff", name, name],
+    ] {
+        let output = run(words);
+        assert!(output.status.success(), "{words:?}: {}", said(&output));
+    }
+    for (words, wished) in [
+        (
+            &[&b"path"[..], b"M0 0L5 \xff"][..],
+            "error: cannot read the path: it is no text in UTF-8, from byte 8 on\n",
+        ),
+        (
+            &[b"path", b"--power", b"[\xff]"],
+            "error: cannot read the JSON: it is no text in UTF-8, from byte 2 on\n",
+        ),
+        (&[b"circle", b"\xff"], "hint: names of files"),
+    ] {
+        let output = run(words);
+        assert_eq!(output.status.code(), Some(2), "{words:?}");
+        assert!(
+            said(&output).contains(wished),
+            "{words:?}: {}",
+            said(&output)
+        );
+    }
+}

@@ -1,5 +1,7 @@
 //! The words of `diff`.
 
+use std::ffi::OsString;
+
 use clap::{Args, ValueEnum, ValueHint};
 
 use super::values;
@@ -11,10 +13,10 @@ use super::values;
 pub(crate) struct DiffArgs {
     /// The one drawing: path data, or a file; - is standard input
     #[arg(value_name = "OLD", value_hint = ValueHint::AnyPath, allow_hyphen_values = true)]
-    pub(crate) old: String,
+    pub(crate) old: OsString,
     /// The other
     #[arg(value_name = "NEW", value_hint = ValueHint::AnyPath, allow_hyphen_values = true)]
-    pub(crate) new: String,
+    pub(crate) new: OsString,
     /// How far they may lie apart, in user units
     #[arg(
         short,

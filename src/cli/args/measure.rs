@@ -1,8 +1,9 @@
 //! The words of `measure`.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, Subcommand, ValueEnum, ValueHint};
 use curveto::curve::Curve;
 use curveto::measure::Quantity;
 use curveto::measure::fit::{self, Fit, FitTo};
@@ -78,10 +79,11 @@ pub(crate) struct ForeignArgs {
     #[arg(
         long,
         value_name = "DATA|FILE|-",
+        value_hint = ValueHint::AnyPath,
         allow_hyphen_values = true,
         group = "curve"
     )]
-    pub(crate) path: Option<String>,
+    pub(crate) path: Option<OsString>,
     /// Every path of an SVG file, its transforms applied; - is standard input
     #[arg(long, alias = "svg", value_name = "FILE", group = "curve")]
     pub(crate) file: Option<PathBuf>,

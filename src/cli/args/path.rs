@@ -1,5 +1,7 @@
 //! The words of `path`.
 
+use std::ffi::OsString;
+
 use clap::{Args, ValueEnum, ValueHint};
 use curveto::contour::Target;
 use curveto::{Cut, Method, Rule, Tolerance};
@@ -21,12 +23,12 @@ pub(crate) struct PathArgs {
         allow_hyphen_values = true,
         required_unless_present = "power"
     )]
-    pub(crate) source: Option<String>,
+    pub(crate) source: Option<OsString>,
     /// Equation-space coefficients in its place
     ///
     /// JSON with the "power" of each segment, as -f json prints it, or a file of it.
-    #[arg(long, value_name = "JSON|FILE|-", conflicts_with = "source")]
-    pub(crate) power: Option<String>,
+    #[arg(long, value_name = "JSON|FILE|-", value_hint = ValueHint::AnyPath, conflicts_with = "source")]
+    pub(crate) power: Option<OsString>,
     /// What it becomes
     #[arg(long, value_enum, value_name = "KIND", default_value_t)]
     to: TargetArg,

@@ -1,5 +1,7 @@
 //! A drawing in any of the forms that can be compared.
 
+use std::ffi::OsStr;
+
 use curveto::contour::Contour;
 use curveto::diff::Track;
 use curveto::document::{self, Unread};
@@ -13,7 +15,7 @@ use super::super::failure::Failure;
 use super::super::input;
 
 /// The subpaths of a drawing: of path data, or of a file with it, with SVG, JSON or PostScript.
-pub(super) fn drawing(words: &str, notes: QuietArgs) -> Result<Vec<Track>, Failure> {
+pub(super) fn drawing(words: &OsStr, notes: QuietArgs) -> Result<Vec<Track>, Failure> {
     let (bytes, name) = input::drawing(words)?;
     let is_svg =
         bytes.trim_ascii_start().starts_with(b"<") || bytes.starts_with("\u{feff}<".as_bytes());
