@@ -8,7 +8,7 @@ use curveto::spline::Spline;
 use curveto::spline::points::{Points, ReadError};
 use curveto::write::spline::SplineDrawing;
 
-use super::args::{SplineArgs, SplineSource};
+use super::args::{SplineArgs, SplineSource, hint_of_number};
 use super::failure::Failure;
 use super::input::Source;
 use super::output::write_drawn;
@@ -65,16 +65,23 @@ impl<'a> PointSource<'a> {
             Self::Words(words) => Points::parse(words),
             Self::Source(source) => Points::read(BufReader::new(source.open()?)),
         };
-        match (read, self) {
-            (Ok(points), _) => Ok(points),
-            (Err(ReadError::Io(error)), _) => {
-                Err(anyhow::Error::from(error).context(format!("cannot read {}", self.name())))?
-            }
-            (Err(ReadError::Syntax { column, why, .. }), Self::Words(_)) => Err(Failure::request(
-                format!("{why}, at column {column} of --points"),
-            )),
-            (Err(error), _) => Err(Failure::request(format!("{}:{error}", self.name()))),
-        }
+        read.map_err(|error| match (&error, self) {
+            (
+                ReadError::Syntax {
+                    column, text, why, ..
+                },
+                source,
+            ) => Failure::Request {
+                message: match source {
+                    Self::Words(_) => format!("{why}, at column {column} of --points"),
+                    Self::Source(_) => format!("{}:{error}", source.name()),
+                },
+                hint: hint_of_number(text),
+            },
+            _ => anyhow::Error::from(error)
+                .context(format!("cannot read {}", self.name()))
+                .into(),
+        })
     }
 
     /// The error with the lines of the points that it names.

@@ -30,7 +30,9 @@ pub enum ReadError {
         line: usize,
         /// The column, counted in characters from 1.
         column: usize,
-        /// What is wrong there.
+        /// What stands there, without quotes around it.
+        text: String,
+        /// What is wrong with it.
         why: String,
     },
 }
@@ -39,10 +41,10 @@ pub enum ReadError {
 const LONGEST_LINE: u64 = 1 << 16;
 
 impl Points {
-    /// Reads one pair a line: two numbers with a comma, a semicolon, spaces or tabs between them.
+    /// Reads one pair a line: two numbers, quoted or not, with a comma, a semicolon, spaces or tabs between them.
     ///
-    /// Blank lines and what follows a `#` are skipped, and so is a first line of names instead of numbers. Line ends are LF or
-    /// CR LF.
+    /// Blank lines and what follows a `#` are skipped, and so is a first line of names, none of which begins as a number does. Line
+    /// ends are LF or CR LF.
     ///
     /// # Errors
     ///
@@ -53,6 +55,8 @@ impl Points {
     /// let read = Points::read("x,y\n0,0\n\n1.5;2  # the top\n".as_bytes())?;
     /// assert_eq!(read.points, [(0.0, 0.0).into(), (1.5, 2.0).into()]);
     /// assert_eq!(read.lines, [2, 4]);
+    /// // A number that is spoiled is no name.
+    /// assert!(Points::read("1mm,0\n1,1\n".as_bytes()).is_err());
     /// # Ok::<(), curveto::spline::points::ReadError>(())
     /// ```
     pub fn read(mut reader: impl BufRead) -> Result<Self, ReadError> {
@@ -66,11 +70,7 @@ impl Points {
             }
             if bytes.len() as u64 == LONGEST_LINE {
                 let why = format!("the line is longer than {} KiB", LONGEST_LINE >> 10);
-                return Err(ReadError::Syntax {
-                    line,
-                    column: 1,
-                    why,
-                });
+                return Err(Flaw::of("", 1, why).at(line));
             }
             let text = String::from_utf8_lossy(&bytes);
             let text = if line == 1 {
@@ -86,7 +86,7 @@ impl Points {
                 }
                 Ok(None) => continue,
                 Err(_) if header_may_come && Fields::new(text).are_names() => {}
-                Err(Flaw { column, why }) => return Err(ReadError::Syntax { line, column, why }),
+                Err(flaw) => return Err(flaw.at(line)),
             }
             header_may_come = false;
         }
@@ -101,11 +101,7 @@ impl Points {
     pub fn parse(text: &str) -> Result<Self, ReadError> {
         let mut fields = Fields::new(text);
         let mut points = Vec::new();
-        let at = |Flaw { column, why }| ReadError::Syntax {
-            line: 1,
-            column,
-            why,
-        };
+        let at = |flaw: Flaw| flaw.at(1);
         while let Some(x) = fields.number().map_err(at)? {
             let y = fields.number().map_err(at)?.ok_or_else(|| {
                 at(fields.flaw(fields.rest, format!("point {} has no y", points.len() + 1)))
@@ -122,7 +118,32 @@ impl Points {
 /// What is wrong in a line.
 struct Flaw {
     column: usize,
+    text: String,
     why: String,
+}
+
+impl Flaw {
+    fn of(text: &str, column: usize, why: String) -> Self {
+        let text = unquoted(text).to_owned();
+        Self { column, text, why }
+    }
+
+    fn at(self, line: usize) -> ReadError {
+        let Self { column, text, why } = self;
+        ReadError::Syntax {
+            line,
+            column,
+            text,
+            why,
+        }
+    }
+}
+
+/// A field without the quotes around it.
+fn unquoted(field: &str) -> &str {
+    let inner = field.strip_prefix('"');
+    let inner = inner.and_then(|rest| rest.strip_suffix('"'));
+    inner.map_or(field, str::trim)
 }
 
 /// The numbers of a text, which commas, semicolons or white space separate.
@@ -156,10 +177,12 @@ impl<'a> Fields<'a> {
                 .unwrap_or(trimmed)
                 .trim_start();
         }
-        let end = self
-            .rest
+        // What is quoted is one field.
+        let quoted = self.rest.strip_prefix('"').and_then(|rest| rest.find('"'));
+        let begin = quoted.map_or(0, |length| length + 2);
+        let end = self.rest[begin..]
             .find(|c: char| c == ',' || c == ';' || c.is_whitespace())
-            .unwrap_or(self.rest.len());
+            .map_or(self.rest.len(), |length| begin + length);
         let (field, rest) = self.rest.split_at(end);
         self.rest = rest;
         Some(field)
@@ -172,7 +195,7 @@ impl<'a> Fields<'a> {
         if field.is_empty() {
             return Err(self.flaw(field, "a number is missing".to_owned()));
         }
-        let value: f64 = field
+        let value: f64 = unquoted(field)
             .parse()
             .map_err(|_| self.flaw(field, format!("'{field}' is not a number")))?;
         finite("coordinate", value)
@@ -207,10 +230,12 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Whether every field is something else than a number, as in a line of names.
+    /// Whether no field is a number or begins like one, as in a line of names.
     fn are_names(mut self) -> bool {
+        let begins_a_number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
         while let Some(field) = self.next() {
-            if field.parse::<f64>().is_ok() {
+            let field = field.trim_matches('"').trim();
+            if field.starts_with(begins_a_number) || field.parse::<f64>().is_ok() {
                 return false;
             }
         }
@@ -221,9 +246,6 @@ impl<'a> Fields<'a> {
     fn flaw(&self, part: &str, why: String) -> Flaw {
         let offset = part.as_ptr() as usize - self.whole.as_ptr() as usize;
         let before = self.whole.get(..offset).unwrap_or_default();
-        Flaw {
-            column: before.chars().count() + 1,
-            why,
-        }
+        Flaw::of(part, before.chars().count() + 1, why)
     }
 }

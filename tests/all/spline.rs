@@ -382,6 +382,8 @@ fn points_come_in_many_forms() {
         "x,y\r\n0,0\r\n1,2\r\n3,1\r\n4,4\r\n",
         "# made by hand\n\n0\t0\n1;2\n  3 , 1  # the dip\n4e0 +4.0\n",
         "\u{feff}0,0\n1,2\n3,1\n4,4\n",
+        "\"0\",\"0\"\n\"1\",2\n3,\" 1 \"\n4,4\n",
+        "\"x, in mm\";\"y 2\"\n0;0\n1;2\n3;1\n4;4\n",
     ] {
         assert_eq!(
             printed(&["--points-file", "-"], input),
@@ -418,6 +420,17 @@ fn bad_points_are_named_by_line_and_column() {
         ("0,0\n1,,2\n", "<stdin>:2:3: a number is missing"),
         ("x,1\n0,0\n", "<stdin>:1:1: 'x' is not a number"),
         ("x,y\nx,y\n", "<stdin>:2:1: 'x' is not a number"),
+        (
+            "1mm,0mm\n1,1\n2,0\n",
+            "<stdin>:1:1: '1mm' is not a number\nhint: lengths are numbers in user units: 1;",
+        ),
+        (
+            "\"1,5\";2\n1;1\n",
+            "<stdin>:1:1: '\"1,5\"' is not a number\nhint: decimals come after a point: 1.5\n",
+        ),
+        ("\"5,0\n1,1\n", "<stdin>:1:1: '\"5' is not a number"),
+        ("-x,y\n1,1\n", "<stdin>:1:1: '-x' is not a number"),
+        ("x,.5.\n1,1\n", "<stdin>:1:1: 'x' is not a number"),
         (
             "0,0\n# a\n1,1\n1,1\n",
             "<stdin>:4: point 3 is the same as point 2 (lines 3 and 4)",
