@@ -11,7 +11,7 @@ use crate::joints::adaptive::{self, Balance};
 use crate::joints::{Joints, MOST_SEGMENTS, Tolerance, quarters};
 use crate::measure::radial;
 use crate::method::{Method, Rule, Span};
-use crate::number::Precision;
+use crate::number::{Precision, rounded_up};
 use crate::numeric::functions::power;
 use crate::place::Placed;
 use crate::shape::Shape;
@@ -190,13 +190,24 @@ impl Request<'_> {
         }
         let finest = finest(self.reach());
         if tolerance < finest {
-            return Err(self.out_of_reach(
-                tolerance,
-                ReachError::Digits,
-                Remedy::FinestTolerance(finest),
-            ));
+            let typed = rounded_up(finest, 2);
+            let remedy = if self.may_reach(typed) {
+                Remedy::FinestTolerance(typed)
+            } else {
+                Remedy::LargerToleranceAlone
+            };
+            return Err(self.out_of_reach(tolerance, ReachError::Digits, remedy));
         }
         Ok(())
+    }
+
+    /// Whether the error of the method falls as far as this, and the decimals that were asked for do not keep it from that.
+    fn may_reach(&self, tolerance: f64) -> bool {
+        let method = self.options.rule.method();
+        let counts = self.counts(tolerance);
+        method.is_some_and(|method| method.card().law.is_some())
+            && self.too_few_decimals(tolerance).is_none()
+            && counts.start() < counts.end()
     }
 
     /// Why no count was found; `refused` is what the method said where it serves none.

@@ -136,6 +136,7 @@ pub(crate) fn in_a_sentence<T: AsRef<str>>(names: &[T], word: &str) -> String {
 /// A remedy in which nothing varies.
 const fn plain_advice(remedy: &Remedy) -> &'static str {
     match remedy {
+        Remedy::LargerToleranceAlone => "take a larger tolerance",
         Remedy::NearerJoints => "take more segments or nearer joints",
         Remedy::MoreDecimals => "give more decimals with -p, or leave the precision to -p auto",
         Remedy::MoreDecimalsOrTolerance => "give more decimals with -p, or take a larger tolerance",

@@ -27,8 +27,10 @@ pub enum Remedy {
     Methods(&'static [&'static str]),
     /// Methods whose segments end on the circle.
     OnCircle(Vec<&'static str>),
-    /// The finest tolerance at this size.
+    /// The finest tolerance at this size, rounded up.
     FinestTolerance(f64),
+    /// A larger tolerance, and nothing else.
+    LargerToleranceAlone,
     /// A larger tolerance, or this method.
     LargerTolerance(&'static str),
     /// A larger tolerance, or this method, whose error falls with the sixth power of the angle.

@@ -266,6 +266,38 @@ fn a_tolerance_beyond_the_radius_takes_what_the_method_serves() {
 }
 
 #[test]
+fn the_finest_tolerance_that_is_named_serves_when_it_is_typed() {
+    let named = |shape: &str| {
+        let refusal = said(&format!("{shape} -t 1e-30"));
+        let (_, hint) = refusal.split_once(" hint: ").unwrap();
+        let finest = hint.strip_prefix("the finest tolerance at this size is about ");
+        finest.map(|finest| finest.trim().to_owned())
+    };
+    for radius in [12.0, 25.0, 64.0, 80846.4, 0.0137, 242.0, 7.77e5] {
+        for shape in [
+            format!("circle {radius}"),
+            format!("circle {radius} --center 900,9 -m minimax-g0"),
+            format!("ellipse {radius} {}", radius / 1.5),
+            format!("arc {radius} --start 20 --sweep 100"),
+        ] {
+            let finest = named(&shape).unwrap();
+            let drawn = said(&format!("{shape} -t {finest}"));
+            assert!(drawn.starts_with('M'), "{shape}: {finest}: {drawn}");
+        }
+    }
+    // Where the method or the decimals stay above it, none is promised.
+    for shape in [
+        "circle 242 -m lancaster-best",
+        "circle 242 -m apprich-plus",
+        "ellipse 242 100 -m minimax-ellipse-free",
+        "circle 242 --handle 0.55",
+        "circle 242 -p 3",
+    ] {
+        assert_eq!(named(shape), None, "{shape}");
+    }
+}
+
+#[test]
 fn a_tolerance_is_as_fine_as_the_digits_of_the_largest_coordinate() {
     let said_at =
         |x: &str, tolerance: &str| said(&format!("circle 1 --center {x},0 -t {tolerance}"));
