@@ -96,6 +96,10 @@ fn advice(remedy: &Remedy) -> String {
             let angles: Vec<String> = angles.iter().map(|&angle| text(angle)).collect();
             format!("take nearer joints, as --joints {}", angles.join(","))
         }
+        Remedy::NearerJointsBy(methods) => format!(
+            "take more segments or nearer joints, by -m {}",
+            one_of(methods)
+        ),
         Remedy::Methods(methods) => format!("take -m {}", one_of(methods)),
         Remedy::OnCircle(methods) => {
             format!("take -m {}, whose ends lie on the circle", one_of(methods))

@@ -21,6 +21,8 @@ pub enum Remedy {
     Quarters(&'static [&'static str]),
     /// More segments, or joints that are nearer to one another.
     NearerJoints,
+    /// The same, by other methods.
+    NearerJointsBy(Vec<&'static str>),
     /// Joints at these angles in degrees.
     Joints(Vec<f64>),
     /// Other methods.

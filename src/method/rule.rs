@@ -153,13 +153,16 @@ impl Rule {
             }
         }
         if equal && let Some(first) = spans.first() {
-            let piece = self.piece(first)?;
+            let piece = self
+                .piece(first)
+                .map_err(|error| beyond_half_turn(error, spans))?;
             return Ok(vec![[piece, piece]; spans.len()]);
         }
         spans
             .iter()
             .map(|span| self.piece(span).map(|piece| [piece, piece]))
-            .collect()
+            .collect::<Result<_>>()
+            .map_err(|error| beyond_half_turn(error, spans))
     }
 }
 
@@ -173,7 +176,8 @@ impl Method {
             } else {
                 MethodError::OpenOffCircle
             };
-            return Err(self.refuse(why, Remedy::OnCircle(self.on_circle_instead(spans))));
+            let remedy = Remedy::OnCircle(self.on_circle_instead(spans));
+            return Err(beyond_half_turn(self.refuse(why, remedy), spans));
         }
         if self == Self::Chen1 && closed && spans.len() < 3 {
             return Err(self.refuse(
@@ -194,11 +198,33 @@ impl Method {
             Self::QuadraticMinimaxFree => &[Self::QuadraticMinimax, Self::QuadraticTangent],
             _ => &[Self::Minimax, Self::Midpoint],
         };
+        // More than half a turn is served by none.
+        let asked = |span: &&Span| !span.exceeds(180.0);
         let serves = |method: &&Self| {
             let largest = method.card().largest_angle;
-            !spans.iter().any(|span| span.exceeds(largest))
+            !spans.iter().filter(asked).any(|span| span.exceeds(largest))
         };
         candidates.iter().filter(serves).map(|m| m.id()).collect()
+    }
+}
+
+/// The refusal of pieces of which one is more than half a turn: no other method alone serves it.
+fn beyond_half_turn(error: Error, spans: &[Span]) -> Error {
+    match error {
+        Error::Impossible {
+            method,
+            why,
+            remedy,
+        } if spans.iter().any(|span| span.exceeds(180.0)) => Error::Impossible {
+            method,
+            why,
+            remedy: match remedy {
+                Remedy::Segments(_, methods) => Remedy::NearerJointsBy(methods.to_vec()),
+                Remedy::OnCircle(methods) => Remedy::NearerJointsBy(methods),
+                other => other,
+            },
+        },
+        other => other,
     }
 }
 

@@ -266,6 +266,32 @@ fn a_tolerance_beyond_the_radius_takes_what_the_method_serves() {
 }
 
 #[test]
+fn no_other_method_alone_is_the_remedy_beyond_half_a_turn() {
+    for (request, method) in [
+        (
+            "circle 544 --joints 0,50 -m lancaster-drawellipse",
+            "midpoint or minimax",
+        ),
+        (
+            "circle 544 --joints 0,50 -m lancaster-best",
+            "midpoint or minimax",
+        ),
+        (
+            "arc 5 --sweep 270 -n 1 -m minimax-free",
+            "minimax or midpoint",
+        ),
+        (
+            "circle 5 --joints 0,50 -m quadratic-minimax-free",
+            "quadratic-minimax or quadratic-tangent",
+        ),
+    ] {
+        let remedy = format!("hint: take more segments or nearer joints, by -m {method}");
+        let told = said(request);
+        assert!(told.contains(&remedy), "{request}: {told}");
+    }
+}
+
+#[test]
 fn the_finest_tolerance_that_is_named_serves_when_it_is_typed() {
     let named = |shape: &str| {
         let refusal = said(&format!("{shape} -t 1e-30"));
