@@ -1,15 +1,22 @@
 //! What to do about words that the command line does not know: flags of other tools, values in the wrong place.
 
+pub(crate) mod called;
 mod foreign;
+mod word;
 
-use clap::CommandFactory as _;
+use std::path::Path;
+
+use clap::builder::PossibleValue;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, ValueHint};
 
+use called::Called;
 use curveto::path::shortened;
 use curveto::write::Image;
 use foreign::{COMMANDS, FLAGS};
 
-use super::args::{Cli, hint_of_number};
+use super::args::hint_of_number;
+use super::remedies::in_a_sentence;
 
 /// What would help, where there is something to say. `words` are those of the command line, the program left out.
 pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
@@ -20,7 +27,7 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
     };
     match error.kind() {
         ErrorKind::InvalidSubcommand => of_command(text(ContextKind::InvalidSubcommand)?, command),
-        ErrorKind::UnknownArgument => of_argument(text(ContextKind::InvalidArg)?, command),
+        ErrorKind::UnknownArgument => of_argument(text(ContextKind::InvalidArg)?, words),
         ErrorKind::ValueValidation => of_value(
             text(ContextKind::InvalidValue)?,
             text(ContextKind::InvalidArg)?,
@@ -36,27 +43,35 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
         ErrorKind::ArgumentConflict if has(words, "-n") && has(words, "-t") => Some(
             "-n gives the number of segments, -t finds the fewest: take one of them".to_owned(),
         ),
-        ErrorKind::ArgumentConflict if command == "measure" => {
-            // Flags of one curve that do not go together stand apart from words in the wrong place.
-            let flag = text(ContextKind::InvalidArg).unwrap_or_default();
-            let apart = ["--fit", "--against"]
-                .iter()
-                .any(|name| flag.starts_with(name));
-            if apart { None } else { of_measure(words) }
+        ErrorKind::ArgumentConflict if has(words, "--handle") && has(words, "-m") => Some(
+            "--handle gives the length of the handles, -m a method that has it: take one of them"
+                .to_owned(),
+        ),
+        ErrorKind::ArgumentConflict => {
+            // Only where a word stands that could be a shape.
+            error.get(ContextKind::InvalidSubcommand)?;
+            of_measure(words)
         }
         ErrorKind::InvalidUtf8 => {
             Some("names of files may be of any bytes, all other words are text in UTF-8".to_owned())
         }
-        ErrorKind::MissingRequiredArgument => of_missing(words, command),
+        ErrorKind::MissingRequiredArgument => of_missing(words, command, error),
         _ => None,
     }
 }
+
+/// The commands that others take for a shape.
+const SHAPES: [&str; 4] = ["circle", "ellipse", "arc", "conic"];
 
 /// The methods that serve no other number of segments.
 const QUARTERS_ONLY: [&str; 2] = ["lancaster-drawellipse", "minimax-ellipse-free"];
 
 /// What is told where something is missing: an example, mostly.
-fn of_missing(words: &[String], command: &str) -> Option<String> {
+fn of_missing(words: &[String], command: &str, error: &clap::Error) -> Option<String> {
+    let missing = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::Strings(missing)) => missing.as_slice(),
+        _ => &[],
+    };
     let hint = match command {
         _ if has(words, "--adaptive") && QUARTERS_ONLY.iter().any(|id| has(words, id)) => {
             "this method serves quarters only: leave --adaptive out, or take -m minimax -n 5 --adaptive"
@@ -67,6 +82,12 @@ fn of_missing(words: &[String], command: &str) -> Option<String> {
         }
         "circle" | "sphere" => return Some(format!("for example: curveto {command} 50")),
         "ellipse" => "for example: curveto ellipse 30 20",
+        "arc" if has(words, "--large") => {
+            "--large goes with --from, --to and --radius; --start and --end tell by themselves how far an arc runs"
+        }
+        "arc" if missing.iter().all(|flag| flag.starts_with("--")) => {
+            "two ends are --from and --to: curveto arc --from 0,0 --to 10,0 --bulge 1"
+        }
         "arc" => {
             "the radius stands alone: curveto arc 50 --start 0 --end 90; --radius goes with --from and --to"
         }
@@ -96,46 +117,101 @@ fn of_command(word: &str, command: &str) -> Option<String> {
     found.map(|(_, hint)| (*hint).to_owned())
 }
 
-fn of_argument(argument: &str, command: &str) -> Option<String> {
-    let known = |(flags, commands, _): &&(&[&str], &[&str], &str)| {
-        flags.contains(&argument) && (commands.is_empty() || commands.contains(&command))
+/// What is told of a word that the command does not take.
+pub(super) fn of_argument(argument: &str, words: &[String]) -> Option<String> {
+    // A flag may stand before its value, or one letter before others, in the same word.
+    let begins = |word: &String| argument.starts_with('-') && word.starts_with(argument);
+    let at = words
+        .iter()
+        .position(|word| word == argument || begins(word));
+    let (before, after) = words.split_at(at.unwrap_or(words.len()));
+    let called = Called::of(before);
+    if called.is_one_of(&["man", "help"]) {
+        return Some(of_page(argument));
+    }
+    if !argument.starts_with('-') {
+        return word::hint(argument, before, words, &called);
+    }
+    if called.names.is_empty() {
+        // A flag before the command is as one after it.
+        let called = Called::of(after);
+        return of_early_flag(argument, &called).or_else(|| of_flag(argument, &called));
+    }
+    of_dashed_name(before, after, &called).or_else(|| of_flag(argument, &called))
+}
+
+/// What is told of a flag that the command does not have.
+pub(super) fn of_flag(flag: &str, called: &Called) -> Option<String> {
+    let known = |(flags, commands, hint): &&(&[&str], &[&str], &str)| {
+        let is_for = commands.is_empty() || called.is_one_of(commands);
+        is_for && flags.contains(&flag) && called.fits(hint)
     };
-    if let Some((_, _, hint)) = FLAGS.iter().find(known) {
-        return Some((*hint).to_owned());
+    of_format(flag, called).or_else(|| {
+        let found = FLAGS.iter().find(known);
+        found.map(|(_, _, hint)| (*hint).to_owned())
+    })
+}
+
+/// What `man` and `help` are told: a page has no other name than its command.
+fn of_page(argument: &str) -> String {
+    let is_command = !Called::of(&[argument]).names.is_empty();
+    let one = if is_command { argument } else { "circle" };
+    format!(
+        "'curveto {one} --help' shows {} page; 'curveto man --out-dir DIR' writes all",
+        if is_command { "that" } else { "its" }
+    )
+}
+
+/// What is told of the name of a file that begins with a dash.
+fn of_dashed_name(before: &[String], after: &[String], called: &Called) -> Option<String> {
+    let name = after.first().filter(|word| word.len() > 2)?;
+    let ending = Path::new(name).extension()?.to_str()?;
+    let is_name = ending.starts_with(char::is_alphabetic) || Path::new(name).exists();
+    if !is_name || name.contains('=') {
+        return None;
     }
-    if command == "man" || command == "help" {
-        let is_command = Cli::command().find_subcommand(argument).is_some();
-        let one = if is_command { argument } else { "circle" };
-        return Some(format!(
-            "'curveto {one} --help' shows {} page; 'curveto man --out-dir DIR' writes all",
-            if is_command { "that" } else { "its" }
-        ));
+    let takes_file = |arg: &Arg| matches!(arg.get_value_hint(), ValueHint::AnyPath);
+    let flag = before.last().filter(|flag| flag.starts_with('-'));
+    match flag.and_then(|flag| Some((flag, called.flag(flag)?))) {
+        Some((flag, arg)) if takes_file(arg) => Some(format!(
+            "a name that begins with a dash is given as {flag} ./{name}"
+        )),
+        _ => {
+            called.command.get_positionals().any(takes_file).then(|| {
+                format!("a name that begins with a dash is given as ./{name}, or after --")
+            })
+        }
     }
-    let is_number = argument.parse::<f64>().is_ok();
-    let is_pair = argument
-        .split_once(',')
-        .is_some_and(|(x, y)| [x, y].iter().all(|part| part.parse::<f64>().is_ok()));
-    match command {
-        "circle" if is_number => {
-            Some("a circle has one radius; with two it is 'curveto ellipse RX RY'".to_owned())
-        }
-        "spline" if !argument.starts_with('-') => {
-            Some("points have a flag: --points '0,0 5,8 10,0'".to_owned())
-        }
-        "path" if !argument.starts_with('-') => {
-            Some("path data is one word, in quotes: curveto path 'M0 0L10 10'".to_owned())
-        }
-        "batch" if !argument.starts_with('-') => {
-            Some("it reads one file, or standard input: cat a.txt b.txt | curveto batch".to_owned())
-        }
-        _ if is_pair => Some(
-            "a point is one word, with a comma between its numbers: --center 1.5,2.5".to_owned(),
-        ),
-        _ if !argument.starts_with('-') => {
-            Some("put words that belong together in quotes".to_owned())
-        }
-        _ => None,
+}
+
+/// What is told of the name of a format that is taken for a flag.
+fn of_format(argument: &str, called: &Called) -> Option<String> {
+    const FORMATS: [&str; 12] = [
+        "svg", "json", "png", "ps", "eps", "pdf", "dxf", "tikz", "csv", "html", "gcode", "type",
+    ];
+    let name = argument.strip_prefix("--")?;
+    if !FORMATS.contains(&name) {
+        return None;
     }
+    let values = called.flag("--format")?.get_possible_values();
+    let values = values.iter().filter(|value| !value.is_hide_set());
+    let values: Vec<&str> = values.map(PossibleValue::get_name).collect();
+    let is_picture = Image::ALL.iter().any(|image| image.name() == name);
+    Some(if values.contains(&name) {
+        format!("-f names the format: -f {name}")
+    } else if is_picture && called.flag("--plot").is_some() {
+        format!("a plot has a flag: --plot error.{name}")
+    } else {
+        format!("-f names the format: {}", in_a_sentence(&values, "or"))
+    })
+}
+
+/// What is told of a flag before the command that has it.
+fn of_early_flag(flag: &str, called: &Called) -> Option<String> {
+    let (command, _) = (called.names.first()?, called.flag(flag)?);
+    Some(format!(
+        "options come after the command: curveto {command} ... {flag}"
+    ))
 }
 
 /// What a value is told that is almost a number, or two of them with commas in them.
@@ -217,11 +293,18 @@ fn of_count_or_angle(value: &str, argument: &str) -> Option<&'static str> {
 
 /// What `measure` is told where words that belong to a shape stand outside it.
 fn of_measure(words: &[String]) -> Option<String> {
-    const SHAPES: [&str; 4] = ["circle", "ellipse", "arc", "conic"];
     let is_shape = |word: &&String| SHAPES.contains(&word.as_str());
     if let Some(shape) = words.iter().find(is_shape) {
-        let hint = format!("the shape comes first: curveto measure {shape} ... --plot error.svg");
-        return Some(hint);
+        let flag = words.iter().find(|word| word.starts_with('-'))?;
+        let flag = flag.split('=').next().unwrap_or_default();
+        let measured = Called::of(&["measure", shape]);
+        return Some(if measured.flag(flag).is_some() {
+            format!("the shape comes first: curveto measure {shape} ... {flag}")
+        } else {
+            format!(
+                "one or the other: 'curveto measure {shape} ...' or 'curveto measure {flag} ...'"
+            )
+        });
     }
     let has_path_alone = has(words, "--path") && !has(words, "--file");
     has_path_alone.then(|| "put the path data in quotes: --path 'M0 0C0 5 5 10 10 10'".to_owned())

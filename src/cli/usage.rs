@@ -3,11 +3,10 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::CommandFactory as _;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
-use super::args::Cli;
 use super::failure::{Failure, tell};
+use super::hints::called::Called;
 use super::{examples, hints};
 
 /// Tells it: help and version on standard output, errors on standard error.
@@ -40,13 +39,23 @@ pub(crate) fn tell_of(mut error: clap::Error) -> ExitCode {
         tell(&failure.to_string());
         return failure.exit_code();
     }
+    let mut called = Called::of(&words);
+    // The parser's own usage names the flags that it met, whether they matter or not.
     if error.get(ContextKind::Usage).is_some() {
-        let usage = usage(&words);
+        let usage = called.command.render_usage();
         error.insert(ContextKind::Usage, ContextValue::StyledStr(usage));
     }
     let text = error.render().to_string();
     // Where a value is refused with a hint of its own, that is the better one.
-    let hint = hints::hint(&error, &words).filter(|_| !text.contains("\nhint: "));
+    let (text, own) = match text.split_once("\nhint: ") {
+        Some((before, rest)) => {
+            let (own, after) = rest.split_once('\n').unwrap_or((rest, ""));
+            (format!("{before}\n{after}"), Some(own.to_owned()))
+        }
+        None => (text, None),
+    };
+    let hint = own.or_else(|| hints::hint(&error, &words));
+    let hint = hint.and_then(|hint| called.fitting(&hint));
     tell(&message(&text, hint.as_deref()));
     ExitCode::from(2)
 }
@@ -56,18 +65,6 @@ fn print(error: &clap::Error, mut out: impl Write) -> io::Result<()> {
     let text = error.render().ansi().to_string();
     out.write_all(text.replace(examples::BLANK, " ").as_bytes())?;
     out.flush()
-}
-
-/// The usage of the command that was called. The parser's own names the flags that it met, whether they matter or not.
-fn usage(words: &[String]) -> clap::builder::StyledStr {
-    let mut command = Cli::command();
-    command.build();
-    for word in words {
-        if let Some(inner) = command.find_subcommand(word) {
-            command = inner.clone();
-        }
-    }
-    command.render_usage()
 }
 
 /// The parser's message with its tips, or our hint in their place, directly below what is wrong. Its tip how to pass a flag as a value

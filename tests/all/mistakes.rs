@@ -3,7 +3,7 @@
 use crate::judges::program::{self, refused, run};
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 160] = [
+const MISTAKES: [(&str, &str); 191] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -77,7 +77,7 @@ const MISTAKES: [(&str, &str); 160] = [
     ("circle 50 --color red", "--stroke"),
     ("circle 50 --width 5", "--size WxH"),
     ("circle 50 --digits 3", "-p sets the decimals"),
-    ("circle 50 -j 4", "batch and convert take -j"),
+    ("circle 50 -j 4", "'curveto batch -j 4' and"),
     ("circle 50 -n 4.5", "'4.5' is not a whole number"),
     ("circle 50 -n -3", "'-3' is not a whole number"),
     ("circle 50 -n 0", "from 1 to 1000000"),
@@ -269,6 +269,88 @@ const MISTAKES: [(&str, &str); 160] = [
         "goes to standard output by itself",
     ),
     ("convert -c a.svg", "goes to standard output by itself"),
+    ("path M0,0L5,5 --clockwise", "a path runs as its data do"),
+    (
+        "convert x.svg --color red",
+        "colours, sizes and places stay",
+    ),
+    ("convert x.svg -w 24", "colours, sizes and places stay"),
+    ("diff a b --json", "hint: -f names the format: -f json\n"),
+    (
+        "diff a b --svg",
+        "hint: -f names the format: text or json\n",
+    ),
+    (
+        "compare --error 0.1",
+        "hint: it tells the error of each number",
+    ),
+    (
+        "spline --points 0,0,1,1 --tol 1",
+        "through every point, whatever",
+    ),
+    ("path M0,0L5,5 --reverse", "a path runs as its data do"),
+    ("--json circle 5", "hint: -f names the format: -f json\n"),
+    (
+        "measure --path M0,0L5,5 circle 5",
+        "one or the other: 'curveto measure circle ...' or 'curveto measure --path ...'",
+    ),
+    ("path M0,0L5,5 --close", "Z in the data closes a subpath"),
+    ("circle 5 --handle 0.5 -m minimax", "take one of them"),
+    (
+        "measure circle 5 --handle 0.5 -m minimax",
+        "take one of them",
+    ),
+    (
+        "measure -f json circle 5",
+        "hint: the shape comes first: curveto measure circle ... -f\n",
+    ),
+    (
+        "measure circle 5 --path M0,0L1,1",
+        "stands without a shape: curveto measure --path",
+    ),
+    ("compare minimax midpoint", "-m minimax,midpoint"),
+    (
+        "measure circle 5 -m minimax midpoint",
+        "-m minimax,midpoint",
+    ),
+    (
+        "circle 50 midpoint",
+        "hint: -m names a method: -m midpoint\n",
+    ),
+    ("compare circle 5", "on the circle of radius 1"),
+    ("methods minimax midpoint", "curveto methods minimax"),
+    ("completions bash bash", "one shell at a time"),
+    ("diff a b c", "two drawings are compared"),
+    ("explore circle 50 ellipse 5 3", "one shape at a time"),
+    ("sphere 50 60", "a sphere has one radius"),
+    (
+        "circle 50 --transform rotate(30) scale(2)",
+        "put words that belong together in quotes",
+    ),
+    (
+        "convert -dash.svg --check",
+        "a name that begins with a dash is given as ./-dash.svg, or",
+    ),
+    (
+        "convert -a.svg",
+        "a name that begins with a dash is given as ./-a.svg, or",
+    ),
+    (
+        "circle 5 -o -x.svg",
+        "hint: a name that begins with a dash is given as -o ./-x.svg\n",
+    ),
+    (
+        "arc --from 0,0 --bulge 1",
+        "hint: two ends are --from and --to",
+    ),
+    (
+        "arc 5 --large --start 0 --end 4",
+        "hint: --large goes with --from, --to and --radius",
+    ),
+    (
+        "--verbose circle 5",
+        "hint: options come after the command: curveto circle ... --verbose\n",
+    ),
 ];
 
 /// The words of the languages below, which tell a user nothing.
@@ -305,6 +387,12 @@ fn no_hint_asks_for_what_is_there() {
             "conic --from 0,0 --control 5,5 --to 9,0 --weight 2 -t 1e-20",
             "-m minimax",
         ),
+        ("convert -t 5mm x.svg", "--size"),
+        ("batch --scale 2", "hint:"),
+        ("man --close", "--open"),
+        ("completions bash -j 2", "hint:"),
+        ("conic --from 0,0 --closed", "hint:"),
+        ("circle 50 -n 4 rings", "in quotes"),
     ] {
         let said = refused(&program::words(words));
         assert!(!said.contains(idle), "{words}: {said}");

@@ -1,17 +1,30 @@
 //! Words that people bring from other tools, and what serves instead.
 
-/// Flags that people try, the commands that they try them on (all where there is none), and what serves instead.
-pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
+const WAYS_ROUND: [&str; 8] = [
+    "--reverse",
+    "--clockwise",
+    "--cw",
+    "--ccw",
+    "--counterclockwise",
+    "--counter-clockwise",
+    "--anticlockwise",
+    "--anti-clockwise",
+];
+
+const TOLERANCES: [&str; 5] = ["--flatness", "--error", "--epsilon", "--accuracy", "--tol"];
+
+/// Flags that people try, the commands that they try them on (all where there is none), and what serves instead. The first that names
+/// flags of the command alone is told.
+pub(super) const FLAGS: [(&[&str], &[&str], &str); 44] = [
+    (&WAYS_ROUND, &["path"], "a path runs as its data do"),
+    (&WAYS_ROUND, &["conic"], "a conic runs from --from to --to"),
     (
-        &[
-            "--clockwise",
-            "--cw",
-            "--ccw",
-            "--counterclockwise",
-            "--counter-clockwise",
-            "--anticlockwise",
-            "--anti-clockwise",
-        ],
+        &WAYS_ROUND,
+        &["batch"],
+        "the sweep of an arc has a sign: arc CX CY R START SWEEP",
+    ),
+    (
+        &WAYS_ROUND,
         &[],
         "--reverse runs the other way round; positive angles turn from +x towards +y, clockwise on an SVG canvas",
     ),
@@ -27,8 +40,10 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
     ),
     (
         &["-j", "--jobs"],
-        &[],
-        "one shape takes one thread; batch and convert take -j",
+        &[
+            "circle", "ellipse", "arc", "conic", "path", "spline", "sphere",
+        ],
+        "one shape takes one thread; 'curveto batch -j 4' and 'curveto convert -j 4' take several",
     ),
     (
         &["-i", "--inplace"],
@@ -51,14 +66,37 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
         "it prints PostScript and nothing else",
     ),
     (
+        &["--cx", "--cy", "--x", "--y"],
+        &["batch"],
+        "a line says where its centre lies: circle CX CY R",
+    ),
+    (
         &["--cx", "--cy", "-c", "--x", "--y"],
         &[],
         "--center X,Y says where the centre lies",
     ),
     (
-        &["--width", "--height", "-w", "-h"],
+        &[
+            "--width",
+            "--height",
+            "-w",
+            "--color",
+            "--colour",
+            "--scale",
+            "--translate",
+        ],
+        &["convert"],
+        "colours, sizes and places stay as they are: it replaces shapes and arcs alone",
+    ),
+    (
+        &["--width", "--height", "-w"],
         &[],
         "--size WxH sets the size of a picture, --stroke-width that of its lines",
+    ),
+    (
+        &["--width", "--height", "-w"],
+        &[],
+        "--size WxH sets the size of a plot",
     ),
     (
         &["--color", "--colour"],
@@ -79,7 +117,7 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
             "--batch",
             "--convert",
         ],
-        &[],
+        &["curveto"],
         "commands have no dashes: curveto circle 50",
     ),
     (
@@ -88,7 +126,22 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
         "--handle K is the length of the handles on the unit circle; -m names a method",
     ),
     (
-        &["--flatness", "--error", "--epsilon", "--accuracy", "--tol"],
+        &["--kappa", "--magic", "--k", "-k"],
+        &[],
+        "-m names a method, which has its handle; 'curveto methods' lists them",
+    ),
+    (
+        &TOLERANCES,
+        &["compare"],
+        "it tells the error of each number of segments: -n 2,3,4",
+    ),
+    (
+        &TOLERANCES,
+        &["spline"],
+        "the curve runs through every point, whatever the tolerance",
+    ),
+    (
+        &TOLERANCES,
         &[],
         "-t sets the tolerance, how far a curve may stray",
     ),
@@ -96,13 +149,6 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
         &["--steps", "--count", "--points", "--pieces", "--parts"],
         &[],
         "-n sets the number of segments",
-    ),
-    (
-        &[
-            "--svg", "--json", "--png", "--ps", "--eps", "--pdf", "--dxf", "--tikz", "--type",
-        ],
-        &[],
-        "-f names the format, or the extension of -o does: -f svg, -o circle.svg",
     ),
     (
         &[
@@ -124,8 +170,13 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
     ),
     (
         &["--rotation", "--rotate", "--angle"],
-        &["circle", "sphere"],
-        "--start says where the first joint of a circle lies, --view how a sphere is seen",
+        &["circle"],
+        "--start says where the first joint lies",
+    ),
+    (
+        &["--rotation", "--rotate", "--angle"],
+        &["sphere"],
+        "--view LON,LAT says from where the sphere is seen",
     ),
     (
         &["--phi", "--tilt"],
@@ -139,15 +190,23 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
     ),
     (
         &["--closed", "--close"],
+        &["path"],
+        "Z in the data closes a subpath; --open leaves the closing operators out",
+    ),
+    (
+        &["--closed", "--close"],
         &[],
         "whole turns are closed by themselves; --open leaves the closing operator out",
     ),
     (&["--silent"], &[], "-q silences notes"),
     (
+        &["--path", "--file", "--against", "--fit"],
+        &["measure"],
+        "a curve that someone else made stands without a shape: curveto measure --path 'M0 0C0 5 5 10 10 10'",
+    ),
+    (
         &["--file", "--out", "--outfile", "--save"],
-        &[
-            "circle", "ellipse", "arc", "conic", "path", "sphere", "spline",
-        ],
+        &[],
         "-o FILE says where the output goes",
     ),
     (
@@ -162,7 +221,7 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 33] = [
     ),
     (
         &["--radians", "--degrees", "--rad", "--deg"],
-        &[],
+        &["circle", "ellipse", "arc", "sphere"],
         "angles take units: 90, 90deg, 1.57rad, 100grad, 0.25turn",
     ),
     (
