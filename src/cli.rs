@@ -35,6 +35,7 @@ use clap::{CommandFactory as _, FromArgMatches as _};
 
 use args::{Cli, Command};
 use failure::Failure;
+use hints::called::Called;
 
 /// What every command ends with: an exit code, 0 where all went well.
 type Outcome = Result<ExitCode, Failure>;
@@ -48,6 +49,7 @@ pub(crate) fn main() -> ExitCode {
     match run(cli.command) {
         Ok(code) => code,
         Err(failure) => {
+            let failure = failure.fitted(&Called::of(&usage::words()));
             failure::tell(&failure.to_string());
             failure.exit_code()
         }

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use anstream::{AutoStream, ColorChoice};
 
+use super::hints::called::Called;
 use super::remedies;
 
 /// Why a command ended, and how the process is to end.
@@ -45,6 +46,17 @@ impl Failure {
     pub(crate) fn with_hint(self, hint: &str) -> Self {
         match self {
             Self::Request { message, .. } => Self::request_with_hint(message, hint),
+            other => other,
+        }
+    }
+
+    /// The same with a hint that names no flags which the command that was called lacks.
+    pub(crate) fn fitted(self, called: &Called) -> Self {
+        match self {
+            Self::Request { message, hint } => Self::Request {
+                message,
+                hint: hint.and_then(|hint| called.fitting(&hint)),
+            },
             other => other,
         }
     }

@@ -89,7 +89,7 @@ fn advice(remedy: &Remedy) -> String {
         }
         Remedy::EveryEllipse(method) => format!("take -m {method}, which serves every ellipse"),
         Remedy::Quarters(methods) => format!(
-            "take -n 4 and --start on an axis, or -m {}",
+            "take -n 4 and a start on an axis, or -m {}",
             one_of(methods)
         ),
         Remedy::Joints(angles) => {

@@ -22,10 +22,7 @@ pub(crate) fn tell_of(mut error: clap::Error) -> ExitCode {
             _ => ExitCode::SUCCESS,
         };
     }
-    let words: Vec<String> = std::env::args_os()
-        .skip(1)
-        .map(|word| word.to_string_lossy().into_owned())
-        .collect();
+    let words = words();
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let Some(command) = words.first() else {
             // Where standard error is gone, nobody is left to tell.
@@ -58,6 +55,14 @@ pub(crate) fn tell_of(mut error: clap::Error) -> ExitCode {
     let hint = hint.and_then(|hint| called.fitting(&hint));
     tell(&message(&text, hint.as_deref()));
     ExitCode::from(2)
+}
+
+/// The words of the command line, the program left out.
+pub(crate) fn words() -> Vec<String> {
+    let words = std::env::args_os().skip(1);
+    words
+        .map(|word| word.to_string_lossy().into_owned())
+        .collect()
 }
 
 /// Prints help or the version.

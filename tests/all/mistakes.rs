@@ -124,7 +124,7 @@ const MISTAKES: [(&str, &str); 191] = [
     ("arc --through 0,0 1,1", "three points"),
     ("arc --svg M0 0 A 25 25 0 0 1 50 50", "in quotes"),
     ("arc --from 0,0 --to 10,0", "--bulge"),
-    ("batch -f gcode", "'path --to arcs' write it"),
+    ("batch -f gcode", "'curveto path --to arcs' write it"),
     ("convert -j 0", "there is at least 1"),
     ("convert -i x.svg", "--in-place"),
     ("convert --dry-run x.svg", "--check"),
@@ -396,6 +396,25 @@ fn no_hint_asks_for_what_is_there() {
     ] {
         let said = refused(&program::words(words));
         assert!(!said.contains(idle), "{words}: {said}");
+    }
+}
+
+#[test]
+fn a_remedy_is_one_of_the_command_at_hand() {
+    for (line, words, lacking) in [
+        ("circle 0 0 1e9", "batch -f tikz", "--transform"),
+        (
+            "ellipse 0 0 5 3",
+            "batch -m minimax-ellipse-free -n 3",
+            "--start",
+        ),
+    ] {
+        let output = program::piped(&program::words(words), line.as_bytes());
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(
+            said.starts_with("error: ") && !said.contains(lacking),
+            "{said}"
+        );
     }
 }
 

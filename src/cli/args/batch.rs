@@ -88,7 +88,7 @@ impl BatchArgs {
         if format == Format::Gcode {
             return Err(Failure::request_with_hint(
                 "a batch has no G-code",
-                "'curveto circle', 'arc' and 'path --to arcs' write it, one path at a time; batch -f dxf keeps circular arcs",
+                "'curveto circle', 'curveto arc' and 'curveto path --to arcs' write it, one path at a time; batch -f dxf keeps circular arcs",
             ));
         }
         if self.on_error == OnError::Report && format != Format::Json {

@@ -15,14 +15,22 @@ impl Called {
     pub(crate) fn of(words: &[impl AsRef<str>]) -> Self {
         let mut command = Cli::command();
         command.build();
-        let mut names = Vec::new();
-        for word in words {
-            if let Some(inner) = command.find_subcommand(word.as_ref()) {
-                names.push(inner.get_name().to_owned());
-                command = inner.clone();
+        let names = Vec::new();
+        let mut called = Self { names, command };
+        let mut is_value = false;
+        for word in words.iter().map(AsRef::as_ref) {
+            if core::mem::take(&mut is_value) {
+                continue;
+            }
+            if let Some(inner) = called.command.find_subcommand(word) {
+                called.names.push(inner.get_name().to_owned());
+                called.command = inner.clone();
+            } else {
+                let takes_value = |arg: &Arg| arg.get_action().takes_values();
+                is_value = !word.contains('=') && called.flag(word).is_some_and(takes_value);
             }
         }
-        Self { names, command }
+        called
     }
 
     /// Whether one of these names leads to it; `curveto` is the program itself.
