@@ -42,6 +42,7 @@ type Outcome = Result<ExitCode, Failure>;
 
 /// Parses the command line, runs it and tells how it went.
 pub(crate) fn main() -> ExitCode {
+    signals::take_limits_as_errors();
     let cli = match parse() {
         Ok(cli) => cli,
         Err(error) => return usage::tell_of(error),

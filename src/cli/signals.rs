@@ -17,7 +17,7 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 static MAKING: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 /// Whether the files at hand are finished before an end.
 static FINISHES: AtomicBool = AtomicBool::new(false);
-/// The signal that was heard first, or 0.
+/// The signal that was heard last, or 0.
 static HEARD: AtomicI32 = AtomicI32::new(0);
 
 /// The names of the files that are being made, for who makes one or moves it to its place: after a signal nobody does.
@@ -28,6 +28,13 @@ pub(super) fn making() -> io::Result<MutexGuard<'static, BTreeSet<PathBuf>>> {
         watch()?;
     }
     Ok(making)
+}
+
+/// From now on a file that grows beyond the limit of the process is an error of its writing like any other. Where that cannot be had, the
+/// signal ends the program.
+pub(super) fn take_limits_as_errors() {
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(SIGXFSZ, Arc::<AtomicBool>::default());
 }
 
 /// From now on a signal ends nothing by itself: who makes many files asks for it between them.
@@ -45,13 +52,12 @@ pub(super) fn heard() -> Option<u8> {
 /// Where a signal asks for an end, removes what is being made and ends the program as a shell tells it: by 129, 130 or 143.
 #[cfg(unix)]
 fn watch() -> io::Result<()> {
-    // A file that grows beyond the limit of the process is an error of its writing like any other.
-    signal_hook::flag::register(SIGXFSZ, Arc::<AtomicBool>::default())?;
     let mut signals = signal_hook::iterator::Signals::new(of_end())?;
     std::thread::Builder::new().spawn(move || {
         for signal in signals.forever() {
-            if FINISHES.load(Ordering::Relaxed) {
-                let _ = HEARD.compare_exchange(0, signal, Ordering::Relaxed, Ordering::Relaxed);
+            let is_first = HEARD.swap(signal, Ordering::Relaxed) == 0;
+            // A second one waits for nothing, such as a FIFO that nobody writes to.
+            if is_first && FINISHES.load(Ordering::Relaxed) {
                 continue;
             }
             // Nothing is made or moved any more until the end, so that no failure of that is told either.

@@ -54,7 +54,7 @@ fn kill(child: &Child, signal: &str) {
 }
 
 /// Waits until something holds; not for ever.
-fn wait_until(what: &str, holds: impl Fn() -> bool) {
+fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
     let start = Instant::now();
     while !holds() {
         assert!(
@@ -410,6 +410,27 @@ fn every_signal_ends_a_run_between_files() {
     }
 }
 
+#[test]
+fn a_second_signal_ends_a_run_that_waits_for_its_input() {
+    for (signal, code) in signals() {
+        let folder = tempfile::tempdir().unwrap();
+        let fifo = shell(folder.path(), "mkfifo in.svg").status().unwrap();
+        assert!(fifo.success());
+        let mut child = program_in(folder.path(), &["convert", "in.svg", "--in-place"])
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        wait_until("the end", || {
+            kill(&child, signal);
+            child.try_wait().unwrap().is_some()
+        });
+        let status = child.wait().unwrap();
+        // A signal that comes before the program listens ends it by itself.
+        let ended = status.code().or_else(|| Some(128 + status.signal()?));
+        assert_eq!(ended, Some(code));
+    }
+}
+
 /// Feeds `batch -o` a line and waits for its answer: from that moment on a signal is heard.
 fn first_line_answered(folder: &Path, child: &mut Child) -> std::process::ChildStdin {
     wait_until("the new file", || !temporary(folder).is_empty());
@@ -508,6 +529,14 @@ fn a_file_that_would_be_larger_than_the_process_may_make_is_an_error() {
         said(&output)
     );
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    let script = "ulimit -f 8; curveto circle 5 -n 5000 > x";
+    let output = shell(folder.path(), script).output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(
+        said(&output).starts_with("error: cannot write to standard output: File too large"),
+        "{}",
+        said(&output)
+    );
 }
 
 /// As under `nohup`.
