@@ -193,3 +193,29 @@ proptest! {
         prop_assert_eq!(single(&asked, &options), by_batch(&asked, &options));
     }
 }
+
+/// Joints of round rectangles lie on half a unit of the last decimal, where sums of floats fall to either side.
+#[test]
+fn round_rectangles_close_on_their_first_point() {
+    let half = |n: u32| f64::from(n * 37 % 2000) / 100.0 + 0.05;
+    for n in 1..300 {
+        let [x, y, width, height, rx, ry] = [n, 3 * n, 5 * n, 7 * n, 11 * n, 13 * n].map(half);
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\"><rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"{rx}\" ry=\"{ry}\"/></svg>"
+        );
+        let options = document::Options {
+            precision: Some(1),
+            ..document::Options::default()
+        };
+        let converted = document::convert(&svg, &options).unwrap();
+        let Some(data) = converted.text.split(" d=\"").nth(1) else {
+            continue;
+        };
+        let curve = path::curves(data.split('"').next().unwrap())
+            .unwrap()
+            .remove(0);
+        let last = curve.segments.last().unwrap();
+        // A gap would be a line.
+        assert!(matches!(last, PathSeg::Cubic(_)), "{svg} {data}");
+    }
+}

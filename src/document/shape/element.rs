@@ -206,17 +206,17 @@ fn rect(
     let [right, bottom] = [x.plus(size[0].exact), y.plus(size[1].exact)];
     let [left_in, top_in] = [x.plus(radii[0].exact), y.plus(radii[1].exact)];
     let [right_in, bottom_in] = [right.minus(radii[0].exact), bottom.minus(radii[1].exact)];
-    // Where each corner begins, its way to the end, and the line before it.
+    // Where each corner begins and ends, the way there, and the line before it.
     let corners = [
-        ([right_in, y], (rx, ry), b'H'),
-        ([right, bottom_in], (-rx, ry), b'V'),
-        ([left_in, bottom], (-rx, -ry), b'H'),
-        ([x, top_in], (rx, -ry), b'V'),
+        ([[right_in, y], [right, top_in]], (rx, ry), b'H'),
+        ([[right, bottom_in], [right_in, bottom]], (-rx, ry), b'V'),
+        ([[left_in, bottom], [x, bottom_in]], (-rx, -ry), b'H'),
+        ([[x, top_in], [left_in, y]], (rx, -ry), b'V'),
     ];
     let straight = [size[0].value > 2.0 * rx, size[1].value > 2.0 * ry];
     let mut text = ShapeText::new(options.precision, 0, out);
     text.known = radii;
-    for (index, (start, to, line)) in corners.into_iter().enumerate() {
+    for (index, ([start, end], to, line)) in corners.into_iter().enumerate() {
         // As for an ellipse: where a precision is asked for, it is points that are rounded.
         let place = Point::new(start[0].value(), start[1].value());
         let from = options.precision.map_or(Point::ZERO, |_| place);
@@ -240,6 +240,7 @@ fn rect(
             value: exact.value(),
             exact,
         });
+        text.end = Some(end);
         text.truth = options.measure.then(|| corner_truth(place, to, index));
         text.curves(&scratch.beziers, index == 3);
     }

@@ -25,6 +25,8 @@ pub(in crate::document) struct ShapeText<'a> {
     pub(in crate::document) base: [Length; 2],
     /// Offsets whose digits are known: a point there is written exactly.
     pub(in crate::document) known: [Length; 2],
+    /// Where curves end, where that is known otherwise: lines end there too.
+    pub(in crate::document) end: Option<ExactPoint>,
     current: ExactPoint,
     /// What curves are measured against, and how far they lie from it at most.
     pub(in crate::document) truth: Option<Truth>,
@@ -58,6 +60,7 @@ impl<'a> ShapeText<'a> {
             asked: asked.map(u32::from),
             base: [Length::zero(); 2],
             known: [Length::zero(); 2],
+            end: None,
             current: [Length::zero().exact; 2],
             truth: None,
             strayed: 0.0,
@@ -114,7 +117,11 @@ impl<'a> ShapeText<'a> {
         let (mut absolute, mut relative) = (Vec::new(), Vec::new());
         for (i, segment) in (1..).zip(&drawn.segments) {
             let (points, count) = arguments(segment);
-            let places = &points.map(|point| self.place(point))[..count];
+            let mut places = points.map(|point| self.place(point));
+            if let Some(end) = self.end.filter(|_| i == drawn.segments.len()) {
+                places[count - 1] = self.rounded(end);
+            }
+            let places = &places[..count];
             self.measure(places);
             let (mut text_absolute, mut text_relative) = (self.text, self.text);
             absolute.clear();
