@@ -520,23 +520,16 @@ fn a_signal_at_any_moment_leaves_the_old_file_or_the_new_one_and_nothing_else() 
 #[test]
 fn a_file_that_would_be_larger_than_the_process_may_make_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
-    let script = "ulimit -f 8; curveto circle 5 -n 5000 -o x";
-    let output = shell(folder.path(), script).output().unwrap();
-    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
-    assert!(
-        said(&output).starts_with("error: cannot write x: File too large"),
-        "{}",
-        said(&output)
-    );
+    let larger = |place: &str, name: &str| {
+        let script = format!("ulimit -f 8; curveto circle 5 -n 5000 {place}");
+        let output = shell(folder.path(), &script).output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+        let expected = format!("error: cannot write {name}: File too large");
+        assert!(said(&output).starts_with(&expected), "{}", said(&output));
+    };
+    larger("-o x", "x");
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-    let script = "ulimit -f 8; curveto circle 5 -n 5000 > x";
-    let output = shell(folder.path(), script).output().unwrap();
-    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
-    assert!(
-        said(&output).starts_with("error: cannot write to standard output: File too large"),
-        "{}",
-        said(&output)
-    );
+    larger("> x", "to standard output");
 }
 
 /// As under `nohup`.
