@@ -260,6 +260,9 @@ impl Request<'_> {
         if !is_told && balance.may_take_fewer(allowed) {
             first = first.saturating_sub(BELOW).max(1);
         }
+        if !is_told && let Some(fewer) = self.least_equal(balance, first, tolerance) {
+            return Some(fewer);
+        }
         let mut begun = least.map(|least| least.level);
         let found = (first..=MOST_SEGMENTS)
             .take(BELOW + MOST_BEYOND)

@@ -137,7 +137,7 @@ impl Balance {
 
     /// Joints that equalise the error of this many segments, from a cut of the whole sweep into as many that was begun; an even number of a
     /// closed shape's mirror in both axes. And the peak error over the larger radius, where the lobes tell it. `None` where so few segments
-    /// have no room to differ, or where marching takes more of them within `allowed`.
+    /// have no room to differ or are too long for the method, or where marching takes more of them within `allowed`.
     pub(crate) fn joints_from(
         &self,
         count: usize,
@@ -146,10 +146,10 @@ impl Balance {
     ) -> Option<(Joints, Option<f64>)> {
         let mirrored = self.mirrors() && count.is_multiple_of(2);
         let pieces = if mirrored { count / 2 } else { count };
-        if count > MOST || pieces < 2 {
+        let whole = self.computed(mirrored);
+        if count > MOST || pieces < 2 || whole > pieces as f64 * self.largest_angle {
             return None;
         }
-        let whole = self.computed(mirrored);
         let begun = begun.filter(|_| !mirrored);
         let (mut ways, peak) = self.equalised(whole, pieces, begun, allowed)?;
         let half = whole.copysign(self.arc.sweep.degrees()) / 2.0;

@@ -2,6 +2,10 @@
 
 use core::ops::RangeInclusive;
 
+use crate::approximate::{Request, Sketch};
+use crate::joints::Joints;
+use crate::joints::adaptive::Balance;
+
 /// How many counts are tried one by one, from the least on and below the one that halving finds: on an ellipse even and odd ones differ.
 const FEW: usize = 16;
 
@@ -42,9 +46,58 @@ pub(super) fn fewest_equal<T>(
     Some(fewer.flatten().unwrap_or(found))
 }
 
+impl Request<'_> {
+    /// As few equal segments as the method's largest angle lets be, where they are fewer than this count and within the tolerance: a sharp end in
+    /// the middle of so long a segment may be harmless, and marching, which takes the longest first, leaves it elsewhere.
+    pub(super) fn least_equal(
+        &self,
+        balance: &Balance,
+        count: usize,
+        tolerance: f64,
+    ) -> Option<Sketch> {
+        let least = balance.least_by_angle();
+        if least >= count || !balance.is_sharp() {
+            return None;
+        }
+        let joints = Joints::equal(&self.outline.unit, least).ok()?;
+        self.within(joints, None, tolerance).ok()?
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Angle, Arc, Cut, Method, Options, Shape, Tolerance, approximate};
+
+    #[test]
+    fn equal_segments_near_the_largest_angle_are_found() {
+        let degrees = Angle::from_degrees;
+        for (method, radii, start, sweep, tolerance) in [
+            (Method::Area, (4.368, 0.0002663), -92.14, -358.4, 0.000418),
+            (Method::Minimax, (3.743, 2.79e-5), 111.34, 354.0, 4.4e-5),
+            (Method::Chen3, (9.145, 4.133e-5), 72.56, -359.28, 1.48e-4),
+            (Method::Curvature, (4.575, 4.65e-6), 41.89, 356.87, 4.37e-4),
+            // A whole turn less a degree, in thirds of 120 degrees.
+            (Method::Apprich, (1.5, 1.5852e-5), 89.885, 353.357, 6.67e-5),
+        ] {
+            let [start, sweep] = [start, sweep].map(degrees);
+            let arc = Arc::new((0.0, 0.0), radii, Angle::ZERO, start, sweep);
+            let shape = Shape::Arc(arc.unwrap());
+            let segments = |cut| {
+                let options = Options {
+                    rule: method.into(),
+                    cut,
+                    ..Options::default()
+                };
+                let drawing = approximate(&shape, &options).ok()?;
+                let is_within = drawing.error.peak() <= tolerance;
+                is_within.then_some(drawing.curve.segments.len())
+            };
+            let least = (1..9).find_map(|count| segments(Cut::Count(count)));
+            let found = segments(Cut::Tolerance(Tolerance::Absolute(tolerance)));
+            assert_eq!(found, least, "{method:?}");
+        }
+    }
 
     /// What is found, and how many counts were tried.
     fn searched(

@@ -128,13 +128,18 @@ impl Balance {
             .map(|(joints, _)| joints)
     }
 
+    /// The least count of segments that the method's largest angle lets be, at least 1.
+    pub(crate) fn least_by_angle(&self) -> usize {
+        ((self.computed(false) / self.largest_angle).ceil() as usize).max(1)
+    }
+
     /// The least count of segments whose errors, over the larger radius, may all be within `allowed`: with one less they are beyond for
     /// any joints. `None` where the lobes do not tell.
     pub(crate) fn least(&self, allowed: f64) -> Option<Least> {
         let allowed = allowed * (1.0 + LOBES_OFF);
         let whole = self.computed(false);
         // What no count up to it can do.
-        let mut beyond = ((whole / self.largest_angle).ceil() as usize).max(1) - 1;
+        let mut beyond = self.least_by_angle() - 1;
         let by_law = |count: usize, error: f64| {
             let times = libm::pow(error / allowed, 1.0 / self.order);
             (count as f64 * times).min(MOST as f64).ceil() as usize

@@ -157,3 +157,21 @@ fn the_least_count_is_the_least_by_trial() {
     }
     assert!(told > 240, "{told}");
 }
+
+#[test]
+fn no_more_segments_are_taken_than_were_asked_for() {
+    let arc = crate::Arc::new(
+        (0.0, 0.0),
+        (4.835, 0.000_379),
+        Angle::ZERO,
+        Angle::from_degrees(166.0),
+        Angle::from_degrees(-358.9),
+    );
+    let outline = Shape::Arc(arc.unwrap()).outline().unwrap();
+    let balance = Balance::new(&outline, Rule::Method(Method::Apprich)).unwrap();
+    let joints = |count| balance.joints_from(count, None, f64::INFINITY);
+    assert_eq!(balance.least_by_angle(), 3);
+    // Two of them would be longer than the method serves.
+    assert!(joints(2).is_none());
+    assert_eq!(joints(3).unwrap().0.count(), 3);
+}
