@@ -19,7 +19,7 @@ use serde::Serialize;
 
 use crate::error::positive;
 use crate::joints::{Cut, Tolerance};
-use crate::method::{Ends, Rule, Span};
+use crate::method::Rule;
 
 pub use doubt::{Doubt, Trust};
 pub use failure::Error;
@@ -112,23 +112,12 @@ impl Options {
     ///
     /// # Errors
     ///
-    /// Where arcs are to be replaced by a method that serves closed shapes only, and where a tolerance is not positive.
+    /// Where a tolerance is not positive. What the method cannot do is left with a note: whether a document has such shapes, only it tells.
     pub fn check(&self) -> crate::Result<()> {
-        if let Target::Arcs { tolerance, .. } = self.to {
-            if let Some(Tolerance::Absolute(size) | Tolerance::Relative(size)) = tolerance {
-                positive("tolerance", size)?;
-            }
-            return Ok(());
-        }
-        let open = self.only.contains(ElementKind::Path) || self.only.contains(ElementKind::Rect);
-        if open
-            && self
-                .rule
-                .method()
-                .is_some_and(|method| method.card().ends == Ends::OffCircle)
+        if let Target::Arcs { tolerance, .. } = self.to
+            && let Some(Tolerance::Absolute(size) | Tolerance::Relative(size)) = tolerance
         {
-            let quarter = Span::from_degrees(90.0);
-            self.rule.pieces(&[quarter], false)?;
+            positive("tolerance", size)?;
         }
         Ok(())
     }

@@ -394,23 +394,6 @@ fn every_method_draws_as_by_itself() {
 }
 
 #[test]
-fn methods_that_end_off_the_shape_serve_closed_ones_only() {
-    for (only, serves) in [
-        (Only::ALL, false),
-        (Only::of(&[ElementKind::Path]), false),
-        (Only::of(&[ElementKind::Rect]), false),
-        (Only::of(&[ElementKind::Circle, ElementKind::Ellipse]), true),
-    ] {
-        let options = Options {
-            rule: Rule::Method(Method::MinimaxFree),
-            only,
-            ..Options::default()
-        };
-        assert_eq!(options.check().is_ok(), serves, "{only:?}");
-    }
-}
-
-#[test]
 fn rectangles_of_half_circles_have_no_straight_sides_there() {
     let letters = |attributes: &str| -> String {
         let text = svg(&format!("<rect {attributes} rx='10'/>"));
