@@ -37,14 +37,18 @@ pub enum ReadError {
     },
 }
 
+/// What is said of a word in the first line that is neither number nor name.
+const NO_NAME: &str = "no name of a column, which begins with a letter and has letters, digits, _ and - alone; a # begins a comment";
+
 /// The longest line: two numbers take no more.
 const LONGEST_LINE: u64 = 1 << 16;
 
 impl Points {
     /// Reads one pair a line: two numbers, quoted or not, with a comma, a semicolon, spaces or tabs between them.
     ///
-    /// Blank lines and what follows a `#` are skipped, and so is a first line of names, none of which begins as a number does. Line
-    /// ends are LF or CR LF.
+    /// Blank lines and what follows a `#` are skipped, and so is a first line of names: words of letters, digits, `_` and `-` that begin
+    /// with a letter, and units in brackets, quoted or not. A word such as `l0` or `O5` is a number with a typing error. Line ends are LF
+    /// or CR LF.
     ///
     /// # Errors
     ///
@@ -56,7 +60,7 @@ impl Points {
     /// assert_eq!(read.points, [(0.0, 0.0).into(), (1.5, 2.0).into()]);
     /// assert_eq!(read.lines, [2, 4]);
     /// // A number that is spoiled is no name.
-    /// assert!(Points::read("1mm,0\n1,1\n".as_bytes()).is_err());
+    /// assert!(Points::read("O.5,0\n1,1\n".as_bytes()).is_err());
     /// # Ok::<(), curveto::spline::points::ReadError>(())
     /// ```
     pub fn read(mut reader: impl BufRead) -> Result<Self, ReadError> {
@@ -85,7 +89,7 @@ impl Points {
                     read.lines.push(line);
                 }
                 Ok(None) => continue,
-                Err(_) if header_may_come && Fields::new(text).are_names() => {}
+                Err(flaw) if header_may_come => fields.names(flaw).map_err(|flaw| flaw.at(line))?,
                 Err(flaw) => return Err(flaw.at(line)),
             }
             header_may_come = false;
@@ -146,6 +150,43 @@ fn unquoted(field: &str) -> &str {
     inner.map_or(field, str::trim)
 }
 
+/// A name without quotes of either kind.
+fn bare(field: &str) -> &str {
+    let inner = field.strip_prefix('\'');
+    let inner = inner.and_then(|rest| rest.strip_suffix('\''));
+    inner.unwrap_or_else(|| unquoted(field))
+}
+
+/// What names are made of.
+fn is_made_of(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// Whether a word, perhaps with a unit after it, names a column.
+fn is_name(word: &str) -> bool {
+    let end = word.find(['(', '[']).unwrap_or(word.len());
+    let (name, unit) = word.split_at(end);
+    let is_plain =
+        |part: &str| part.starts_with(char::is_alphabetic) && part.chars().all(is_made_of);
+    // Letters that are taken for digits.
+    let meant = name.replace(['O', 'o'], "0").replace(['l', 'I'], "1");
+    let is_mistyped = name.contains(|c: char| c.is_ascii_digit()) && meant.parse::<f64>().is_ok();
+    let is_number = is_mistyped || name.parse::<f64>().is_ok();
+    !is_number && name.split('-').all(is_plain) && (unit.is_empty() || is_unit(unit))
+}
+
+/// Whether a word is a unit in brackets.
+fn is_unit(word: &str) -> bool {
+    let round = word
+        .strip_prefix('(')
+        .and_then(|rest| rest.strip_suffix(')'));
+    let square = || word.strip_prefix('[')?.strip_suffix(']');
+    let begins_well = |c: char| c.is_alphabetic() || "°%".contains(c);
+    round
+        .or_else(square)
+        .is_some_and(|unit| unit.starts_with(begins_well))
+}
+
 /// The numbers of a text, which commas, semicolons or white space separate.
 #[derive(Clone, Copy)]
 struct Fields<'a> {
@@ -195,9 +236,7 @@ impl<'a> Fields<'a> {
         if field.is_empty() {
             return Err(self.flaw(field, "a number is missing".to_owned()));
         }
-        let value: f64 = unquoted(field)
-            .parse()
-            .map_err(|_| self.flaw(field, format!("'{field}' is not a number")))?;
+        let value: f64 = unquoted(field).parse().map_err(|_| self.no_number(field))?;
         finite("coordinate", value)
             .map(Some)
             .map_err(|refusal| match refusal {
@@ -230,16 +269,31 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Whether no field is a number or begins like one, as in a line of names.
-    fn are_names(mut self) -> bool {
-        let begins_a_number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
+    /// Whether this is a line of names; `flaw` is what is wrong with it as a point.
+    fn names(mut self, flaw: Flaw) -> Result<(), Flaw> {
+        let mut first = true;
         while let Some(field) = self.next() {
-            let field = field.trim_matches('"').trim();
-            if field.starts_with(begins_a_number) || field.parse::<f64>().is_ok() {
-                return false;
+            // Within quotes more words may follow, with commas too.
+            let mut words = bare(field).split([' ', '\t', ',', ';']);
+            let begins_well = |word: &str| is_name(word) || !first && is_unit(word);
+            let goes_on = |word: &str| word.chars().all(is_made_of) || is_unit(word);
+            if words.next().is_some_and(begins_well) && words.all(goes_on) {
+                first = false;
+                continue;
             }
+            let begins_a_number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
+            return Err(match unquoted(field) {
+                // Of the numbers themselves the point says more.
+                number if number.is_empty() || number.parse::<f64>().is_ok() => flaw,
+                number if number.starts_with(begins_a_number) => self.no_number(field),
+                _ => self.flaw(field, format!("'{field}' is not a number, and {NO_NAME}")),
+            });
         }
-        true
+        Ok(())
+    }
+
+    fn no_number(&self, field: &str) -> Flaw {
+        self.flaw(field, format!("'{field}' is not a number"))
     }
 
     /// A flaw at a part of the text.

@@ -384,6 +384,8 @@ fn points_come_in_many_forms() {
         "\u{feff}0,0\n1,2\n3,1\n4,4\n",
         "\"0\",\"0\"\n\"1\",2\n3,\" 1 \"\n4,4\n",
         "\"x, in mm\";\"y 2\"\n0;0\n1;2\n3;1\n4;4\n",
+        "pos_x0 [mm], 'y-axis' (mm)\n0;0\n1;2\n3;1\n4;4\n",
+        "l\u{e4}nge,h\u{f6}he\n0;0\n1;2\n3;1\n4;4\n",
     ] {
         assert_eq!(
             printed(&["--points-file", "-"], input),
@@ -430,7 +432,33 @@ fn bad_points_are_named_by_line_and_column() {
         ),
         ("\"5,0\n1,1\n", "<stdin>:1:1: '\"5' is not a number"),
         ("-x,y\n1,1\n", "<stdin>:1:1: '-x' is not a number"),
-        ("x,.5.\n1,1\n", "<stdin>:1:1: 'x' is not a number"),
+        ("x,.5.\n1,1\n", "<stdin>:1:3: '.5.' is not a number"),
+        (
+            "'0','0'\n1,1\n",
+            "<stdin>:1:1: ''0'' is not a number, and no name of a column",
+        ),
+        (
+            "x,$0\n1,1\n",
+            "<stdin>:1:3: '$0' is not a number, and no name",
+        ),
+        ("~1,~2\n1,1\n", "<stdin>:1:1: '~1' is not"),
+        ("x=0,y=0\n1,1\n", "<stdin>:1:1: 'x=0' is not"),
+        ("O.5,O.7\n1,1\n", "<stdin>:1:1: 'O.5' is not"),
+        ("l0,l2\n1,1\n", "<stdin>:1:1: 'l0' is not"),
+        ("x,O5\n1,1\n", "<stdin>:1:3: 'O5' is not"),
+        (
+            "// c\n1,1\n",
+            "<stdin>:1:1: '//' is not a number, and no name of a column, which begins with a letter and has letters, digits, _ and - alone; a # begins a comment",
+        ),
+        ("x-1 y-1\n1,1\n", "<stdin>:1:1: 'x-1' is not"),
+        ("(mm) (mm)\n1,1\n", "<stdin>:1:1: '(mm)' is not"),
+        ("x (0) y (0)\n1,1\n", "<stdin>:1:3: '(0)' is not"),
+        (",\n1,1\n", "<stdin>:1:1: a number is missing"),
+        (
+            "\u{2212}1,0\n1,1\n",
+            "' is not a number, and no name of a column, which begins with a letter and has letters, digits, _ and - alone; a # begins a \
+             comment\nhint: the minus of numbers is a hyphen: -1\n",
+        ),
         (
             "0,0\n# a\n1,1\n1,1\n",
             "<stdin>:4: point 3 is the same as point 2 (lines 3 and 4)",

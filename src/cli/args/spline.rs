@@ -32,6 +32,9 @@ pub(crate) struct SplineSource {
     #[arg(long, value_name = "POINTS", allow_hyphen_values = true)]
     pub(crate) points: Option<String>,
     /// A file of points: CSV or one pair a line; - is standard input
+    ///
+    /// Blank lines, what follows a # and a first line of names are skipped. Names are words of letters, digits, _ and - that begin with a
+    /// letter, quoted or not, and units in brackets beside them: x [mm],y [mm].
     #[arg(long, value_name = "FILE")]
     pub(crate) points_file: Option<PathBuf>,
 }

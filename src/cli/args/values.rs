@@ -183,6 +183,10 @@ pub(crate) fn hint_of_number(text: &str) -> Option<String> {
     if pointed != text && pointed.parse::<f64>().is_ok() {
         return Some(format!("decimals come after a point: {pointed}"));
     }
+    let with_minus = text.replace('\u{2212}', "-");
+    if with_minus != text && with_minus.parse::<f64>().is_ok() {
+        return Some(format!("the minus of numbers is a hyphen: {with_minus}"));
+    }
     // Groups of three digits, not points of three coordinates.
     let whole = text.split('.').next().unwrap_or_default();
     let is_grouped = whole.contains(',') && whole.split(',').skip(1).all(|group| group.len() == 3);
