@@ -177,10 +177,18 @@ fn is_svgz(path: &Path) -> bool {
 fn read(input: &Input) -> Result<Vec<u8>, Trouble> {
     match input {
         Input::File(path) => {
-            let file = File::open(path).context("cannot read it")?;
-            Ok(input::bytes(file, "it")?)
+            let bytes = || {
+                let file = File::open(path).context("cannot read it")?;
+                input::bytes(file, "it")
+            };
+            let is_plain = path.metadata().is_ok_and(|data| data.is_file());
+            Ok(if is_plain {
+                bytes()
+            } else {
+                signals::waiting(bytes)
+            }?)
         }
-        Input::Stdin => Ok(input::bytes(io::stdin().lock(), "it")?),
+        Input::Stdin => Ok(signals::waiting(|| input::bytes(io::stdin().lock(), "it"))?),
         Input::Unreadable(_, why) => Err(anyhow::anyhow!("{why}").into()),
     }
 }

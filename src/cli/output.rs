@@ -11,6 +11,7 @@ use curveto::write::{Format, Image, Options, Writable, write};
 use super::args::OutputArgs;
 use super::failure::Failure;
 use super::new_file::{NewFile, folder_of};
+use super::signals;
 
 /// Where output goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -185,7 +186,10 @@ impl Place {
     fn open(self) -> io::Result<Opened> {
         Ok(match self {
             Self::Open(number) => Opened::Through(open_already(number)?),
-            Self::Through(path) => Opened::Through(File::options().append(true).open(path)?),
+            // A FIFO is not open before somebody reads it.
+            Self::Through(path) => Opened::Through(signals::waiting(|| {
+                File::options().append(true).open(path)
+            })?),
             Self::File(path) => Opened::New(NewFile::beside(path)?.into()),
         })
     }

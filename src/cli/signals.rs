@@ -1,13 +1,12 @@
 //! Signals that ask for an end: they leave no file behind that was being made.
 
 use std::collections::BTreeSet;
-#[cfg(unix)]
 use std::fs;
 use std::io;
 use std::path::PathBuf;
 #[cfg(unix)]
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicI32, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 #[cfg(unix)]
@@ -19,6 +18,9 @@ static MAKING: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 static FINISHES: AtomicBool = AtomicBool::new(false);
 /// The signal that was heard last, or 0.
 static HEARD: AtomicI32 = AtomicI32::new(0);
+
+/// How many threads wait for what may never come.
+static WAITING: AtomicUsize = AtomicUsize::new(0);
 
 /// The names of the files that are being made, for who makes one or moves it to its place: after a signal nobody does.
 pub(super) fn making() -> io::Result<MutexGuard<'static, BTreeSet<PathBuf>>> {
@@ -43,29 +45,47 @@ pub(super) fn finish_files_first() -> io::Result<()> {
     making().map(drop)
 }
 
+/// Does what may wait forever, such as reading a FIFO that nobody writes to: a signal does not wait for it.
+pub(super) fn waiting<T>(act: impl FnOnce() -> T) -> T {
+    WAITING.fetch_add(1, Ordering::SeqCst);
+    // One that was heard just before did not see that somebody waits.
+    if let Some(signal) = heard() {
+        end(signal.into());
+    }
+    let done = act();
+    WAITING.fetch_sub(1, Ordering::SeqCst);
+    done
+}
+
 /// The signal that was heard, where files are finished first.
 pub(super) fn heard() -> Option<u8> {
-    let signal = HEARD.load(Ordering::Relaxed);
+    let signal = HEARD.load(Ordering::SeqCst);
     u8::try_from(signal).ok().filter(|&signal| signal > 0)
 }
 
-/// Where a signal asks for an end, removes what is being made and ends the program as a shell tells it: by 129, 130 or 143.
+/// Removes what is being made and ends the program as a shell tells it: by 129, 130 or 143.
+fn end(signal: i32) -> ! {
+    // Nothing is made or moved any more until the end, so that no failure of that is told either.
+    let making = MAKING.lock().unwrap_or_else(PoisonError::into_inner);
+    for path in making.iter() {
+        let _ = fs::remove_file(path);
+    }
+    std::process::exit(128 + signal);
+}
+
+/// Waits for signals that ask for an end.
 #[cfg(unix)]
 fn watch() -> io::Result<()> {
     let mut signals = signal_hook::iterator::Signals::new(of_end())?;
     std::thread::Builder::new().spawn(move || {
         for signal in signals.forever() {
-            let is_first = HEARD.swap(signal, Ordering::Relaxed) == 0;
-            // A second one waits for nothing, such as a FIFO that nobody writes to.
-            if is_first && FINISHES.load(Ordering::Relaxed) {
+            let is_first = HEARD.swap(signal, Ordering::SeqCst) == 0;
+            // Files at hand are finished, but where one waits for what may never come; a second signal waits for nothing.
+            let is_waiting = WAITING.load(Ordering::SeqCst) > 0;
+            if is_first && !is_waiting && FINISHES.load(Ordering::Relaxed) {
                 continue;
             }
-            // Nothing is made or moved any more until the end, so that no failure of that is told either.
-            let making = MAKING.lock().unwrap_or_else(PoisonError::into_inner);
-            for path in making.iter() {
-                let _ = fs::remove_file(path);
-            }
-            std::process::exit(128 + signal);
+            end(signal);
         }
     })?;
     Ok(())

@@ -411,23 +411,49 @@ fn every_signal_ends_a_run_between_files() {
 }
 
 #[test]
-fn a_second_signal_ends_a_run_that_waits_for_its_input() {
+fn one_signal_ends_a_run_that_waits_for_a_fifo() {
     for (signal, code) in signals() {
-        let folder = tempfile::tempdir().unwrap();
-        let fifo = shell(folder.path(), "mkfifo in.svg").status().unwrap();
-        assert!(fifo.success());
-        let mut child = program_in(folder.path(), &["convert", "in.svg", "--in-place"])
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        wait_until("the end", || {
+        for (words, writer) in [
+            ("in.svg --in-place", false),
+            ("a.svg in.svg b.svg -j 1 --out-dir out", false),
+            ("a.svg in.svg b.svg -j 3 --in-place", true),
+        ] {
+            let folder = tempfile::tempdir().unwrap();
+            assert!(
+                shell(folder.path(), "mkfifo in.svg")
+                    .status()
+                    .unwrap()
+                    .success()
+            );
+            for name in ["a.svg", "b.svg"] {
+                fs::write(folder.path().join(name), drawing(3)).unwrap();
+            }
+            let words: Vec<&str> = ["convert"].into_iter().chain(words.split(' ')).collect();
+            let mut child = program_in(folder.path(), &words)
+                .stderr(Stdio::piped())
+                .spawn()
+                .unwrap();
+            // One that writes nothing is waited for in reading.
+            let held = writer.then(|| {
+                let fifo = folder.path().join("in.svg");
+                fs::File::options().write(true).open(fifo).unwrap()
+            });
+            std::thread::sleep(Duration::from_millis(100));
             kill(&child, signal);
-            child.try_wait().unwrap().is_some()
-        });
-        let status = child.wait().unwrap();
-        // A signal that comes before the program listens ends it by itself.
-        let ended = status.code().or_else(|| Some(128 + status.signal()?));
-        assert_eq!(ended, Some(code));
+            wait_until("the end", || child.try_wait().unwrap().is_some());
+            let status = child.wait().unwrap();
+            // A signal that comes before the program listens ends it by itself.
+            let ended = status.code().or_else(|| Some(128 + status.signal()?));
+            assert_eq!(ended, Some(code), "{words:?}");
+            drop(held);
+            let out = folder.path().join("out");
+            for place in [folder.path(), &out]
+                .into_iter()
+                .filter(|place| place.exists())
+            {
+                assert_eq!(temporary(place), Vec::<PathBuf>::new());
+            }
+        }
     }
 }
 

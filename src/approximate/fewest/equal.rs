@@ -73,7 +73,7 @@ mod tests {
     fn equal_segments_near_the_largest_angle_are_found() {
         let degrees = Angle::from_degrees;
         for (method, radii, start, sweep, tolerance) in [
-            (Method::Area, (4.368, 0.0002663), -92.14, -358.4, 0.000418),
+            (Method::Area, (4.368, 2.663e-4), -92.14, -358.4, 4.18e-4),
             (Method::Minimax, (3.743, 2.79e-5), 111.34, 354.0, 4.4e-5),
             (Method::Chen3, (9.145, 4.133e-5), 72.56, -359.28, 1.48e-4),
             (Method::Curvature, (4.575, 4.65e-6), 41.89, 356.87, 4.37e-4),
