@@ -194,6 +194,62 @@ proptest! {
     }
 }
 
+/// The line of a side is that of the handles beside it, also where it lies on half a unit of the last decimal.
+#[test]
+fn handles_of_round_rectangles_lie_on_the_lines_of_their_sides() {
+    let half = |n: u32| f64::from(n * 37 % 2000) / 100.0 + 0.05;
+    let (mut on_sides, mut quadratics) = (0, 0);
+    for n in 1..400 {
+        let [x, y, rx, ry] = [n, 3 * n, 11 * n, 13 * n].map(half);
+        let [width, height] = [2.0 * rx + 2.0 + half(5 * n), 2.0 * ry + 2.0 + half(7 * n)];
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\"><rect x=\"{x}\" y=\"{y}\" width=\"{width:.2}\" height=\"{height:.2}\" rx=\"{rx}\" ry=\"{ry}\"/></svg>"
+        );
+        let methods = [Method::Minimax, Method::QuadraticTangent];
+        let options = document::Options {
+            rule: methods[n as usize % 2].into(),
+            cut: Cut::Count(1 + n as usize % 3),
+            precision: Some((n % 3) as u8),
+            ..document::Options::default()
+        };
+        let converted = document::convert(&svg, &options).unwrap();
+        let Some(data) = converted.text.split(" d=\"").nth(1) else {
+            continue;
+        };
+        let curve = path::curves(data.split('"').next().unwrap())
+            .unwrap()
+            .remove(0);
+        for line in curve.segments.iter().enumerate() {
+            let (i, PathSeg::Line(line)) = line else {
+                continue;
+            };
+            let count = curve.segments.len();
+            let beside = [
+                curve.segments[(i + count - 1) % count],
+                curve.segments[(i + 1) % count],
+            ];
+            let [before, after] = beside.map(|segment| match segment {
+                PathSeg::Cubic(cubic) => [cubic.p1, cubic.p2],
+                PathSeg::Quad(quad) => {
+                    quadratics += 1;
+                    [quad.p1; 2]
+                }
+                PathSeg::Line(_) => [line.p0; 2],
+            });
+            let axis = |p: Point| if line.p0.y == line.p1.y { p.y } else { p.x };
+            for handle in [before[1], after[0]] {
+                let off = axis(handle) - axis(line.p0);
+                assert!(off.abs() < 1e-9, "{svg} {data}");
+            }
+            on_sides += 1;
+        }
+    }
+    assert!(
+        on_sides > 1000 && quadratics > 500,
+        "{on_sides} {quadratics}"
+    );
+}
+
 /// Joints of round rectangles lie on half a unit of the last decimal, where sums of floats fall to either side.
 #[test]
 fn round_rectangles_close_on_their_first_point() {

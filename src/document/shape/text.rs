@@ -115,11 +115,26 @@ impl<'a> ShapeText<'a> {
     pub(in crate::document) fn curves(&mut self, drawn: &Beziers, closes: bool) {
         let letter = if drawn.is_quadratic() { b'q' } else { b'c' };
         let (mut absolute, mut relative) = (Vec::new(), Vec::new());
+        let mut before = Point::ZERO;
         for (i, segment) in (1..).zip(&drawn.segments) {
             let (points, count) = arguments(segment);
             let mut places = points.map(|point| self.place(point));
-            if let Some(end) = self.end.filter(|_| i == drawn.segments.len()) {
-                places[count - 1] = self.rounded(end);
+            if let Some(end) = self.end {
+                if i == drawn.segments.len() {
+                    places[count - 1] = self.rounded(end);
+                }
+                // A handle along a side lies on its line, wherever rounding by itself would bring it.
+                let ends = [
+                    (0, before, self.current),
+                    (count - 2, points[count - 1], places[count - 1]),
+                ];
+                for (handle, end, place) in ends {
+                    let along = self.shared(points[handle], end);
+                    for axis in [0, 1].into_iter().filter(|&axis| along[axis]) {
+                        places[handle][axis] = place[axis];
+                    }
+                }
+                before = points[count - 1];
             }
             let places = &places[..count];
             self.measure(places);
@@ -145,6 +160,16 @@ impl<'a> ShapeText<'a> {
             self.text = text;
             self.current = places.last().copied().unwrap_or(self.current);
         }
+    }
+
+    /// Which coordinates two offsets share, but for the rounding of sums.
+    fn shared(&self, a: Point, b: Point) -> [bool; 2] {
+        let sizes = [0, 1].map(|axis| self.base[axis].value.abs() + self.known[axis].value);
+        let is_shared = |apart: f64, size: f64| apart.abs() <= 16.0 * f64::EPSILON * size;
+        [
+            is_shared(a.x - b.x, sizes[0]),
+            is_shared(a.y - b.y, sizes[1]),
+        ]
     }
 
     /// Measures a segment from the current point, where there is something to measure it against.
