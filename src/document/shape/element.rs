@@ -138,7 +138,7 @@ pub(in crate::document) fn path_data(
     match shape {
         UsedShape::Ellipse(center, radii) => {
             let [rx, ry] = radii.map(|radius| radius.value);
-            check_size(&[center, radii], options, rx.min(ry))?;
+            check_place(&[center, radii])?;
             bezier::ellipse(
                 Point::new(center[0].value, center[1].value),
                 Vec2::new(rx, ry),
@@ -161,6 +161,10 @@ pub(in crate::document) fn path_data(
                 let [cx, cy] = center.map(|length| length.value);
                 Truth::new(Point::new(cx, cy), Vec2::new(rx, ry), Vec2::new(1.0, 0.0))
             });
+            // As every command refuses it, by what rounding leaves.
+            if options.precision.is_some() && text.is_flat(drawn) {
+                return Err(Reason::Collapses);
+            }
             let start = drawn.segments.first().map(ParamCurve::start);
             text.move_to(text.place(start.unwrap_or_default()));
             text.curves(drawn, true);
@@ -174,8 +178,8 @@ pub(in crate::document) fn path_data(
 /// How many times its size a shape may lie from the origin: beyond, the single precision of renderers moves its points by a hundredth of that.
 const FARTHEST: f64 = (1 << 18) as f64;
 
-/// Refuses what arithmetic, the precision asked for or a renderer cannot hold.
-fn check_size(lengths: &[&[Length; 2]], options: &Options, smallest: f64) -> Result<(), Reason> {
+/// Refuses what arithmetic or a renderer cannot hold.
+fn check_place(lengths: &[&[Length; 2]]) -> Result<(), Reason> {
     let largest = |pairs: &[&[Length; 2]]| {
         let lengths = pairs.iter().flat_map(|pair| pair.iter());
         lengths.fold(0.0, |most: f64, length| most.max(length.value.abs()))
@@ -185,10 +189,7 @@ fn check_size(lengths: &[&[Length; 2]], options: &Options, smallest: f64) -> Res
     if largest(lengths) > 1e15 || largest(place) > FARTHEST * most {
         return Err(Reason::TooLarge);
     }
-    match options.precision {
-        Some(decimals) if is_too_small(smallest, decimals) => Err(Reason::Collapses),
-        _ => Ok(()),
-    }
+    Ok(())
 }
 
 /// The equivalent path of a rectangle: from (x + rx, y) clockwise, lines of no length left out.
@@ -201,7 +202,14 @@ fn rect(
     out: &mut Vec<u8>,
 ) -> Result<f64, Reason> {
     let [rx, ry] = radii.map(|radius| radius.value);
-    check_size(&[&corner, &size, &radii], options, rx.min(ry))?;
+    check_place(&[&corner, &size, &radii])?;
+    // Of such corners rounding leaves none.
+    if options
+        .precision
+        .is_some_and(|decimals| is_too_small(rx.min(ry), decimals))
+    {
+        return Err(Reason::Collapses);
+    }
     let [x, y] = corner.map(|length| length.exact);
     let [right, bottom] = [x.plus(size[0].exact), y.plus(size[1].exact)];
     let [left_in, top_in] = [x.plus(radii[0].exact), y.plus(radii[1].exact)];

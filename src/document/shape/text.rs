@@ -2,7 +2,7 @@
 
 use kurbo::Point;
 
-use crate::curve::segment_of;
+use crate::curve::{control_points, segment_of};
 use crate::document::path::beziers::{Beziers, arguments};
 use crate::document::shape::length::Length;
 use crate::measure::radial;
@@ -94,6 +94,18 @@ impl<'a> ShapeText<'a> {
             axis(offset.x, &self.base[0], &self.known[0]),
             axis(offset.y, &self.base[1], &self.known[1]),
         ])
+    }
+
+    /// Whether all control points are alike along an axis where they are written.
+    pub(in crate::document) fn is_flat(&self, drawn: &Beziers) -> bool {
+        let points = drawn.segments.iter().flat_map(control_points);
+        let mut places = points.map(|point| self.place(point).map(Decimal::value));
+        places.next().is_some_and(|[x, y]| {
+            let apart = places.fold([false; 2], |[by_x, by_y], at| {
+                [by_x || at[0] != x, by_y || at[1] != y]
+            });
+            apart.contains(&false)
+        })
     }
 
     /// Begins the path.
