@@ -39,6 +39,7 @@ pub(super) fn run(args: &CompareArgs) -> Outcome {
     check_segments(&args.segments)?;
     let target = args.output.target();
     let format = choose(args.format, args.output.path())?;
+    args.check_size(format)?;
     if format == ComparisonFormat::Html {
         target.write(page(args)?.as_bytes())?;
         return Ok(ExitCode::SUCCESS);

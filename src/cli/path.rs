@@ -2,9 +2,10 @@
 
 use std::process::ExitCode;
 
+use curveto::Cut;
 use curveto::approximate::Options;
 use curveto::arcs;
-use curveto::contour::{Contour, draw};
+use curveto::contour::{Contour, Step, draw};
 use curveto::path::{contours, contours_of_power};
 use curveto::write::Format;
 
@@ -40,6 +41,15 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
             args.source.as_deref().unwrap_or_default(),
         )?)?,
     };
+    let mut steps = contours.iter().flat_map(|contour| &contour.steps);
+    if let Cut::At(_) = args.approximation.cut()
+        && !steps.any(|step| matches!(step, Step::Arc(_)))
+    {
+        return Err(Failure::request_with_hint(
+            "the path has no arc, so that --joints has nothing to say",
+            "leave it out: lines and Béziers keep their ends",
+        ));
+    }
     let (precision, transform) = (args.output.rounding(format), args.output.transform());
     let mut drawing = match args.kind() {
         PathKind::Beziers(target) => {

@@ -10,7 +10,8 @@ use curveto::{Angle, Method, Rule};
 
 use super::values::{self, MethodList};
 use super::{FileArgs, QuietArgs};
-use crate::cli::formats::FileFormat;
+use crate::cli::failure::Failure;
+use crate::cli::formats::{self, FileFormat};
 
 /// Methods by numbers of segments, on the full circle of radius 1 or an ellipse, or by the angle of one segment.
 #[derive(Debug, Args)]
@@ -105,6 +106,22 @@ impl CompareArgs {
         }
         let spans: Vec<f64> = self.spans.iter().map(|span| span.degrees()).collect();
         Comparison::by_span(&rules, &spans, by)
+    }
+
+    /// Refuses a size where the format is no plot.
+    pub(crate) fn check_size(&self, format: ComparisonFormat) -> Result<(), Failure> {
+        if self.size.is_none() || matches!(format, ComparisonFormat::Plot(_)) {
+            return Ok(());
+        }
+        let name = format.to_possible_value();
+        let name = name.as_ref().map_or("", PossibleValue::get_name);
+        Err(Failure::request_with_hint(
+            format!("--size says nothing in the format {name}, which is no plot"),
+            format!(
+                "leave it out, or take a plot with -f or the extension of -o: {}",
+                formats::list::<Image>()
+            ),
+        ))
     }
 
     /// The rules of the methods.
