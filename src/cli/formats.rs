@@ -55,16 +55,21 @@ pub(crate) fn choose_but<F: FileFormat + Default>(
     }
 }
 
-/// The format of a plot, which the extension of its file has to tell.
+/// The format of a plot, which the extension of its file tells; SVG where it has none, such as `/dev/fd/3`.
 pub(crate) fn of_plot(file: &Path) -> Result<Image, Failure> {
-    let found = extension(file).and_then(|extension| by_extension(&extension));
-    found.ok_or_else(|| {
+    let Some(extension) = extension(file) else {
+        return Ok(Image::Svg);
+    };
+    by_extension(&extension).ok_or_else(|| {
         Failure::request_with_hint(
             format!(
                 "the extension of {} tells no format of a plot",
                 file.display()
             ),
-            format!("its formats are {}", list::<Image>()),
+            format!(
+                "its formats are {}, and svg without an extension",
+                list::<Image>()
+            ),
         )
     })
 }

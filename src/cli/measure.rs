@@ -199,6 +199,13 @@ fn draw_panels<T>(
     chart: impl Fn(&[&T], Quantity) -> Result<Chart, Failure>,
 ) -> Result<(), Failure> {
     let image = of_plot(file)?;
+    let target = OutputTarget::new(Some(file));
+    if target == OutputTarget::Stdout && args.output.target() == target {
+        return Err(Failure::request_with_hint(
+            "the report and the plot would both go to standard output",
+            "name a file for the plot, or one for the report with -o",
+        ));
+    }
     let asked = args.quantity.as_slice();
     let quantities = if asked.is_empty() {
         &[Quantity::default()]
@@ -216,7 +223,7 @@ fn draw_panels<T>(
     let Some(chart) = charts.into_iter().reduce(Chart::above) else {
         return Ok(());
     };
-    OutputTarget::new(Some(file)).write(&plot(&chart, image, args.size)?)
+    target.write(&plot(&chart, image, args.size)?)
 }
 
 /// What a plot of it is called.

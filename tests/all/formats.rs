@@ -8,7 +8,7 @@ use std::process::Output;
 use crate::judges::raster::Picture;
 use resvg::tiny_skia::Pixmap;
 
-use crate::judges::program::{run_in, words};
+use crate::judges::program::{self, run_in, words};
 
 fn curveto(folder: &Path, arguments: &str) -> Output {
     run_in(folder, &words(arguments))
@@ -35,7 +35,6 @@ fn an_unknown_extension_is_refused_with_the_formats_of_the_command() {
         ("compare -o c.xyz", "table, csv, "),
         ("measure circle 5 -o m.svg", "table, json and csv"),
         ("measure circle 5 --plot m.json", "svg, "),
-        ("measure circle 5 --plot m", "svg, "),
     ] {
         let output = curveto(folder.path(), arguments);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -51,6 +50,40 @@ fn an_unknown_extension_is_refused_with_the_formats_of_the_command() {
         );
     }
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_plot_without_an_extension_is_svg() {
+    let folder = tempfile::tempdir().unwrap();
+    let plotted = |words: &str| {
+        let output = program::shell(folder.path(), &format!("curveto {words}"))
+            .output()
+            .unwrap();
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), message)
+    };
+    assert_eq!(plotted("measure circle 5 --plot named.svg").0, Some(0));
+    let right = fs::read(folder.path().join("named.svg")).unwrap();
+    assert!(right.starts_with(b"<svg") || right.starts_with(b"<?xml"));
+    for words in [
+        "measure circle 5 --plot a",
+        "measure circle 5 --plot /dev/fd/3 3>a",
+        "measure circle 5 -o report.txt --plot - >a",
+    ] {
+        assert_eq!(plotted(words).0, Some(0), "{words}");
+        let plot = folder.path().join("a");
+        assert_eq!(fs::read(&plot).unwrap(), right, "{words}");
+        fs::remove_file(plot).unwrap();
+    }
+    // One place cannot hold both.
+    for words in [
+        "measure circle 5 --plot -",
+        "measure circle 5 --plot /dev/stdout",
+    ] {
+        let (code, message) = plotted(words);
+        assert_eq!(code, Some(2), "{words}");
+        assert!(message.contains("both go to standard output") && message.contains("hint: "));
+    }
 }
 
 #[test]

@@ -174,7 +174,7 @@ pub(crate) struct ReportArgs {
     pub(crate) coordinate_tolerance: Option<f64>,
     /// Draw the quantity along the curve too
     ///
-    /// The extension says how: svg, eps, png or pdf.
+    /// The extension says how: svg, eps, png or pdf. Without one, such as /dev/fd/3, it is svg.
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
     /// What the plot shows [default: error] [possible values: error, curvature, curvature-d1, curvature-d2, angle-lag, drawing]
