@@ -82,7 +82,7 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
     let (input, name) = (source.open()?, source.name());
     let target = args.output.target();
     let complain = |line: u64, error: &curveto::Error| {
-        let hint = remedies::hint(error).map(|hint| format!("hint: {hint}\n"));
+        let hint = remedies::hint_of_line(error).map(|hint| format!("hint: {hint}\n"));
         let message = remedies::message(error);
         tell(&format!(
             "error: {name}:{line}: {message}\n{}",

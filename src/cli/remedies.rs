@@ -62,6 +62,20 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
     Some(hint.to_owned())
 }
 
+/// The same for a line of a batch, whose ellipses start on an axis.
+pub(crate) fn hint_of_line(error: &Error) -> Option<String> {
+    match error {
+        Error::Impossible {
+            remedy: Remedy::Quarters(methods),
+            ..
+        } => Some(format!(
+            "take -m {}; a line 'ellipse CX CY RX RY' takes -n 4",
+            one_of(methods)
+        )),
+        _ => hint(error),
+    }
+}
+
 fn known_methods(name: &str, nearest: &[&str]) -> String {
     let before = match name {
         "ahn-kim" => "Ahn and Kim 1997 is cited by Apprich et al. without a formula; ".to_owned(),
@@ -89,7 +103,7 @@ fn advice(remedy: &Remedy) -> String {
         }
         Remedy::EveryEllipse(method) => format!("take -m {method}, which serves every ellipse"),
         Remedy::Quarters(methods) => format!(
-            "take -n 4 and a start on an axis, or -m {}",
+            "take -m {}; a whole ellipse takes -n 4 and --start on an axis",
             one_of(methods)
         ),
         Remedy::Joints(angles) => {

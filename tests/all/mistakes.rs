@@ -419,6 +419,35 @@ fn a_remedy_is_one_of_the_command_at_hand() {
 }
 
 #[test]
+fn quarters_of_ellipses_have_a_remedy_that_each_command_has() {
+    let free = "-m minimax-ellipse-free";
+    for (line, words, remedy) in [
+        (
+            "arc 0 0 5 3 0 10 90",
+            format!("batch {free}"),
+            "take -m minimax-ellipse or minimax; a line 'ellipse CX CY RX RY' takes -n 4\n",
+        ),
+        (
+            "",
+            format!("ellipse 5 3 -n 3 {free}"),
+            "take -m minimax-ellipse or minimax; a whole ellipse takes -n 4 and --start on an axis\n",
+        ),
+        (
+            "M5 0A5 3 0 0 1 -5 0",
+            format!("path - {free}"),
+            "take -m minimax-ellipse or minimax\n",
+        ),
+    ] {
+        let output = program::piped(&program::words(&words), line.as_bytes());
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(
+            said.ends_with(&format!("hint: {remedy}")),
+            "{words}: {said}"
+        );
+    }
+}
+
+#[test]
 fn a_failure_of_the_system_is_told_without_its_number() {
     for words in [
         "circle 5 -o no/such/folder/x.svg",
