@@ -26,6 +26,20 @@ fn read((data, name): &(String, String)) -> Result<Vec<Contour>, Failure> {
     contours(data).map_err(|error| input::named(name, error).with_hint(hint))
 }
 
+/// Refuses joints where there is no arc that could have them.
+fn check_joints(args: &PathArgs, contours: &[Contour]) -> Result<(), Failure> {
+    let mut steps = contours.iter().flat_map(|contour| &contour.steps);
+    if let Cut::At(_) = args.approximation.cut()
+        && !steps.any(|step| matches!(step, Step::Arc(_)))
+    {
+        return Err(Failure::request_with_hint(
+            "the path has no arc, so that --joints has nothing to say",
+            "leave it out: lines and Béziers keep their ends",
+        ));
+    }
+    Ok(())
+}
+
 pub(super) fn run(args: &PathArgs) -> Outcome {
     let format = args.output.format()?;
     if args.approximation.extremes {
@@ -41,15 +55,7 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
             args.source.as_deref().unwrap_or_default(),
         )?)?,
     };
-    let mut steps = contours.iter().flat_map(|contour| &contour.steps);
-    if let Cut::At(_) = args.approximation.cut()
-        && !steps.any(|step| matches!(step, Step::Arc(_)))
-    {
-        return Err(Failure::request_with_hint(
-            "the path has no arc, so that --joints has nothing to say",
-            "leave it out: lines and Béziers keep their ends",
-        ));
-    }
+    check_joints(args, &contours)?;
     let (precision, transform) = (args.output.rounding(format), args.output.transform());
     let mut drawing = match args.kind() {
         PathKind::Beziers(target) => {

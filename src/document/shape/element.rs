@@ -204,10 +204,8 @@ fn rect(
     let [rx, ry] = radii.map(|radius| radius.value);
     check_place(&[&corner, &size, &radii])?;
     // Of such corners rounding leaves none.
-    if options
-        .precision
-        .is_some_and(|decimals| is_too_small(rx.min(ry), decimals))
-    {
+    let leaves_none = |decimals| is_too_small(rx.min(ry), decimals);
+    if options.precision.is_some_and(leaves_none) {
         return Err(Reason::Collapses);
     }
     let [x, y] = corner.map(|length| length.exact);
