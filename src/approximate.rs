@@ -244,11 +244,17 @@ impl<'a> Request<'a> {
         let Some((joints, _)) = balance.joints_from(count, None, f64::INFINITY) else {
             return equal;
         };
-        let adaptive = self.finish(self.cut(joints, None, None)?);
-        Ok(match equal {
-            Ok(equal) if equal.error.peak() < adaptive.error.peak() => equal,
-            _ => adaptive,
-        })
+        let drawn = |joints| Ok(self.finish(self.cut(joints, None, None)?));
+        let leaping = balance.leaping(count, f64::INFINITY).map(drawn);
+        leaping
+            .chain([equal])
+            .fold(drawn(joints), |nearest, other| {
+                let is_nearer = match (&nearest, &other) {
+                    (Ok(nearest), Ok(other)) => other.error.peak() < nearest.error.peak(),
+                    (_, other) => other.is_ok(),
+                };
+                if is_nearer { other } else { nearest }
+            })
     }
 
     /// The curve through these joints; `told` is its peak error over the larger radius, where the lobes told it.

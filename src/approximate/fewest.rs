@@ -292,7 +292,10 @@ impl Request<'_> {
         let fewer = balance
             .may_be_beaten(allowed, first, count)
             .then(|| self.fewer_truly(balance, count, tolerance));
-        Some(fewer.flatten().unwrap_or(found))
+        let found = fewer.flatten().unwrap_or(found);
+        let fewer = found.curve.segments.len() - 1;
+        let mut leaping = balance.leaping(fewer, LUCK * allowed);
+        Some(leaping.find_map(within).unwrap_or(found))
     }
 
     /// This many segments whose error is alike and that rounding alone brings beyond the tolerance: that of other joints may not.

@@ -18,6 +18,7 @@ mod errors;
 mod level;
 mod lobes;
 mod march;
+mod paths;
 
 use super::Joints;
 use crate::method::{Ends, Method, Rule};
@@ -28,6 +29,7 @@ use errors::Errors;
 pub(crate) use errors::LOOKS;
 use level::Level;
 use lobes::Lobes;
+use paths::add_images;
 
 /// Joints lie on multiples of this many degrees, so that their mirror images are exact.
 const GRID: f64 = 1.0 / (1 << 30) as f64;
@@ -170,9 +172,7 @@ impl Balance {
             }
         }
         if mirrored {
-            for i in (0..pieces).rev() {
-                ways.push(2.0 * whole - ways[i]);
-            }
+            add_images(&mut ways, 2.0 * whole, 1);
         }
         Some((Joints::after(&self.arc, &ways), peak))
     }
@@ -196,7 +196,7 @@ impl Balance {
     }
 
     /// The ways to the joints of this many segments of equal error, both ends included, and that where the lobes tell it; `None` where the
-    /// method's largest angle forbids it, or as in [`Self::evened`].
+    /// method's largest angle forbids it, or as in [`Self::narrowed`].
     fn equalised(
         &self,
         whole: f64,
@@ -207,7 +207,7 @@ impl Balance {
         if let Some(level) = self.levelled(whole, pieces, begun) {
             return Some((level.ways, Some(level.most)));
         }
-        let narrowed = |equal: f64| Some((self.evened(whole, pieces, equal, most)?, None));
+        let narrowed = |equal: f64| Some((self.narrowed(whole, pieces, equal, most)?, None));
         if self.errors.is_quick() {
             let equal = self.equal(whole, pieces);
             if self.errors.is_worth_a_look(equal) {

@@ -59,7 +59,7 @@ fn joints_for_a_count_cost_little() {
         (Method::Midpoint, [0.05, 0.2], 20, 1250, 18.921),
         (Method::Curvature, [0.01, 0.05], 12, 3255, 19.235),
         (Method::Minimax, [0.003, 0.01], 8, 5305, 17.035),
-        (Method::MinimaxG0, [0.1, 0.95], 15, 5730, 6.951),
+        (Method::MinimaxG0, [0.1, 0.95], 15, 5730, 6.211),
         (Method::QuadraticMinimax, [0.1, 0.95], 15, 3945, 6.215),
     ] {
         let (mut cost, mut gained) = (0, 0.0);

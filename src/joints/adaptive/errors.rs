@@ -2,23 +2,31 @@
 
 use core::cell::RefCell;
 
-use kurbo::{ParamCurve, Point};
+use kurbo::{ParamCurve, Point, Vec2};
 
 use crate::angle::Angle;
 use crate::method::{Law, Method, Rule, Span, ellipse};
+use crate::numeric::foot::foot_in_unit;
 use crate::numeric::functions::power;
 use crate::numeric::{self, root};
 
 /// The parts into which a segment is cut to look for its peak; the peak between two samples follows from a parabola.
 const SAMPLES: usize = 12;
+/// The same of an equioscillating one, whose outer lobes are narrow: its parts become smaller towards the ends.
+const EQUIOSCILLATING_SAMPLES: usize = 16;
 
-/// A smaller radial error drowns in the rounding of samples; the formula tells it, at both lobes and in the middle.
+/// A smaller radial error drowns in the rounding of samples; the formula tells it, at the extremes of the error on the circle.
 const NOISE: f64 = 1e-11;
 const LOBES: [f64; 3] = [0.18, 0.5, 0.82];
+/// Those of the Chebyshev polynomial of degree 6, stretched to vanish at both ends.
+const EQUIOSCILLATING_LOBES: [f64; 5] = [0.052, 0.241, 0.5, 0.759, 0.948];
 
 /// Where the error is a larger part of the smallest radius of curvature than this, the first order is too rough, and the error
 /// no longer grows with the length of a segment alone.
 const FIRST_ORDER: f64 = 1e-4;
+
+/// Of flatter ellipses the first order tells too little beside the sharp ends: there the nearest point is taken.
+const FLAT: f64 = 0.25;
 
 /// Flatter ellipses have sharp ends.
 const SHARP: f64 = 0.03;
@@ -83,6 +91,15 @@ impl Errors {
         self.is_quick
     }
 
+    /// Whether the circle tells nothing of its pieces.
+    pub(super) fn sees_ellipse(&self) -> bool {
+        self.rule.method().is_some_and(Method::sees_ellipse)
+    }
+
+    fn is_equioscillating(&self) -> bool {
+        self.rule == Rule::Method(Method::MinimaxG0)
+    }
+
     /// The error of a segment of `size` degrees on the unit circle.
     pub(super) fn on_circle(&self, size: f64) -> f64 {
         let error = self.rule.radial_error(&Span::from_degrees(size));
@@ -116,31 +133,44 @@ impl Errors {
         }
         let span = Span::from_degrees(size);
         if self.law.constant * power(span.a, i32::from(self.law.order)) < NOISE {
-            let weight = |part: f64| self.weight(from + part * size);
-            return self.of_short(size) * LOBES.map(weight).into_iter().fold(0.0, f64::max);
+            let lobes = if self.is_equioscillating() {
+                &EQUIOSCILLATING_LOBES[..]
+            } else {
+                &LOBES
+            };
+            let weights = lobes.iter().map(|part| self.weight(from + part * size));
+            return self.of_short(size) * weights.fold(0.0, f64::max);
         }
         let Ok(piece) = self.rule.piece(&span) else {
             return f64::INFINITY;
         };
         let ends = [from, from + size].map(|degrees| Angle::from_degrees(degrees).direction());
         let segment = piece.between(ends);
-        let mut errors = [0.0; SAMPLES + 1];
+        let mut errors = [0.0; EQUIOSCILLATING_SAMPLES + 1];
+        let (errors, place): (_, fn(usize) -> f64) = if self.is_equioscillating() {
+            (&mut errors[..], |i| {
+                let part = i as f64 / EQUIOSCILLATING_SAMPLES as f64;
+                part * part * (3.0 - 2.0 * part)
+            })
+        } else {
+            (&mut errors[..=SAMPLES], |i| i as f64 / SAMPLES as f64)
+        };
+        let last = errors.len() - 1;
         let (mut before, mut tip) = (segment.start().x, 0.0_f64);
         for (i, error) in errors.iter_mut().enumerate().skip(1) {
-            let t = i as f64 / SAMPLES as f64;
+            let t = place(i);
             let point = segment.eval(t);
-            if i < SAMPLES {
+            if i < last {
                 *error = self.strays(point);
             }
             // Where the curve passes a sharp end the distance has a peak that falls between samples.
             if (before > 0.0) != (point.x > 0.0) {
-                let from = (i - 1) as f64 / SAMPLES as f64;
-                let crossing = root(|t| segment.eval(t).x, from, t);
+                let crossing = root(|t| segment.eval(t).x, place(i - 1), t);
                 tip = tip.max(self.strays(segment.eval(crossing)));
             }
             before = point.x;
         }
-        peak(&errors).max(tip)
+        peak(errors).max(tip)
     }
 
     /// w at this many degrees, over the larger radius.
@@ -154,7 +184,13 @@ impl Errors {
         let square = point.to_vec2().hypot2();
         // r - 1 by r² - 1, which keeps its digits.
         let radial = (square - 1.0).abs() / (square.sqrt() + 1.0);
-        radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt()
+        if self.short >= FLAT {
+            return radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt();
+        }
+        let (radii, squares) = (Vec2::new(self.short, 1.0), [1.0 + self.swing, 1.0]);
+        let place = Vec2::new(self.short * point.x, point.y);
+        let foot = foot_in_unit(radii, squares, place, square - 1.0);
+        foot.foot.distance.abs()
     }
 
     /// Whether the first order does not tell errors of this size, over the larger radius.
