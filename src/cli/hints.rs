@@ -80,6 +80,9 @@ fn of_missing(words: &[String], command: &str, error: &clap::Error) -> Option<St
         _ if has(words, "--quantity") => {
             "it says what a plot shows: --plot error.svg --quantity error"
         }
+        "measure" if missing.iter().any(|flag| flag.starts_with("--plot")) => {
+            "it says how large a plot is: --plot error.svg --size 400x300"
+        }
         "circle" | "sphere" => return Some(format!("for example: curveto {command} 50")),
         "ellipse" => "for example: curveto ellipse 30 20",
         "arc" if has(words, "--large") => {

@@ -139,7 +139,10 @@ impl fmt::Display for Reason {
             Self::StaysPath(why) => write!(f, "it stays a path: {why}"),
             Self::Refused(why) => f.write_str(why),
             Self::Elsewhere(attribute) => {
-                write!(f, "only `d` of a path is converted, not `{attribute}`")
+                write!(
+                    f,
+                    "only `d` of a <path> is converted, no `{attribute}` elsewhere"
+                )
             }
             _ => f.write_str(self.words()),
         }

@@ -3,7 +3,7 @@
 use crate::judges::program::{self, refused, run};
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 191] = [
+const MISTAKES: [(&str, &str); 195] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -27,6 +27,16 @@ const MISTAKES: [(&str, &str); 191] = [
     ("circle 1e308", "must stay below 1e150"),
     ("circle 50 60", "curveto ellipse RX RY"),
     ("circle -r 50", "the radius stands alone"),
+    ("sphere --radius 5", "sphere 5"),
+    (
+        "measure circle --radius 5",
+        "the radius stands alone: circle 5",
+    ),
+    (
+        "measure circle 5 --size 400x300",
+        "--plot error.svg --size 400x300",
+    ),
+    ("formats", "lists the formats"),
     ("circle 50 --radius 50", "the radius stands alone"),
     ("circle 50 --clockwise", "--reverse"),
     ("circle 50 --ccw", "--reverse"),

@@ -75,7 +75,7 @@ impl ValueEnum for ComparisonFormat {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         let (name, about) = match self {
-            Self::Table => ("table", "For people, 80 columns wide"),
+            Self::Table => ("table", "For people, 80 columns wide up to six counts"),
             Self::Csv => ("csv", "A line a method"),
             Self::Json => ("json", "docs/schema/comparison.json describes it"),
             Self::Html => ("html", "A page to look at: choose, magnify, sort, copy"),

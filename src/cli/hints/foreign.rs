@@ -15,7 +15,7 @@ const TOLERANCES: [&str; 5] = ["--flatness", "--error", "--epsilon", "--accuracy
 
 /// Flags that people try, the commands that they try them on (all where there is none), and what serves instead. The first that names
 /// flags of the command alone is told.
-pub(super) const FLAGS: [(&[&str], &[&str], &str); 44] = [
+pub(super) const FLAGS: [(&[&str], &[&str], &str); 45] = [
     (&WAYS_ROUND, &["path"], "a path runs as its data do"),
     (&WAYS_ROUND, &["conic"], "a conic runs from --from to --to"),
     (
@@ -30,13 +30,18 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 44] = [
     ),
     (
         &["--radius", "-r", "--r"],
-        &["circle", "sphere"],
-        "the radius stands alone: curveto circle 50",
+        &["circle"],
+        "the radius stands alone: circle 50",
+    ),
+    (
+        &["--radius", "-r", "--r"],
+        &["sphere"],
+        "the radius stands alone: sphere 50",
     ),
     (
         &["--radius", "--radii", "--rx", "--ry", "-r"],
         &["ellipse"],
-        "the radii stand alone: curveto ellipse 30 20",
+        "the radii stand alone: ellipse 30 20",
     ),
     (
         &["-j", "--jobs"],
@@ -252,7 +257,11 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 44] = [
 ];
 
 /// Words that people try as commands.
-pub(super) const COMMANDS: [(&[&str], &str); 6] = [
+pub(super) const COMMANDS: [(&[&str], &str); 7] = [
+    (
+        &["formats", "format"],
+        "'curveto circle --help' lists the formats",
+    ),
     (
         &["list", "ls", "method"],
         "'curveto methods' lists the methods",
