@@ -75,6 +75,9 @@ pub enum TextError {
         "'{0}' is none of the operators of a plain drawing, which are all that is read of PostScript"
     )]
     Operator(String),
+    /// An operator of PostScript that goes on from a current point where there is none.
+    #[error("'{0}' needs a current point, which 'newpath' and painting take away")]
+    CurrentPoint(String),
     /// An operator of PostScript with too few numbers before it.
     #[error("{operator} takes {takes} numbers and has {count}")]
     Operands {

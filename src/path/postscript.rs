@@ -5,16 +5,12 @@ use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 use crate::angle::Angle;
 use crate::contour::{Contour, ContourPen};
 use crate::error::{Error, Result, TextError, finite};
+use crate::joints::MOST_IN_ALL;
 use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Truth};
 
 /// Operators of drawings that have no say in where a path lies.
-const HARMLESS: [&str; 18] = [
-    "newpath",
-    "stroke",
-    "fill",
-    "eofill",
-    "showpage",
+const HARMLESS: [&str; 12] = [
     "setlinewidth",
     "setlinejoin",
     "setlinecap",
@@ -25,17 +21,17 @@ const HARMLESS: [&str; 18] = [
     "setcmykcolor",
     "setflat",
     "clip",
-    "save",
-    "restore",
+    "eoclip",
     "pop",
 ];
 
 /// The contours of PostScript path operators, one for each subpath that draws something, with `translate`, `scale`, `rotate`,
-/// `concat`, `gsave` and `grestore` obeyed.
+/// `concat`, `gsave` and `grestore` obeyed: of the paths that are painted, once where one is filled and stroked, and of the one that is left
+/// at the end.
 ///
 /// # Errors
 ///
-/// Where an operator lacks its numbers, a number is not finite or beyond 1e150, a sweep is more than a turn, or a word is none of a plain
+/// Where an operator lacks its numbers or a current point, a number is not finite or beyond 1e150, a sweep is more than a turn, or a word is none of a plain
 /// drawing: procedures are not executed.
 ///
 /// ```
@@ -55,17 +51,43 @@ pub fn postscript(text: &str) -> Result<Vec<Contour>> {
             })?;
         }
     }
-    Ok(machine.pen.contours())
+    machine.paint()?;
+    Ok(machine.drawn)
 }
 
-#[derive(Default)]
-struct Machine {
-    pen: ContourPen,
-    /// Whether there is a current point.
-    has_point: bool,
-    numbers: Vec<f64>,
+/// What a path is made of, in coordinates of the page.
+#[derive(Debug, Clone, Copy)]
+enum Mark {
+    Move(Point),
+    Line(Point),
+    Curve([Point; 3]),
+    Arc(SvgArc),
+    Close,
+}
+
+/// What `gsave` keeps.
+#[derive(Debug, Clone, Copy, Default)]
+struct State {
     map: Affine,
-    saved: Vec<Affine>,
+    /// The first point of the subpath, and the current point.
+    points: Option<[Point; 2]>,
+    /// Where the path begins in [`Machine::marks`].
+    begin: usize,
+    /// How much was drawn by then.
+    drawn: usize,
+}
+
+#[derive(Debug, Default)]
+struct Machine {
+    numbers: Vec<f64>,
+    state: State,
+    /// The path, and before it those of the states that were saved: a state that comes back finds its own again.
+    marks: Vec<Mark>,
+    /// States, how many marks there were, and whether `save` saved them, not `gsave`.
+    saved: Vec<(State, usize, bool)>,
+    drawn: Vec<Contour>,
+    /// How many segments these have.
+    count: usize,
 }
 
 impl Machine {
@@ -78,42 +100,138 @@ impl Machine {
         if word == "[" || word == "]" {
             return Ok(());
         }
+        if !self.paint_or_keep(word)? {
+            self.draw_or_map(word)?;
+        }
+        self.numbers.clear();
+        Ok(())
+    }
+
+    /// Obeys an operator that ends a path, or that saves it with its matrix or brings it back, and whether it is one.
+    fn paint_or_keep(&mut self, word: &str) -> Result<bool> {
         match word {
-            "moveto" => self.move_to(word, false)?,
-            "rmoveto" => self.move_to(word, true)?,
+            "newpath" => self.new_path(),
+            "stroke" | "fill" | "eofill" => {
+                self.paint()?;
+                self.new_path();
+            }
+            "showpage" => {
+                self.state.map = Affine::IDENTITY;
+                self.new_path();
+            }
+            "gsave" | "save" => {
+                let saved = (self.state, self.marks.len(), word == "save");
+                self.saved.push(saved);
+            }
+            "grestore" => self.restore(),
+            "restore" => {
+                let save = self.saved.iter().rposition(|&(.., is_save)| is_save);
+                self.saved.truncate(save.map_or(0, |i| i + 1));
+                self.restore();
+                self.saved.pop();
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    /// Brings back the last state that was saved; one that `save` saved stays there, as the first one of all does.
+    fn restore(&mut self) {
+        let (state, marks, is_save) = self.saved.last().copied().unwrap_or_default();
+        if !is_save {
+            self.saved.pop();
+        }
+        self.state = state;
+        self.marks.truncate(marks);
+    }
+
+    fn new_path(&mut self) {
+        self.marks
+            .truncate(self.saved.last().map_or(0, |&(_, marks, _)| marks));
+        self.state = State {
+            map: self.state.map,
+            points: None,
+            begin: self.marks.len(),
+            drawn: self.drawn.len(),
+        };
+    }
+
+    /// Draws the path, unless what was painted since it began is just that: `gsave fill grestore stroke` paints one path twice.
+    fn paint(&mut self) -> Result<()> {
+        let mut pen = ContourPen::default();
+        for mark in &self.marks[self.state.begin..] {
+            match *mark {
+                Mark::Move(to) => pen.move_to(to),
+                Mark::Line(to) => pen.line(to),
+                Mark::Curve([a, b, to]) => {
+                    let cubic = CubicBez::new(pen.here(), a, b, to);
+                    pen.segment(PathSeg::Cubic(cubic));
+                }
+                Mark::Arc(arc) => pen.arc(&arc)?,
+                Mark::Close => pen.close(),
+            }
+        }
+        let path = pen.contours();
+        if self.drawn[self.state.drawn..].starts_with(&path) {
+            return Ok(());
+        }
+        // What is saved can be painted again and again.
+        let count: usize = path.iter().map(|contour| contour.steps.len()).sum();
+        self.count += count;
+        if self.count > MOST_IN_ALL.max(count) {
+            return Err(Error::Count {
+                count: self.count,
+                most: MOST_IN_ALL,
+            });
+        }
+        self.drawn.extend(path);
+        Ok(())
+    }
+
+    fn draw_or_map(&mut self, word: &str) -> Result<()> {
+        match word {
+            "moveto" | "rmoveto" => {
+                let [to] = self.points(word, word == "rmoveto")?;
+                self.state.points = Some([to; 2]);
+                self.marks.push(Mark::Move(to));
+            }
             "lineto" | "rlineto" => {
                 let [to] = self.points(word, word == "rlineto")?;
-                self.pen.line(to);
+                self.go(word, to, Mark::Line(to))?;
             }
             "curveto" | "rcurveto" => {
-                let [a, b, to] = self.points(word, word == "rcurveto")?;
-                let cubic = CubicBez::new(self.pen.here(), a, b, to);
-                self.pen.segment(PathSeg::Cubic(cubic));
+                let points = self.points(word, word == "rcurveto")?;
+                self.go(word, points[2], Mark::Curve(points))?;
             }
             "arc" | "arcn" => self.arc(word)?,
-            "closepath" => self.pen.close(),
-            "gsave" => self.saved.push(self.map),
-            "grestore" => self.map = self.saved.pop().unwrap_or(self.map),
+            "closepath" => {
+                if let Some([start, here]) = &mut self.state.points {
+                    *here = *start;
+                    // What is closed already stays as it is.
+                    if !matches!(self.marks.last(), Some(Mark::Close)) {
+                        self.marks.push(Mark::Close);
+                    }
+                }
+            }
             "translate" => {
                 let [x, y] = self.last(word)?;
-                self.map *= Affine::translate(Vec2::new(x, y));
+                self.state.map *= Affine::translate(Vec2::new(x, y));
             }
             "scale" => {
                 let [x, y] = self.last(word)?;
-                self.map *= Affine::scale_non_uniform(x, y);
+                self.state.map *= Affine::scale_non_uniform(x, y);
             }
             "rotate" => {
                 let [degrees] = self.last(word)?;
                 let v = crate::Angle::from_degrees(degrees).direction();
-                self.map *= Affine::new([v.x, v.y, -v.y, v.x, 0.0, 0.0]);
+                self.state.map *= Affine::new([v.x, v.y, -v.y, v.x, 0.0, 0.0]);
             }
-            "concat" => self.map *= Affine::new(self.last(word)?),
+            "concat" => self.state.map *= Affine::new(self.last(word)?),
             _ if HARMLESS.contains(&word) => {}
             _ => {
                 return Err(Error::Text(TextError::Operator(word.to_owned())));
             }
         }
-        self.numbers.clear();
         Ok(())
     }
 
@@ -131,29 +249,46 @@ impl Machine {
         })
     }
 
+    /// The current point, which an operator needs.
+    fn here(&self, word: &str) -> Result<Point> {
+        let [_, here] = self
+            .state
+            .points
+            .ok_or_else(|| Error::Text(TextError::CurrentPoint(word.to_owned())))?;
+        Ok(here)
+    }
+
     fn points<const N: usize>(&self, word: &str, relative: bool) -> Result<[Point; N]> {
         let numbers = self.numbers.as_slice();
         let Some(at) = numbers.len().checked_sub(2 * N) else {
             return Err(self.too_few(word, 2 * N));
         };
-        let [a, b, c, d, _, _] = self.map.as_coeffs();
+        let [a, b, c, d, _, _] = self.state.map.as_coeffs();
+        let here = if relative {
+            Some(self.here(word)?)
+        } else {
+            None
+        };
         let mut points = [Point::ZERO; N];
         for (point, pair) in points.iter_mut().zip(numbers[at..].as_chunks::<2>().0) {
             let given = Point::new(pair[0], pair[1]);
-            *point = if relative {
+            *point = if let Some(here) = here {
                 let v = given.to_vec2();
-                self.pen.here() + Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y)
+                here + Vec2::new(a * v.x + c * v.y, b * v.x + d * v.y)
             } else {
-                self.map * given
+                self.state.map * given
             };
         }
         Ok(points)
     }
 
-    fn move_to(&mut self, word: &str, relative: bool) -> Result<()> {
-        let [to] = self.points(word, relative)?;
-        self.pen.move_to(to);
-        self.has_point = true;
+    /// Goes on from the current point.
+    fn go(&mut self, word: &str, to: Point, mark: Mark) -> Result<()> {
+        self.here(word)?;
+        if let Some([_, here]) = &mut self.state.points {
+            *here = to;
+        }
+        self.marks.push(mark);
         Ok(())
     }
 
@@ -163,27 +298,32 @@ impl Machine {
         let [start, end] = [start, end].map(Angle::from_degrees);
         let sweep = start.sweep_to(end, word == "arcn");
         let arc = Arc::new((x, y), (radius, radius), Angle::ZERO, start, sweep)?;
-        let map = self.map * Affine::translate(arc.center.to_vec2()) * Affine::scale(radius);
+        let map = self.state.map * Affine::translate(arc.center.to_vec2()) * Affine::scale(radius);
         let truth = Truth::of(map)?;
         let at = |third: u8| {
             let angle = start.degrees() + arc.sweep.degrees() * f64::from(third) / 3.0;
             map * Angle::from_degrees(angle).direction().to_point()
         };
-        if !self.has_point {
-            self.pen.move_to(at(0));
-            self.has_point = true;
-        } else if self.pen.here() != at(0) {
-            self.pen.line(at(0));
+        match self.state.points {
+            None => {
+                self.state.points = Some([at(0); 2]);
+                self.marks.push(Mark::Move(at(0)));
+            }
+            Some([_, here]) if here != at(0) => self.go(word, at(0), Mark::Line(at(0)))?,
+            Some(_) => {}
         }
         for third in 1..=3 {
-            self.pen.arc(&SvgArc {
-                from: self.pen.here(),
+            let arc = SvgArc {
+                from: at(third - 1),
                 radii: truth.radii,
                 rotation: Angle::of(truth.axis),
                 large_arc: false,
-                sweep: (sweep.degrees() > 0.0) == (self.map.determinant() > 0.0),
+                sweep: (sweep.degrees() > 0.0) == (self.state.map.determinant() > 0.0),
                 to: at(third),
-            })?;
+            };
+            // What is no arc is refused where it stands.
+            arc.shape()?;
+            self.go(word, arc.to, Mark::Arc(arc))?;
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! `diff`: exit codes, forms, matches, and distances against samples.
 
+use crate::judges::ghostscript;
 use crate::judges::program::{printed, refused, run};
 
 use curveto::diff::{Track, compare};
@@ -180,11 +181,11 @@ fn every_form_of_a_drawing_is_the_same_drawing() {
     refused(&["diff", "M3 0L5 0", &file("moved.ps")]);
     std::fs::write(
         file("moved.ps"),
-        "%!PS\ngsave 3 0 translate 2 2 scale [2 1] 0 setdash 0 0 moveto 1 0 rlineto stroke grestore 9 9 lineto",
+        "%!PS\ngsave 3 0 translate 2 2 scale [2 1] 0 setdash 0 0 moveto 1 0 rlineto stroke grestore 9 9 moveto 8 8 lineto",
     )
     .unwrap();
     assert_eq!(
-        run(&["diff", "M3 0L5 0L9 9", &file("moved.ps")])
+        run(&["diff", "M3 0L5 0M9 9L8 8", &file("moved.ps")])
             .status
             .code(),
         Some(0)
@@ -221,6 +222,83 @@ fn arcs_of_postscript_are_drawn() {
     for drawing in ["0 0 10 0 400 arc", "0 0 0 0 90 arc", "0 10 0 90 arc"] {
         std::fs::write(&file, drawing).unwrap();
         refused(&["diff", "M0 0L1 0", file.to_str().unwrap()]);
+    }
+}
+
+/// What becomes of a path and of the current point when it is painted, discarded, saved and brought back.
+#[test]
+fn of_postscript_is_drawn_what_ghostscript_paints() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    for program in [
+        "0 0 moveto 10 0 lineto stroke 0 0 5 90 0 arcn stroke",
+        "newpath 0 0 5 0 360 arc stroke newpath 20 0 5 0 360 arc stroke",
+        "0 0 5 0 360 arc closepath fill 20 0 5 0 360 arc closepath stroke",
+        "0 0 moveto 1 1 lineto newpath 3 3 moveto 4 4 lineto stroke",
+        "0 0 moveto 1 1 lineto clip newpath 3 3 moveto 4 4 lineto eofill",
+        "0 0 moveto gsave 5 5 lineto stroke grestore 10 0 lineto stroke",
+        "0 0 moveto 9 0 lineto gsave newpath 7 7 moveto 8 8 lineto stroke grestore 10 5 rlineto stroke",
+        "1 1 moveto gsave 4 0 translate 2 2 scale 1 0 rlineto grestore 3 0 rlineto stroke",
+        "0 0 moveto 4 0 lineto save 2 2 scale 1 1 lineto gsave grestore grestore stroke restore 4 5 lineto stroke",
+        "newpath closepath 0 0 moveto 5 0 lineto 5 5 lineto closepath closepath stroke",
+        "0 0 moveto 5 0 lineto 5 5 lineto closepath 3 -1 rlineto 0 0 2 90 180 arc stroke",
+    ] {
+        let painted = ghostscript::painted_by(program);
+        let words = painted.iter().map(|operator| {
+            let numbers = operator.numbers.iter().map(|x| format!("{x} "));
+            numbers
+                .chain([operator.name.clone() + "\n"])
+                .collect::<String>()
+        });
+        std::fs::write(file("painted.ps"), words.collect::<String>()).unwrap();
+        std::fs::write(file("read.ps"), program).unwrap();
+        // Ghostscript's own cubics stray so far from a circle of 5.
+        let output = run(&[
+            "diff",
+            &file("painted.ps"),
+            &file("read.ps"),
+            "-t",
+            "0.0015",
+        ]);
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(output.status.code(), Some(0), "{program}: {said}");
+    }
+}
+
+#[test]
+fn a_path_that_is_filled_and_stroked_is_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.ps");
+    for (drawing, path) in [
+        ("gsave fill grestore stroke", "M0 0L9 0"),
+        (
+            "gsave fill grestore gsave eofill grestore stroke showpage",
+            "M0 0L9 0",
+        ),
+        ("gsave fill grestore", "M0 0L9 0"),
+        (
+            "gsave fill grestore 9 9 lineto stroke",
+            "M0 0L9 0M0 0L9 0L9 9",
+        ),
+        ("stroke 0 0 moveto 9 0 lineto stroke", "M0 0L9 0M0 0L9 0"),
+        (
+            "stroke 2 2 scale showpage 0 0 moveto 1 1 lineto stroke",
+            "M0 0L9 0M0 0L1 1",
+        ),
+    ] {
+        std::fs::write(&file, format!("0 0 moveto 9 0 lineto {drawing}")).unwrap();
+        let output = run(&["diff", path, file.to_str().unwrap()]);
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(output.status.code(), Some(0), "{drawing}: {said}");
+    }
+    for lost in [
+        "1 1 lineto",
+        "0 0 moveto newpath 1 0 rmoveto",
+        "0 0 moveto 1 0 lineto stroke 1 1 1 1 2 2 curveto",
+    ] {
+        std::fs::write(&file, format!("%!PS\n{lost}")).unwrap();
+        let said = refused(&["diff", "M0 0L1 0", file.to_str().unwrap()]);
+        assert!(said.contains("needs a current point"), "{lost}: {said}");
     }
 }
 

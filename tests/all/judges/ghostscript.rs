@@ -43,6 +43,13 @@ pub(crate) fn strokes_of(program: &str) -> Vec<Operator> {
     reported(&format!("{hooks}\n{program}\n"))
 }
 
+/// The paths that this program strokes or fills, in the coordinates that it begins with.
+pub(crate) fn painted_by(program: &str) -> Vec<Operator> {
+    let hooks = "/base matrix currentmatrix def /paint { gsave base setmatrix report grestore newpath } def \
+                 /stroke { paint } def /fill { paint } def /eofill { paint } def";
+    reported(&format!("{hooks}\n{program}\n"))
+}
+
 fn reported(program: &str) -> Vec<Operator> {
     let mut path = operators(&run(&format!(
         "/unit {UNIT} def\n{REPORT}{SCALE} dup scale\n{program}"
