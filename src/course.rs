@@ -1,5 +1,7 @@
 //! Lines and circular arcs: what machines and CAD draw exactly.
 
+mod rounding;
+
 use core::f64::consts::FRAC_PI_2;
 
 use kurbo::{Affine, PathSeg, Point, Vec2};
@@ -9,6 +11,7 @@ use crate::curve::Curve;
 use crate::number::Precision;
 use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Given, Outline};
+use rounding::rounded;
 
 /// By what part the radii of a circle may differ after a map that turns and scales it: its rounding, and a margin.
 const ROUND: f64 = 1e-12;
@@ -123,10 +126,9 @@ impl CircularArc {
     /// The arc with its end and its centre rounded.
     #[must_use]
     pub fn rounded(&self, precision: Precision) -> Self {
-        let round = |p: Point| Point::new(precision.round(p.x), precision.round(p.y));
         Self {
-            to: round(self.to),
-            center: round(self.center),
+            to: rounded(self.to, precision),
+            center: rounded(self.center, precision),
             ..*self
         }
     }
@@ -191,7 +193,7 @@ impl Course {
     /// The course with its points rounded, centres too.
     #[must_use]
     pub fn rounded(&self, precision: Precision) -> Self {
-        let round = |p: Point| Point::new(precision.round(p.x), precision.round(p.y));
+        let round = |p| rounded(p, precision);
         let step = |step: &Step| match *step {
             Step::Line(to) => Step::Line(round(to)),
             Step::Arc(arc) => Step::Arc(arc.rounded(precision)),
@@ -306,6 +308,33 @@ mod tests {
         assert!(arc.is_circle());
         assert_eq!((start, arc.to), (Point::new(4.0, 2.0), start));
         assert_eq!(arc.center, Point::new(1.0, 2.0));
+    }
+
+    #[test]
+    fn a_rounded_arc_strays_no_farther_than_is_stated() {
+        let ends = (Point::new(0.1, 0.2), Point::new(7.3, -4.4));
+        let by_bulge = |bulge| from_bulge(ends.0, ends.1, bulge).unwrap();
+        let shapes = [0.3, -1.0, 2.7].map(by_bulge);
+        for shape in shapes.into_iter().chain([quarter()]) {
+            let map = Affine::translate((0.37, 0.41)) * Affine::scale(1.27);
+            let outline = shape.outline().unwrap().transformed(map).unwrap();
+            let course = Course::of_arc(&outline).unwrap();
+            let (rounded, moved) = course.rounded_for_cad(Precision::Fixed(0)).unwrap();
+            let (Step::Arc(old), Step::Arc(new)) = (course.steps[0], rounded.steps[0]) else {
+                panic!("{rounded:?}")
+            };
+            assert!(new.point(0.0).distance(rounded.start) < 1e-12);
+            assert!(new.point(1.0).distance(new.to) < 1e-12);
+            let off = |i: u32| {
+                let part = f64::from(i) / 100.0;
+                old.point(part).distance(new.point(part))
+            };
+            let farthest = (0..=100).map(off).fold(0.0, f64::max);
+            assert!(
+                farthest <= moved && farthest > 0.3 * moved,
+                "{farthest} {moved}"
+            );
+        }
     }
 
     #[test]

@@ -60,6 +60,15 @@ impl Precision {
         }
     }
 
+    /// That of angles in degrees beside lengths of this one: two decimals more.
+    #[must_use]
+    pub(crate) const fn of_angles(self) -> Self {
+        match self {
+            Self::Full => Self::Full,
+            Self::Fixed(decimals) => Self::Fixed(decimals.saturating_add(2)),
+        }
+    }
+
     /// Appends `x` to `out`, by [`push_shortest`] or [`push_fixed`].
     #[inline]
     pub fn push(self, out: &mut Vec<u8>, x: f64) {

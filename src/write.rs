@@ -46,6 +46,7 @@ use crate::picture::scene::Scene;
 use crate::picture::size::Size;
 use crate::picture::style::Style;
 use crate::picture::words;
+use crate::shape::Outline;
 use dxf::Trace;
 
 /// The most segments beside which joints, handles and the deviation are shown.
@@ -96,9 +97,10 @@ pub struct Options {
     pub style: Style,
     /// Whether path data is relative.
     pub relative: bool,
-    /// Whether DXF gets circular arcs themselves in place of the Béziers, with all digits.
+    /// Whether DXF gets circular arcs themselves in place of the Béziers.
     pub exact: bool,
-    /// How G-code is rounded; `None` moves no point by more than a millionth of the size.
+    /// How G-code is rounded, and arcs themselves in DXF. With `None` G-code moves no point by more than a millionth of the size, and
+    /// such arcs have all digits.
     pub precision: Option<Precision>,
     /// How fast G-code moves, in units a minute.
     pub feed: Option<f64>,
@@ -109,6 +111,13 @@ pub struct Options {
 }
 
 impl Options {
+    /// The arc that DXF gets itself in place of the Béziers, and how far rounding moves it.
+    #[must_use]
+    pub fn arc_itself(&self, outline: &Outline) -> Option<(Course, f64)> {
+        let course = self.exact.then(|| Course::of_arc(outline)).flatten()?;
+        course.rounded_for_cad(self.precision.unwrap_or(Precision::Full))
+    }
+
     /// Those of G-code.
     fn gcode(&self, figure: &Figure) -> gcode::Options {
         let exact = self.room.map(Closeness::exact);
@@ -237,12 +246,9 @@ fn traces<'a>(figure: &'a Figure, options: &Options) -> Vec<(Option<&'a str>, Tr
         let name = layer.class.or(layer.id.as_deref());
         layer.curves.iter().map(move |curve| (name, curve))
     });
-    let exact = |number: usize| {
-        let outline = options.exact.then(|| figure.truth(number)).flatten()?;
-        Course::of_arc(outline)
-    };
+    let exact = |number: usize| options.arc_itself(figure.truth(number)?);
     let trace = |(i, (class, curve))| {
-        let trace = exact(i).map_or(Trace::Curve(curve), Trace::Course);
+        let trace = exact(i).map_or(Trace::Curve(curve), |(course, _)| Trace::Course(course));
         (class, trace)
     };
     curves.enumerate().map(trace).collect()

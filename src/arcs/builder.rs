@@ -28,9 +28,6 @@ use crate::shape::{Arc, Given, Shape};
 /// How many decimals more a radius may have than the points, where these are not enough for it.
 const MORE_DECIMALS: u8 = 8;
 
-/// How many decimals more than lengths angles in degrees have.
-const DECIMALS_OF_ANGLES: u8 = 2;
-
 /// How many times as far as a point the rounding of its centre moves an arc, at most.
 const MOVED_AGAIN: f64 = 4.0;
 
@@ -214,10 +211,7 @@ impl Builder<'_> {
         let mut best: Option<(SvgArc, Arc, f64)> = None;
         for precision in precisions {
             let round = |x| precision.round(x);
-            let turned = match *precision {
-                Precision::Fixed(decimals) => Precision::Fixed(decimals + DECIMALS_OF_ANGLES),
-                Precision::Full => Precision::Full,
-            };
+            let turned = precision.of_angles();
             let given = SvgArc {
                 from: self.at,
                 radii: Vec2::new(round(like.radii.x), round(like.radii.y)),

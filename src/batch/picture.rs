@@ -14,6 +14,7 @@ use crate::course::Course;
 use crate::error::{Error, FormatError, Remedy, Result};
 use crate::joints::Cut;
 use crate::method::Rule;
+use crate::number::Precision;
 use crate::picture::figure::{Approximated, Figure, Layer};
 use crate::shape::Shape;
 use crate::write::dxf::{self, Trace};
@@ -207,6 +208,14 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<LineDrawi
             (drawing.curves().cloned().collect(), peak, truths, courses)
         }
     };
+    let (courses, moved) = courses
+        .and_then(|courses: Vec<Course>| rounded(&courses, options.precision))
+        .unzip();
+    // The error of what the file holds.
+    let peak = match moved {
+        Some(moved) if options.format == Format::Dxf => moved,
+        _ => peak,
+    };
     let layer = Layer {
         curves,
         joined: true,
@@ -220,6 +229,16 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<LineDrawi
         truths,
         courses,
     }))
+}
+
+/// Courses as DXF holds them, and how far rounding moves them at most.
+fn rounded(courses: &[Course], precision: Option<Precision>) -> Option<(Vec<Course>, f64)> {
+    let precision = precision.unwrap_or(Precision::Full);
+    let rounded = courses
+        .iter()
+        .map(|course| course.rounded_for_cad(precision));
+    let (courses, moved): (_, Vec<f64>) = rounded.collect::<Option<Vec<_>>>()?.into_iter().unzip();
+    Some((courses, moved.into_iter().fold(0.0, f64::max)))
 }
 
 /// Whether a contour is lines and circular arcs.

@@ -102,6 +102,9 @@ pub(super) fn run(args: &BatchArgs) -> Outcome {
     args.talk.state(|| {
         let lines = counted(lines as usize, "line");
         let within = worst.map(|(line, peak)| {
+            if peak == 0.0 {
+                return "; each is exact".to_owned();
+            }
             let peak = compact(rounded_up(peak, 3), 3);
             format!("; each within {peak} of its true shape, the farthest on line {line}")
         });

@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use curveto::course::Course;
+use curveto::picture::words::within;
 use curveto::write::{Format, Image, Options, Writable, write};
 
 use super::args::OutputArgs;
@@ -41,10 +41,10 @@ pub(crate) fn write_drawn(
 
 /// What was written and how closely: an arc that a format has itself is not the curve that approximates it.
 fn stated(work: &impl Writable, format: Format, options: &Options, bytes: &[u8]) -> String {
-    let is_exact = || {
+    let itself = || {
         let figure = work.figure();
-        let arc = figure.truth(0).and_then(Course::of_arc);
-        (options.exact && arc.is_some()).then_some(figure.title)
+        let (_, moved) = options.arc_itself(figure.truth(0)?)?;
+        Some(format!("{}, {}", figure.title, within(moved)))
     };
     match format {
         // Its first line is a comment that says so.
@@ -56,7 +56,7 @@ fn stated(work: &impl Writable, format: Format, options: &Options, bytes: &[u8])
             let text = String::from_utf8_lossy(first);
             text.trim_matches(['(', ')']).to_owned()
         }
-        Format::Dxf => is_exact().map_or_else(|| work.summary(), |title| title + ", exact"),
+        Format::Dxf => itself().unwrap_or_else(|| work.summary()),
         _ => work.summary(),
     }
 }

@@ -50,7 +50,8 @@ pub(crate) fn path_summary(drawing: &PathDrawing) -> String {
 }
 
 /// How closely a path was drawn, the figure rounded up.
-pub(super) fn within(error: f64) -> String {
+#[must_use]
+pub fn within(error: f64) -> String {
     if error == 0.0 {
         "exact".to_owned()
     } else {

@@ -30,6 +30,9 @@ const FIRST_LAYER: &str = "0";
 /// Decimals of a bulge: it is computed to one or two units of the last place of 1.
 const BULGE_DECIMALS: u8 = 15;
 
+/// An angle of more decimals is not given in so many.
+const FEW_DECIMALS: u8 = 10;
+
 /// What an entity, or several of them, draw.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Trace<'a> {
@@ -242,8 +245,12 @@ impl Tags {
                 self.tag(100, "AcDbArc");
                 // Always counter-clockwise.
                 let (start, sweep) = (arc.start.degrees(), arc.sweep.degrees());
-                self.real(50, within_a_turn(start.min(start + sweep)));
-                self.real(51, within_a_turn(start.max(start + sweep)));
+                for (code, angle) in [
+                    (50, start.min(start + sweep)),
+                    (51, start.max(start + sweep)),
+                ] {
+                    self.real(code, without_noise(within_a_turn(angle)));
+                }
             }
             steps => self.polyline(layer, course, steps),
         }
@@ -288,6 +295,16 @@ impl Tags {
                 self.real(42, bulge);
             }
         }
+    }
+}
+
+/// The number of few decimals that an angle within a turn is but for the noise of sums.
+fn without_noise(angle: f64) -> f64 {
+    let few = round(angle, FEW_DECIMALS);
+    if (few - angle).abs() <= 2.0 * 360.0 * f64::EPSILON {
+        few
+    } else {
+        angle
     }
 }
 

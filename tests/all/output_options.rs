@@ -1,6 +1,83 @@
 //! Options of output: the last one counts, colours of CSS level 4, sizes with units.
 
-use crate::judges::program::{drawn_text as printed, printed as printed_by};
+use crate::judges::program::{drawn_text as printed, piped, printed as printed_by};
+
+/// The values of these codes of all entities of a DXF file.
+fn values_of_dxf(file: &str, codes: &[&str]) -> Vec<f64> {
+    let (_, entities) = file.split_once("ENTITIES").unwrap();
+    let lines: Vec<&str> = entities
+        .split("ENDSEC")
+        .next()
+        .unwrap()
+        .lines()
+        .map(str::trim)
+        .collect();
+    let pairs = lines[1..].chunks_exact(2);
+    let wanted = pairs.filter(|pair| codes.contains(&pair[0]));
+    wanted.map(|pair| pair[1].parse().unwrap()).collect()
+}
+
+#[test]
+fn dxf_has_the_decimals_that_were_asked_for_and_states_its_error() {
+    let arc = ["arc", "12.34", "--sweep", "33.333", "-f", "dxf", "-v", "-p"];
+    let bulge = [
+        "arc", "--from", "0.3,0", "--to", "10,0.4", "--bulge", "0.25", "-f", "dxf", "-v", "-p",
+    ];
+    let batch = ["batch", "-f", "dxf", "-v", "-p"];
+    let codes = ["10", "20", "11", "21", "40", "42", "50", "51"];
+    for (words, input, decimals, values, stated) in [
+        (
+            &arc[..],
+            "",
+            "0",
+            &[0.0, 0.0, 12.0, 0.0, 33.33][..],
+            "within 0.341",
+        ),
+        (
+            &arc,
+            "",
+            "1",
+            &[0.0, 0.0, 12.3, 0.0, 33.333],
+            "within 0.04\n",
+        ),
+        (&arc, "", "auto", &[0.0, 0.0, 12.34, 0.0, 33.333], "exact"),
+        (&bulge, "", "0", &[0.0, 0.0, 0.25, 10.0, 0.0], "within 0.7"),
+        (
+            &batch,
+            "path M0.123 0L10.456 7",
+            "0",
+            &[0.0, 0.0, 10.0, 7.0],
+            "within 0.456 ",
+        ),
+        (
+            &batch,
+            "path M0.123 0L10.456 7",
+            "3",
+            &[0.123, 0.0, 10.456, 7.0],
+            "exact",
+        ),
+        (
+            &batch,
+            "arc 0 0 12.34 0 33.333",
+            "0",
+            &[0.0, 0.0, 12.0, 0.0, 33.33],
+            "within 0.341 ",
+        ),
+        (
+            &batch,
+            "arc 0 0 12.34 0 33.333",
+            "auto",
+            &[0.0, 0.0, 12.34, 0.0, 33.333],
+            "exact",
+        ),
+    ] {
+        let output = piped(&[words, &[decimals]].concat(), input.as_bytes());
+        let file = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(values_of_dxf(&file, &codes), values, "{words:?} {decimals}");
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains(stated), "{words:?} {decimals}: {said}");
+    }
+}
 
 #[test]
 fn the_last_of_a_flag_given_twice_counts() {
