@@ -6,6 +6,7 @@ mod builder;
 mod chain;
 mod chords;
 mod diameters;
+mod even;
 mod fit;
 mod form;
 mod from_chord;

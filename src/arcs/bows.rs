@@ -209,7 +209,7 @@ impl Builder<'_> {
         while !rest.is_empty() {
             let joint = rest.windows(2).position(|pair| !self.runs_on(pair));
             let (smooth, others) = rest.split_at(joint.map_or(rest.len(), |i| i + 1));
-            for span in spans(smooth, &rules, room) {
+            for span in spans(smooth, &rules, room, self.options.tolerance.is_some()) {
                 self.span(&span, strayed)?;
             }
             rest = others;
@@ -227,10 +227,11 @@ impl Builder<'_> {
 }
 
 /// What smooth cubics become: those that were drawn as arcs such, unless that makes more of them; arcs of ellipses, unless circular ones
-/// are fewer.
-fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Stretch<'a>> {
-    let spans = spans_alike(chain, rules, room);
-    if !is_one_shape(&spans)
+/// are fewer. A circle may take arcs more than it needs so that they have its radius, unless the fewest are asked for.
+fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64, fewest: bool) -> Vec<Stretch<'a>> {
+    let is_enough = |spans: &[Stretch<'_>]| is_one_shape(spans) && !(fewest && spans.len() > 2);
+    let spans = spans_alike(chain, rules, room, &is_enough);
+    if !is_enough(&spans)
         && let Some([a, b]) = turn::whole(chain, rules)
     {
         let (first, second) = chain.split_at(a.count);
@@ -241,7 +242,7 @@ fn spans<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Stretch<'a>
             elliptic: false,
             ..*rules
         };
-        let circular = spans_alike(chain, &rules, room);
+        let circular = spans_alike(chain, &rules, room, &is_enough);
         if circular.len() < spans.len() {
             return circular;
         }
@@ -262,7 +263,12 @@ fn is_one_shape(spans: &[Stretch<'_>]) -> bool {
     spans.iter().all(is_like_first)
 }
 
-fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Stretch<'a>> {
+fn spans_alike<'a>(
+    chain: &'a [CubicBez],
+    rules: &Rules,
+    room: f64,
+    is_enough: &impl Fn(&[Stretch<'_>]) -> bool,
+) -> Vec<Stretch<'a>> {
     let mut search = Search::new(room, rules.elliptic);
     let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
     while at < chain.len() {
@@ -294,7 +300,7 @@ fn spans_alike<'a>(chain: &'a [CubicBez], rules: &Rules, room: f64) -> Vec<Stret
     }
     let pieces = search.pieces(&chain[free..], MOST_SEGMENTS);
     spans.extend(pieces.into_iter().map(Stretch::Fitted));
-    if drawn > 0 && spans.len() > 1 && !is_one_shape(&spans) {
+    if drawn > 0 && spans.len() > 1 && !is_enough(&spans) {
         let fewer = search.pieces(chain, spans.len());
         if fewer.len() < spans.len() {
             spans = fewer.into_iter().map(Stretch::Fitted).collect();

@@ -94,7 +94,8 @@ impl Search {
 
     /// The pieces of a chain, no more than one above `most`; with arcs of ellipses where these make fewer.
     pub(super) fn pieces(&mut self, cubics: &[CubicBez], most: usize) -> Vec<Fitted> {
-        let circular = self.walk(cubics, most, false);
+        let walked = self.walk(cubics, most, false);
+        let circular = self.even(cubics, walked.len()).unwrap_or(walked);
         if self.elliptic && circular.len() > 1 {
             let mixed = self.walk(cubics, circular.len() - 1, true);
             if mixed.len() < circular.len() {
@@ -269,7 +270,7 @@ impl Search {
     }
 
     /// The piece between two parameters, or its bound where that is too far.
-    fn attempt(&mut self, chain: &Chain<'_>, from: f64, to: f64) -> Result<Fitted, f64> {
+    pub(super) fn attempt(&mut self, chain: &Chain<'_>, from: f64, to: f64) -> Result<Fitted, f64> {
         let parts = chain.between(from, to);
         let mut least = f64::INFINITY;
         for points in [POINTS, MANY_POINTS] {

@@ -7,7 +7,7 @@ use curveto::kurbo::{CubicBez, ParamCurve, Point, Vec2};
 use proptest::prelude::*;
 
 use crate::judges::independent::{P, Segment, segments};
-use crate::judges::program::{json, printed, run};
+use crate::judges::program::{json, printed, run, words as program_words};
 use crate::judges::random::uniform;
 use crate::judges::way_back::apart;
 
@@ -110,6 +110,52 @@ fn arcs_are_as_few_as_dynamic_programming_finds() {
                 found <= optimum,
                 "{numbers:?} {tolerance}: {found}, not {optimum}"
             );
+        }
+    }
+}
+
+#[test]
+fn what_serves_a_tolerance_serves_a_larger_one() {
+    for (words, tolerances, fewest) in [
+        // The radius of the first cubic alone is another one than that of the circle.
+        (
+            "circle 12 --center 12,12 -m chen-3 -n 8 -p 3",
+            &["0.009", "0.0095", "0.01", "0.0115"][..],
+            2,
+        ),
+        (
+            "circle 10 -m chen-3 -n 12 -p 3",
+            &["0.0016", "0.00174", "0.00185"],
+            2,
+        ),
+        // Four arcs have the round radius where two have another one.
+        (
+            "circle 10 -n 6 -p 3",
+            &["0.00035", "0.0004", "0.0005", "0.0006"],
+            2,
+        ),
+        (
+            "circle 7.5 --center 3,4 -n 5 -p 2",
+            &["0.003", "0.0035", "0.0045", "0.005"],
+            2,
+        ),
+        // Parts of a turn that are near enough where shorter ones are not.
+        (
+            "circle 12 --center 12,12 -n 10 -p 3",
+            &["0.0003016", "0.0003348", "0.00037"],
+            3,
+        ),
+        (
+            "circle 50 --center 50,50 -n 10 -p 3",
+            &["0.0002", "0.00022", "0.0003"],
+            2,
+        ),
+    ] {
+        let circle = printed(&program_words(words));
+        for tolerance in tolerances {
+            let arcs = printed(&["path", &circle, "--to", "arcs", "-t", tolerance]);
+            let found = arcs.matches(['A', 'L']).count();
+            assert!(found <= fewest, "{words}, -t {tolerance}: {found}");
         }
     }
 }
