@@ -37,6 +37,7 @@ pub(super) fn check_segments(counts: &[usize]) -> Result<(), Failure> {
 
 pub(super) fn run(args: &CompareArgs) -> Outcome {
     check_segments(&args.segments)?;
+    args.check_quadrature()?;
     let target = args.output.target();
     let format = choose(args.format, args.output.path())?;
     args.check_size(format)?;

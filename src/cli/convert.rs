@@ -66,7 +66,11 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
     if reports.iter().any(FileReport::is_closed_pipe) {
         return Ok(ExitCode::SUCCESS);
     }
-    report::tell(&reports, args.report, args.talk, args.goes_back());
+    let way = report::Way {
+        back: args.goes_back(),
+        only_checks: args.destination.check,
+    };
+    report::tell(&reports, args.report, args.talk, way);
     if let Some(signal) = signals::heard() {
         let (done, all) = (reports.len(), jobs.len());
         tell(&format!(

@@ -31,17 +31,15 @@ pub(super) fn run<S: ShapeWords + Args>(args: &Draw<S>) -> Outcome {
     let is_gcode = format == Format::Gcode;
     let asked = started(shape, approximation.cut())?;
     // G-code has the arc itself: how one would approximate it says nothing.
-    let cut = if is_gcode {
-        Cut::Quarters
+    let (rule, cut) = if is_gcode {
+        approximation.only_tolerance("G-code has the arc itself, which follows")?;
+        refuse_open(shape, "G-code has no closing operator")?;
+        (Rule::default(), Cut::Quarters)
     } else {
-        asked.clone()
+        (approximation.rule()?, asked.clone())
     };
     let options = Options {
-        rule: if is_gcode {
-            Rule::default()
-        } else {
-            approximation.rule()?
-        },
+        rule,
         cut,
         precision: output.rounding(format),
         transform: output.transform(),
@@ -61,6 +59,17 @@ pub(super) fn run<S: ShapeWords + Args>(args: &Draw<S>) -> Outcome {
             .note("the arc has no length, so that nothing is drawn");
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Refuses `--open` where it has nothing to say.
+pub(super) fn refuse_open(shape: &impl ShapeWords, why: &str) -> Result<(), Failure> {
+    if shape.open() {
+        return Err(Failure::request_with_hint(
+            format!("{why}, so that --open has nothing to say"),
+            "leave it out",
+        ));
+    }
+    Ok(())
 }
 
 /// The drawing of a shape that was asked for.

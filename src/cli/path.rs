@@ -69,7 +69,9 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
         }
         kind @ (PathKind::Lines | PathKind::Arcs) => {
             let options = arcs::Options {
-                tolerance: args.only_tolerance()?,
+                tolerance: args
+                    .approximation
+                    .only_tolerance("lines and circular arcs follow")?,
                 precision,
                 transform,
                 elliptic,

@@ -17,14 +17,39 @@ const SAME_POINT: f64 = 1e-9;
 /// The most decimals that coefficients are taken to have been printed with.
 const MOST_DECIMALS: u8 = 12;
 
-/// What may hold coefficients: the JSON of a drawing, of a path, or of segments alone.
+/// What may hold coefficients: the JSON of a drawing, of a path, of a sphere, or of segments alone.
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Coefficients {
-    Path { subpaths: Vec<ChainCoefficients> },
+    Path {
+        subpaths: Vec<ChainCoefficients>,
+    },
     Drawing(ChainCoefficients),
+    Sphere {
+        outline: Option<ChainCoefficients>,
+        #[serde(default)]
+        back: Vec<ChainCoefficients>,
+        front: Vec<ChainCoefficients>,
+    },
     Segments(Vec<SegmentCoefficients>),
     Segment(SegmentCoefficients),
+}
+
+impl Coefficients {
+    /// The chains, in the order of the path data.
+    fn chains(self) -> Vec<ChainCoefficients> {
+        match self {
+            Self::Path { subpaths } => subpaths,
+            Self::Drawing(chain) => vec![chain],
+            Self::Sphere {
+                outline,
+                back,
+                front,
+            } => outline.into_iter().chain(back).chain(front).collect(),
+            Self::Segments(segments) => vec![open(segments)],
+            Self::Segment(segment) => vec![open(vec![segment])],
+        }
+    }
 }
 
 #[derive(Deserialize)]
@@ -48,8 +73,8 @@ struct CubicCoefficients {
     y: [f64; 4],
 }
 
-/// The contours of equation-space coefficients: of every segment's `power` in the JSON that this program prints of a drawing or a
-/// path, or of `{"x": [A,B,C,D], "y": [E,F,G,H]}`, alone or in an array. Segments without a third power are quadratics, those
+/// The contours of equation-space coefficients: of every segment's `power` in the JSON that this program prints of drawings, a path or a
+/// sphere, or of `{"x": [A,B,C,D], "y": [E,F,G,H]}`, alone or in an array. Segments without a third power are quadratics, those
 /// without a second one too are lines.
 ///
 /// # Errors
@@ -71,21 +96,21 @@ pub fn contours_of_power(json: &str) -> Result<Vec<Contour>> {
         why,
     };
     // Broken JSON first, whose place is known; then JSON of another form.
-    let value: serde_json::Value =
-        serde_json::from_str(json).map_err(|e| wrong(in_plain_words(&e), column(json, &e)))?;
-    let document = Coefficients::deserialize(value).map_err(|_| {
-        let form = r#"they are JSON of this program with "power" in every segment, or {"x": [A,B,C,D], "y": [E,F,G,H]}"#;
-        wrong(form.to_owned(), 1)
-    })?;
-    let chains = match document {
-        Coefficients::Path { subpaths } => subpaths,
-        Coefficients::Drawing(chain) => vec![chain],
-        Coefficients::Segments(segments) => vec![open(segments)],
-        Coefficients::Segment(segment) => vec![open(vec![segment])],
-    };
+    let broken = |e: serde_json::Error| wrong(in_plain_words(&e), column(json, &e));
+    let values = serde_json::Deserializer::from_str(json).into_iter::<serde_json::Value>();
+    let mut values = values.collect::<Result<Vec<_>, _>>().map_err(broken)?;
+    if values.is_empty() {
+        values.push(serde_json::from_str(json).map_err(broken)?);
+    }
     let mut contours = Vec::new();
-    for chain in &chains {
-        push_contours(&mut contours, chain)?;
+    for value in values {
+        let document = Coefficients::deserialize(value).map_err(|_| {
+            let form = r#"they are JSON of this program with "power" in every segment, or {"x": [A,B,C,D], "y": [E,F,G,H]}"#;
+            wrong(form.to_owned(), 1)
+        })?;
+        for chain in &document.chains() {
+            push_contours(&mut contours, chain)?;
+        }
     }
     Ok(contours)
 }

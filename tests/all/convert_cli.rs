@@ -132,6 +132,17 @@ fn folders_are_converted_in_place_and_what_has_nothing_to_do_is_not_touched() {
     assert_eq!(read(&folder, "in/readme.txt"), CIRCLE);
 }
 
+#[test]
+fn a_check_says_what_would_be_replaced() {
+    let folder = tree();
+    let output = curveto(folder.path(), &["--check", "in/a.svg", "-v"]);
+    assert_eq!(
+        text(&output.stderr).lines().last(),
+        Some("in/a.svg: 1 circle would be replaced, within 9.85e-4 of the true shapes")
+    );
+    assert_eq!(read(&folder, "in/a.svg"), CIRCLE);
+}
+
 #[cfg(unix)]
 #[test]
 fn in_place_keeps_the_mode() {

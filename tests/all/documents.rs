@@ -7,7 +7,7 @@ use curveto::{Method, method::Span};
 use serde_json::Value;
 
 use crate::judges::ghostscript;
-use crate::judges::program::{json, number, printed, refused, shell, words};
+use crate::judges::program::{json, number, piped, printed, refused, shell, words};
 
 #[test]
 fn samples_are_the_points_of_the_curve_beside_the_circle() {
@@ -252,6 +252,17 @@ fn coefficients_lead_back_to_the_points_that_they_came_from() {
             assert!((a - b).abs() <= 1e-15 * largest * 4.0, "{shape:?}: {a} {b}");
         }
     }
+    // Several drawings, one a line, and the lines of a sphere.
+    let lines = piped(&["batch", "-f", "json"], b"circle 0 0 5\narc 0 0 8 0 90");
+    std::fs::write(&file, &lines.stdout).unwrap();
+    let both = printed(&["path", "--power", file.to_str().unwrap(), "-p", "4"]);
+    assert_eq!(both.matches(['M', 'Z']).count(), 3, "{both}");
+    let sphere = ["sphere", "5", "--meridians", "4", "--parallels", "1"];
+    std::fs::write(&file, printed(&[&sphere[..], &["-f", "json"]].concat())).unwrap();
+    assert_eq!(
+        printed(&["path", "--power", file.to_str().unwrap(), "-p", "4"]),
+        printed(&[&sphere[..], &["-p", "4"]].concat())
+    );
     // Few decimals come back digit for digit.
     let path = printed(&["circle", "50", "-p", "6"]);
     std::fs::write(&file, printed(&["circle", "50", "-p", "6", "-f", "json"])).unwrap();

@@ -1,6 +1,6 @@
 //! What a person types in the first hour, and the words that tell what to do next.
 
-use crate::judges::program::{self, refused, run};
+use crate::judges::program::{self, printed, refused, run, words as program_words};
 
 /// A command, and what its message has to hold.
 const MISTAKES: [(&str, &str); 195] = [
@@ -375,6 +375,46 @@ const FOREIGN: [&str; 9] = [
     "expected struct",
     "panicked",
 ];
+
+#[test]
+fn flags_with_nothing_to_say_are_refused() {
+    for (words, said) in [
+        (
+            "compare -m minimax --quadrature gauss2",
+            "minimax integrates no arc length",
+        ),
+        (
+            "circle 5 --handle 0.55 --quadrature gauss2",
+            "a literal handle integrates no arc length",
+        ),
+        (
+            "circle 5 --handle 0.55 --stop 1e-3",
+            "a literal handle iterates no arc length",
+        ),
+        (
+            "ellipse 5 3 --joints 0,90,180 --adaptive",
+            "cannot be used with",
+        ),
+        (
+            "measure circle 5 --samples 3 --coordinate-tolerance 1",
+            "cannot be used with",
+        ),
+        ("measure circle 5 --open", "--open has nothing to say"),
+        ("circle 5 -f gcode -m chen-3", "only -t has a say"),
+        ("circle 5 -f gcode -n 7", "only -t has a say"),
+        ("circle 5 -f gcode -t 0.1 --extremes", "only -t has a say"),
+        ("circle 5 -f gcode --open", "--open has nothing to say"),
+    ] {
+        let message = refused(&program_words(words));
+        assert!(message.contains(said), "{words}: {message}");
+    }
+    for words in [
+        "compare -m minimax,chen-2 --quadrature gauss2",
+        "circle 5 -f gcode -t 0.1",
+    ] {
+        printed(&program_words(words));
+    }
+}
 
 #[test]
 fn a_mistake_of_the_first_hour_is_answered_by_what_to_do() {

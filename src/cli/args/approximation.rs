@@ -30,7 +30,12 @@ pub(crate) struct ApproximationArgs {
     #[arg(long, value_name = "K", hide_short_help = true, value_parser = values::number, allow_hyphen_values = true, conflicts_with = "method")]
     handle: Option<f64>,
     /// With -n on an ellipse: joints that equalise the true error instead of equal angles
-    #[arg(long, requires = "segments", hide_short_help = true)]
+    #[arg(
+        long,
+        requires = "segments",
+        conflicts_with = "joints",
+        hide_short_help = true
+    )]
     adaptive: bool,
     /// Joints at every horizontal and vertical extreme
     ///
@@ -99,6 +104,17 @@ impl ApproximationArgs {
     }
 
     fn rule_of(&self, method: Method) -> Result<Rule, Failure> {
+        let iteration = Iteration {
+            quadrature: self.quadrature,
+            stop: self.stop.unwrap_or(0.0),
+        };
+        if iteration != Iteration::default() {
+            return match (self.handle, method) {
+                (None, Method::Chen2) => Ok(Rule::Chen2(iteration)),
+                (None, _) => Err(no_arc_length(method.id(), self.stop.is_some())),
+                (Some(_), _) => Err(no_arc_length("a literal handle", self.stop.is_some())),
+            };
+        }
         if let Some(k) = self.handle {
             return if k.abs() <= LARGEST_HANDLE {
                 Ok(Rule::Handle(k))
@@ -108,22 +124,19 @@ impl ApproximationArgs {
                 )))
             };
         }
-        let iteration = Iteration {
-            quadrature: self.quadrature,
-            stop: self.stop.unwrap_or(0.0),
-        };
-        match method {
-            _ if iteration == Iteration::default() => Ok(Rule::Method(method)),
-            Method::Chen2 => Ok(Rule::Chen2(iteration)),
-            _ if self.stop.is_some() => Err(Failure::request_with_hint(
-                format!("{method} iterates no arc length, so that --stop has nothing to say"),
-                "--stop goes with -m chen-2; an arc ends at its --end",
-            )),
+        Ok(Rule::Method(method))
+    }
+
+    /// The tolerance of what is no Bézier, such as lines; refuses what only Béziers have.
+    pub(crate) fn only_tolerance(&self, what: &str) -> Result<Option<Tolerance>, Failure> {
+        match self.cut() {
+            Cut::Tolerance(tolerance) if self.has_default_rule() && !self.extremes => {
+                Ok(Some(tolerance))
+            }
+            Cut::Quarters if self.has_default_rule() && !self.extremes => Ok(None),
             _ => Err(Failure::request_with_hint(
-                format!(
-                    "{method} integrates no arc length, so that --quadrature has nothing to say"
-                ),
-                "--quadrature gauss2 goes with -m chen-2",
+                format!("{what} no method of Béziers: of these options only -t has a say"),
+                "-t gives the distance from what was given",
             )),
         }
     }
@@ -172,4 +185,20 @@ impl ApproximationArgs {
             Cut::Count(count)
         }
     }
+}
+
+/// Why a choice of how arc length is found has no say beside what finds none.
+pub(crate) fn no_arc_length(name: &str, is_stop: bool) -> Failure {
+    let (why, hint) = if is_stop {
+        (
+            "iterates no arc length, so that --stop",
+            "--stop goes with -m chen-2; an arc ends at its --end",
+        )
+    } else {
+        (
+            "integrates no arc length, so that --quadrature",
+            "--quadrature gauss2 goes with -m chen-2",
+        )
+    };
+    Failure::request_with_hint(format!("{name} {why} has nothing to say"), hint)
 }

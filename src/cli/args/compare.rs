@@ -8,6 +8,7 @@ use curveto::picture::size::Size;
 use curveto::write::Image;
 use curveto::{Angle, Method, Rule};
 
+use super::approximation::no_arc_length;
 use super::values::{self, MethodList};
 use super::{FileArgs, QuietArgs};
 use crate::cli::failure::Failure;
@@ -122,6 +123,20 @@ impl CompareArgs {
                 formats::list::<Image>()
             ),
         ))
+    }
+
+    /// Refuses a quadrature that none of the methods has.
+    pub(crate) fn check_quadrature(&self) -> Result<(), Failure> {
+        let methods = || self.method.iter().flatten();
+        match methods().next() {
+            Some(first)
+                if self.quadrature == Quadrature::Gauss2
+                    && methods().all(|method| *method != Method::Chen2) =>
+            {
+                Err(no_arc_length(first.id(), false))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The rules of the methods.

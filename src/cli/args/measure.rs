@@ -170,7 +170,7 @@ pub(crate) struct ReportArgs {
     pub(crate) samples: Option<usize>,
     /// How far rounding may have moved each coordinate, in user units: jumps at joints that this explains do not count
     /// [default: four units in the last place of the largest coordinate]
-    #[arg(long, value_name = "D", hide_short_help = true, value_parser = values::number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", hide_short_help = true, value_parser = values::number, allow_hyphen_values = true, conflicts_with = "samples")]
     pub(crate) coordinate_tolerance: Option<f64>,
     /// Draw the quantity along the curve too
     ///

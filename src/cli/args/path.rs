@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Args, ValueEnum, ValueHint};
 use curveto::contour::Target;
-use curveto::{Cut, Method, Rule, Tolerance};
+use curveto::{Method, Rule};
 
 use super::{ApproximationArgs, OutputArgs};
 use crate::cli::failure::Failure;
@@ -13,6 +13,8 @@ use crate::cli::failure::Failure;
 #[command(
     // A path has many arcs: -n, -t and -m are for each of them.
     mut_arg("extremes", |arg| arg.hide(true)),
+    mut_arg("segments", |arg| arg.help("Exactly N segments for each arc, of equal parametric angle")),
+    mut_arg("tolerance", |arg| arg.long_help("The fewest segments within T of the path\n\nT is a distance in user units, or a percentage: of the larger radius of each arc, with --to quadratics for cubics of half the larger side of the box of their control points, with --to lines and --to arcs of half that of the subpath's box. The curve is judged as it is printed: where rounding takes a segment more, more decimals (-p) may save it.")),
     after_long_help = "Points that are given stay as they are unless -p or --transform changes them; what is computed is rounded as the arc with the smallest error needs it."
 )]
 pub(crate) struct PathArgs {
@@ -86,20 +88,6 @@ impl PathArgs {
             ));
         }
         Ok(self.elliptic)
-    }
-
-    /// The tolerance, where nothing else is asked for.
-    pub(crate) fn only_tolerance(&self) -> Result<Option<Tolerance>, Failure> {
-        match self.approximation.cut() {
-            Cut::Tolerance(tolerance) if self.approximation.has_default_rule() => {
-                Ok(Some(tolerance))
-            }
-            _ if self.approximation.is_silent() => Ok(None),
-            _ => Err(Failure::request_with_hint(
-                "lines and circular arcs follow no method of Béziers: of these options only -t has a say",
-                "-t gives the distance that they may have from the path",
-            )),
-        }
     }
 
     /// What gives the control points of arcs.

@@ -87,13 +87,22 @@ fn is_zero(distance: &f64) -> bool {
     *distance == 0.0
 }
 
+/// What was done to the files.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Way {
+    /// Whether Béziers became arcs.
+    pub(super) back: bool,
+    /// Whether nothing was written.
+    pub(super) only_checks: bool,
+}
+
 /// Tells about all files: errors and what was left, and with `--report` or `--verbose` the counts.
-pub(super) fn tell(reports: &[FileReport], form: Option<ReportForm>, talk: TalkArgs, back: bool) {
+pub(super) fn tell(reports: &[FileReport], form: Option<ReportForm>, talk: TalkArgs, way: Way) {
     // Where standard error is gone, nobody is left to tell.
     let _ = if form == Some(ReportForm::Json) {
         json(reports, &mut BufWriter::new(io::stderr().lock()))
     } else {
-        let counts = (form.is_some() || talk.verbose).then_some(back);
+        let counts = (form.is_some() || talk.verbose).then_some(way);
         let mut out = BufWriter::new(anstream::stderr().lock());
         text(reports, counts, !talk.notes.quiet, &mut out)
     };
@@ -121,10 +130,10 @@ fn json(reports: &[FileReport], out: &mut impl Write) -> io::Result<()> {
     writeln!(out)
 }
 
-/// `counts`: whether Béziers became arcs, where the counts are told.
+/// `counts`: what was done, where the counts are told.
 fn text(
     reports: &[FileReport],
-    counts: Option<bool>,
+    counts: Option<Way>,
     notes: bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
@@ -148,25 +157,25 @@ fn text(
                 "note: {file}:{line}:{column}: <{element}> is left: {reason}\n"
             ))?;
         }
-        if let Some(back) = counts.filter(|_| report.error.is_none()) {
-            let told = told(&report.replaced, report.strayed, back);
+        if let Some(way) = counts.filter(|_| report.error.is_none()) {
+            let told = told(&report.replaced, report.strayed, way);
             say(&format!("{file}: {told}\n"))?;
         }
     }
-    if let Some(back) = counts.filter(|_| reports.len() > 1) {
+    if let Some(way) = counts.filter(|_| reports.len() > 1) {
         let changed = reports.iter().filter(|report| report.changed).count();
         let strayed = reports
             .iter()
             .map(|report| report.strayed)
             .fold(0.0, f64::max);
-        let (files, told) = (reports.len(), told(&total(reports), strayed, back));
+        let (files, told) = (reports.len(), told(&total(reports), strayed, way));
         say(&format!("{changed} of {files} files: {told}\n"))?;
     }
     Ok(())
 }
 
 /// The counts in words, and how far what was made lies from what stood there.
-fn told(counts: &Counts, strayed: f64, back: bool) -> String {
+fn told(counts: &Counts, strayed: f64, way: Way) -> String {
     let words: Vec<String> = ElementKind::ALL
         .into_iter()
         .filter(|kind| counts.of(*kind) > 0)
@@ -185,9 +194,10 @@ fn told(counts: &Counts, strayed: f64, back: bool) -> String {
     }
     let within = compact(rounded_up(strayed, 3), 3);
     let words = words.join(", ");
-    if back {
-        format!("{words} made, within {within} of the curves")
+    let would = if way.only_checks { "would be " } else { "" };
+    if way.back {
+        format!("{words} {would}made, within {within} of the curves")
     } else {
-        format!("{words} replaced, within {within} of the true shapes")
+        format!("{words} {would}replaced, within {within} of the true shapes")
     }
 }
