@@ -74,6 +74,11 @@ pub(crate) fn of_plot(file: &Path) -> Result<Image, Failure> {
     })
 }
 
+/// The format of drawings that the extension of a file tells.
+pub(crate) fn of_extension(file: &Path) -> Option<Format> {
+    by_extension(&extension(file)?)
+}
+
 fn extension(file: &Path) -> Option<String> {
     let extension = file.extension()?.to_string_lossy().to_ascii_lowercase();
     (!extension.is_empty()).then_some(extension)

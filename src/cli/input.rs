@@ -6,9 +6,12 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use anyhow::Context;
-use curveto::document;
+use curveto::contour::Contour;
+use curveto::document::{self, Unread};
 use flate2::bufread::GzDecoder;
+use kurbo::Affine;
 
+use super::args::QuietArgs;
 use super::failure::Failure;
 
 /// The most that a command reads at once.
@@ -141,6 +144,34 @@ pub(crate) fn drawing(words: &OsStr) -> Result<(Vec<u8>, String), Failure> {
         "path data",
         "path data begins with a moveto, such as M0 0; - reads standard input",
     )?)
+}
+
+/// Whether a drawing is SVG.
+pub(crate) fn is_svg(bytes: &[u8]) -> bool {
+    bytes.trim_ascii_start().starts_with(b"<") || bytes.starts_with("\u{feff}<".as_bytes())
+}
+
+/// The paths and basic shapes of an SVG file that messages call so, each with its map; notes say what of it is not read.
+pub(crate) fn shapes(
+    svg: &[u8],
+    name: &str,
+    notes: QuietArgs,
+) -> Result<Vec<(Vec<Contour>, Affine)>, Failure> {
+    let drawing = document::svg_shapes(svg);
+    let drawing = drawing.map_err(|error| Failure::request(format!("{name}:{error}")))?;
+    for unread in &drawing.unread {
+        if let Unread::Entity(why) = unread {
+            return Err(Failure::request(format!(
+                "{name}: {why}: what it draws is not known"
+            )));
+        }
+        notes.note(&format!("{name}: {unread}"));
+    }
+    let shapes = drawing.paths.into_iter().map(|shape| {
+        let at = |error| Failure::request(format!("{name}:{}: {error}", shape.line));
+        shape.contours.map_err(at)
+    });
+    shapes.collect()
 }
 
 /// What a word on the command line holds itself, which messages call so.

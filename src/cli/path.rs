@@ -1,34 +1,62 @@
 //! `path`.
 
+use std::ffi::OsStr;
 use std::process::ExitCode;
 
 use curveto::Cut;
 use curveto::approximate::Options;
 use curveto::arcs;
-use curveto::contour::{Contour, Step, draw};
+use curveto::contour::{Contour, PathDrawing, Step, draw};
 use curveto::path::{contours, contours_of_power};
 use curveto::write::Format;
+use kurbo::Affine;
 
-use super::args::{PathArgs, PathKind};
+use super::args::{PathArgs, PathKind, QuietArgs};
 use super::failure::Failure;
 use super::output::write_drawn;
 use super::{Outcome, input};
 
-/// The contours of path data that messages call `name`; says what reads other files.
-fn read((data, name): &(String, String)) -> Result<Vec<Contour>, Failure> {
-    let hint = match data.trim_start().chars().next() {
-        Some('<') => {
-            "an SVG file goes through 'curveto convert'; 'curveto measure --file' measures its paths"
+/// Contours and the map that is to be applied to them.
+type Part = (Vec<Contour>, Affine);
+
+/// What is drawn by path data or by the shapes of an SVG file; says what reads other files.
+fn read(source: &OsStr, notes: QuietArgs) -> Result<Vec<Part>, Failure> {
+    let (bytes, name) = input::drawing(source)?;
+    if input::is_svg(&bytes) {
+        let parts = together(input::shapes(&bytes, &name, notes)?);
+        if parts.is_empty() {
+            return Err(Failure::request(format!("{name} has no path and no shape")));
         }
-        Some('%') => "'curveto diff' reads PostScript drawings",
-        _ => return contours(data).map_err(|error| input::named(name, error)),
-    };
-    contours(data).map_err(|error| input::named(name, error).with_hint(hint))
+        return Ok(parts);
+    }
+    let data = input::in_utf8(bytes, &name)?;
+    let contours = contours(&data).map_err(|error| {
+        let failure = input::named(&name, error);
+        if data.trim_start().starts_with('%') {
+            failure.with_hint("'curveto diff' reads PostScript drawings")
+        } else {
+            failure
+        }
+    });
+    Ok(vec![(contours?, Affine::IDENTITY)])
+}
+
+/// Shapes that follow one another with the same map as one part, whose points are rounded alike.
+fn together(shapes: Vec<Part>) -> Vec<Part> {
+    let mut parts: Vec<Part> = Vec::new();
+    for (contours, map) in shapes {
+        match parts.last_mut() {
+            Some((last, own)) if *own == map => last.extend(contours),
+            _ => parts.push((contours, map)),
+        }
+    }
+    parts
 }
 
 /// Refuses joints where there is no arc that could have them.
-fn check_joints(args: &PathArgs, contours: &[Contour]) -> Result<(), Failure> {
-    let mut steps = contours.iter().flat_map(|contour| &contour.steps);
+fn check_joints(args: &PathArgs, parts: &[Part]) -> Result<(), Failure> {
+    let contours = parts.iter().flat_map(|(contours, _)| contours);
+    let mut steps = contours.flat_map(|contour| &contour.steps);
     if let Cut::At(_) = args.approximation.cut()
         && !steps.any(|step| matches!(step, Step::Arc(_)))
     {
@@ -48,40 +76,27 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
             "draw each shape by itself, or leave it out",
         ));
     }
-    let elliptic = args.elliptic()?;
-    let contours = match &args.power {
-        Some(words) => contours_of_power(&input::coefficients(words)?)?,
-        None => read(&input::path_data(
-            args.source.as_deref().unwrap_or_default(),
-        )?)?,
+    let parts = match (&args.power, &args.source) {
+        (Some(words), _) => {
+            let contours = contours_of_power(&input::coefficients(words)?)?;
+            vec![(contours, Affine::IDENTITY)]
+        }
+        (None, source) => read(
+            source.as_deref().unwrap_or_default(),
+            args.output.talk.notes,
+        )?,
     };
-    check_joints(args, &contours)?;
-    let (precision, transform) = (args.output.rounding(format), args.output.transform());
-    let mut drawing = match args.kind() {
-        PathKind::Beziers(target) => {
-            let options = Options {
-                rule: args.rule()?,
-                cut: args.approximation.cut(),
-                precision,
-                transform,
-            };
-            draw(&contours, target, &options)?
+    check_joints(args, &parts)?;
+    let mut whole: Option<PathDrawing> = None;
+    for part in &parts {
+        let drawing = drawn(args, format, part)?;
+        match &mut whole {
+            Some(whole) => whole.subpaths.extend(drawing.subpaths),
+            None => whole = Some(drawing),
         }
-        kind @ (PathKind::Lines | PathKind::Arcs) => {
-            let options = arcs::Options {
-                tolerance: args
-                    .approximation
-                    .only_tolerance("lines and circular arcs follow")?,
-                precision,
-                transform,
-                elliptic,
-                rounds_again: format == Format::Gcode,
-            };
-            match kind {
-                PathKind::Arcs => arcs::arcs(&contours, &options)?,
-                _ => arcs::lines(&contours, &options)?,
-            }
-        }
+    }
+    let Some(mut drawing) = whole else {
+        return Ok(ExitCode::SUCCESS);
     };
     if args.open {
         for subpath in &mut drawing.subpaths {
@@ -94,4 +109,36 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
     let manner = args.output.options(format)?;
     write_drawn(&drawing, format, &manner, &args.output)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A part as what it is to become.
+fn drawn(args: &PathArgs, format: Format, (contours, map): &Part) -> Result<PathDrawing, Failure> {
+    let elliptic = args.elliptic()?;
+    let precision = args.output.rounding(format);
+    let transform = args.output.transform() * *map;
+    let target = match args.kind() {
+        PathKind::Beziers(target) => target,
+        kind @ (PathKind::Lines | PathKind::Arcs) => {
+            let options = arcs::Options {
+                tolerance: args
+                    .approximation
+                    .only_tolerance("lines and circular arcs follow")?,
+                precision,
+                transform,
+                elliptic,
+                rounds_again: format == Format::Gcode,
+            };
+            return Ok(match kind {
+                PathKind::Arcs => arcs::arcs(contours, &options)?,
+                _ => arcs::lines(contours, &options)?,
+            });
+        }
+    };
+    let options = Options {
+        rule: args.rule()?,
+        cut: args.approximation.cut(),
+        precision,
+        transform,
+    };
+    Ok(draw(contours, target, &options)?)
 }

@@ -376,6 +376,48 @@ const FOREIGN: [&str; 9] = [
     "panicked",
 ];
 
+/// From an SVG file to what a machine reads.
+#[test]
+fn an_svg_file_becomes_gcode() {
+    let folder = tempfile::tempdir().unwrap();
+    let badge = r#"<svg xmlns="http://www.w3.org/2000/svg"><g transform="translate(2 3) scale(2)"><circle cx="5" cy="5" r="4"/></g>
+        <path d="M1 0L3 0A2 2 0 0 1 5 2"/></svg>"#;
+    std::fs::write(folder.path().join("badge.svg"), badge).unwrap();
+    let said = |words: &str| {
+        let output = program::run_in(folder.path(), &program_words(words));
+        let text = [output.stdout, output.stderr].concat();
+        (output.status.code(), String::from_utf8(text).unwrap())
+    };
+    let (code, gcode) = said("path badge.svg --to arcs -f gcode -p 3");
+    assert_eq!(code, Some(0), "{gcode}");
+    assert_eq!(gcode.lines().last(), Some("M2"));
+    assert!(
+        gcode.contains("G0 X20 Y13\nG3 ") && gcode.contains("G1 X3 Y0\nG3 X5 Y2 I0 J2"),
+        "{gcode}"
+    );
+    said("path badge.svg -t 1e-6 -o badge.path");
+    let (code, same) = said("diff badge.svg badge.path -t 2e-6");
+    assert_eq!(code, Some(0), "{same}");
+    for words in [
+        "convert badge.svg -f gcode",
+        "convert badge.svg --to arcs -o badge.gcode",
+    ] {
+        let (code, hint) = said(words);
+        assert_eq!(code, Some(2), "{words}");
+        assert!(
+            hint.contains("curveto path FILE.svg --to arcs -f gcode"),
+            "{words}: {hint}"
+        );
+    }
+    assert!(!folder.path().join("badge.gcode").exists());
+    std::fs::write(
+        folder.path().join("none.svg"),
+        "<svg xmlns=\"http://www.w3.org/2000/svg\"/>",
+    )
+    .unwrap();
+    assert!(said("path none.svg").1.contains("no path and no shape"));
+}
+
 #[test]
 fn flags_with_nothing_to_say_are_refused() {
     for (words, said) in [

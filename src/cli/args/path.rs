@@ -18,7 +18,9 @@ use crate::cli::failure::Failure;
     after_long_help = "Points that are given stay as they are unless -p or --transform changes them; what is computed is rounded as the arc with the smallest error needs it."
 )]
 pub(crate) struct PathArgs {
-    /// SVG path data, or a file that holds it; - is standard input
+    /// SVG path data, or a file of it or of SVG; - is standard input
+    ///
+    /// Of SVG, paths and basic shapes are read, with transforms and nested viewports; <use> and style sheets are not followed.
     #[arg(
         value_name = "DATA|FILE|-",
         value_hint = ValueHint::AnyPath,

@@ -9,6 +9,7 @@ use walkdir::{DirEntry, WalkDir};
 
 use crate::cli::args::{DestinationArgs, TalkArgs};
 use crate::cli::failure::Failure;
+use crate::cli::formats;
 use crate::cli::input::Source;
 use crate::cli::new_file::folder_of;
 use crate::cli::output::{OutputTarget, place_of};
@@ -125,6 +126,16 @@ fn check(inputs: &[PathBuf], destination: &DestinationArgs) -> Result<(), Failur
         return Err(Failure::request_with_hint(
             "-o takes the result of one file, not of several or of a folder",
             hint,
+        ));
+    }
+    if let Some(format) = output.as_deref().and_then(formats::of_extension)
+        && !format.has_path_commands()
+    {
+        return Err(Failure::request_with_hint(
+            format!("the result is SVG, and no {format}"),
+            format!(
+                "'curveto path FILE.svg --to arcs -f {format}' draws its shapes in another format"
+            ),
         ));
     }
     if many && !in_place && !check && out_dir.is_none() {

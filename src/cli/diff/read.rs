@@ -4,7 +4,6 @@ use std::ffi::OsStr;
 
 use curveto::contour::Contour;
 use curveto::diff::Track;
-use curveto::document::{self, Unread};
 use curveto::error::json;
 use curveto::path;
 use kurbo::Affine;
@@ -17,10 +16,12 @@ use super::super::input;
 /// The subpaths of a drawing: of path data, or of a file with it, with SVG, JSON or PostScript.
 pub(super) fn drawing(words: &OsStr, notes: QuietArgs) -> Result<Vec<Track>, Failure> {
     let (bytes, name) = input::drawing(words)?;
-    let is_svg =
-        bytes.trim_ascii_start().starts_with(b"<") || bytes.starts_with("\u{feff}<".as_bytes());
-    if is_svg {
-        return some(of_svg(&bytes, &name, notes)?, &name);
+    if input::is_svg(&bytes) {
+        let mut found = Vec::new();
+        for (contours, map) in input::shapes(&bytes, &name, notes)? {
+            found.extend(tracks(&contours, map)?);
+        }
+        return some(found, &name);
     }
     let text = input::in_utf8(bytes, &name)?;
     let begins = |what: &str| text.trim_start().starts_with(what);
@@ -62,26 +63,6 @@ fn at(place: &str, error: &curveto::Error) -> Failure {
 fn tracks(contours: &[Contour], map: Affine) -> Result<Vec<Track>, Failure> {
     let tracks = contours.iter().map(|contour| Track::new(contour, map));
     Ok(tracks.collect::<curveto::Result<_>>()?)
-}
-
-fn of_svg(svg: &[u8], name: &str, notes: QuietArgs) -> Result<Vec<Track>, Failure> {
-    let mut found = Vec::new();
-    let drawing = document::svg_shapes(svg);
-    let drawing = drawing.map_err(|error| Failure::request(format!("{name}:{error}")))?;
-    for unread in &drawing.unread {
-        if let Unread::Entity(why) = unread {
-            return Err(Failure::request(format!(
-                "{name}: {why}: what it draws is not known"
-            )));
-        }
-        notes.note(&format!("{name}: {unread}"));
-    }
-    for shape in drawing.paths {
-        let place = format!("{name}:{}", shape.line);
-        let (contours, map) = shape.contours.map_err(|error| at(&place, &error))?;
-        found.extend(tracks(&contours, map)?);
-    }
-    Ok(found)
 }
 
 /// The path data of our documents: one, an array of them, or one a line.

@@ -67,6 +67,11 @@ pub(super) const FLAGS: [(&[&str], &[&str], &str); 45] = [
     ),
     (
         &["-f", "--format"],
+        &["convert"],
+        "the result is SVG; 'curveto path FILE.svg --to arcs -f gcode' draws its shapes in any format",
+    ),
+    (
+        &["-f", "--format"],
         &["procset"],
         "it prints PostScript and nothing else",
     ),
