@@ -32,8 +32,6 @@ pub(super) fn run<S: ShapeWords + Args>(args: &Draw<S>) -> Outcome {
     let asked = started(shape, approximation.cut())?;
     // G-code has the arc itself: how one would approximate it says nothing.
     let (rule, cut) = if is_gcode {
-        approximation.only_tolerance("G-code has the arc itself, which follows")?;
-        refuse_open(shape, "G-code has no closing operator")?;
         (Rule::default(), Cut::Quarters)
     } else {
         (approximation.rule()?, asked.clone())
@@ -59,17 +57,6 @@ pub(super) fn run<S: ShapeWords + Args>(args: &Draw<S>) -> Outcome {
             .note("the arc has no length, so that nothing is drawn");
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// Refuses `--open` where it has nothing to say.
-pub(super) fn refuse_open(shape: &impl ShapeWords, why: &str) -> Result<(), Failure> {
-    if shape.open() {
-        return Err(Failure::request_with_hint(
-            format!("{why}, so that --open has nothing to say"),
-            "leave it out",
-        ));
-    }
-    Ok(())
 }
 
 /// The drawing of a shape that was asked for.

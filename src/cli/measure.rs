@@ -74,7 +74,6 @@ pub(super) fn run(args: &MeasureArgs) -> Outcome {
 
 /// Measures a shape as it would be drawn, by each method that was named.
 fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
-    draw::refuse_open(&args.shape, "a closing operator measures as nothing")?;
     let precision = args
         .precision
         .map_or(Some(Precision::Full), super::args::PrecisionWord::precision);

@@ -607,6 +607,12 @@ fn what_a_format_has_itself_is_stated_as_exact() {
     ];
     assert!(printed(&coarse).contains("which moves it by up to 0."));
     assert!(refused(&[&coarse[..], &["-t", "0.01"]].concat()).contains("give more decimals"));
+    // How an arc would be approximated says nothing: one list of flags serves all formats.
+    let plain = printed(&["circle", "5", "-f", "gcode"]);
+    assert_eq!(
+        printed(&["circle", "5", "-f", "gcode", "-m", "chen-3", "-n", "7"]),
+        plain
+    );
 }
 
 #[test]

@@ -5,13 +5,12 @@ use std::path::Path;
 use crate::judges::program::{drawn, is_golden};
 
 /// A name, the words that draw it, and the formats that can hold it.
-const CASES: [(&str, &str, &str); 8] = [
+const CASES: [(&str, &str, &str); 7] = [
     (
         "circle-minimax",
         "circle 50 -m minimax",
-        "pdf tikz canvas glif dxf",
+        "pdf tikz canvas glif dxf gcode",
     ),
-    ("circle", "circle 50", "gcode"),
     (
         "circle-quadratic-minimax",
         "circle 50 -m quadratic-minimax",

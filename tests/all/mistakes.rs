@@ -441,21 +441,13 @@ fn flags_with_nothing_to_say_are_refused() {
             "measure circle 5 --samples 3 --coordinate-tolerance 1",
             "cannot be used with",
         ),
-        ("measure circle 5 --open", "--open has nothing to say"),
-        ("circle 5 -f gcode -m chen-3", "only -t has a say"),
-        ("circle 5 -f gcode -n 7", "only -t has a say"),
-        ("circle 5 -f gcode -t 0.1 --extremes", "only -t has a say"),
-        ("circle 5 -f gcode --open", "--open has nothing to say"),
     ] {
         let message = refused(&program_words(words));
         assert!(message.contains(said), "{words}: {message}");
     }
-    for words in [
+    printed(&program_words(
         "compare -m minimax,chen-2 --quadrature gauss2",
-        "circle 5 -f gcode -t 0.1",
-    ] {
-        printed(&program_words(words));
-    }
+    ));
 }
 
 #[test]

@@ -15,7 +15,7 @@ const TOLERANCES: [&str; 5] = ["--flatness", "--error", "--epsilon", "--accuracy
 
 /// Flags that people try, the commands that they try them on (all where there is none), and what serves instead. The first that names
 /// flags of the command alone is told.
-pub(super) const FLAGS: [(&[&str], &[&str], &str); 45] = [
+pub(super) const FLAGS: [(&[&str], &[&str], &str); 46] = [
     (&WAYS_ROUND, &["path"], "a path runs as its data do"),
     (&WAYS_ROUND, &["conic"], "a conic runs from --from to --to"),
     (
