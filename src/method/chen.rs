@@ -59,18 +59,22 @@ impl Iteration {
     /// The length of a segment of the unit circle round by round, the first the chord.
     pub(crate) fn lengths(self, span: &Span) -> Vec<f64> {
         let mut lengths = Vec::new();
-        SelfMeasured::settled(span, self, |t| lengths.push(t));
+        let (span, part) = span.in_range();
+        SelfMeasured::settled(&span, self, |t| lengths.push(t * part));
         lengths
     }
 }
 
 /// t/3 with t = L(t/3).
 pub(super) fn formulation_2(span: &Span, iteration: Iteration) -> f64 {
-    SelfMeasured::new(span, iteration).handle()
+    let (span, part) = span.in_range();
+    SelfMeasured::new(&span, iteration).handle() * part
 }
 
 pub(super) fn formulation_2_error(span: &Span, iteration: Iteration) -> RadialError {
-    SelfMeasured::new(span, iteration).error()
+    let (span, part) = span.in_range();
+    let error = SelfMeasured::new(&span, iteration).error();
+    error.times(power(part, 4))
 }
 
 /// The integral, in parts that are halved until it no longer changes.

@@ -22,6 +22,9 @@ pub struct Span {
     pub ch: f64,
 }
 
+/// The smallest angle for formulas, in degrees: its sixth power and the squares of its fourth are far from the end of `f64`.
+const SMALLEST: f64 = 1e-30;
+
 impl Span {
     /// The size of `angle`, whatever its sign.
     #[must_use]
@@ -68,6 +71,17 @@ impl Span {
     #[must_use]
     pub const fn degrees(&self) -> f64 {
         self.degrees
+    }
+
+    /// Itself and 1; where powers of the angle leave the range of `f64`, an angle where they do not, and what part of it this one is.
+    /// At both a piece is straight but for what no digit shows, so that its handle goes with the angle and its error with a power of it.
+    #[inline]
+    pub(crate) fn in_range(&self) -> (Self, f64) {
+        if self.degrees >= SMALLEST {
+            (*self, 1.0)
+        } else {
+            (Self::from_degrees(SMALLEST), self.degrees / SMALLEST)
+        }
     }
 
     /// 1 - cos a without cancellation.

@@ -1,7 +1,7 @@
 //! Every method against the reference values of fixtures/reference/methods.json, computed elsewhere with 60 digits.
 
-use curveto::Method;
-use curveto::method::Span;
+use curveto::method::{Degree, Span};
+use curveto::{Method, Rule};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {
@@ -91,4 +91,39 @@ fn the_advice_holds_where_it_compares() {
         assert!((0.12..0.18).contains(&share("quadratic-minimax", "quadratic-tangent")));
     }
     assert!(peak("goldapp", 90.0) < 1.0002 * peak("minimax", 90.0));
+}
+
+/// Where an arc is straight but for what no digit shows, cubics have handles of a third of it, and quadratics of a half; `apprich-plus` has its
+/// own. What they err by is the law of the catalogue.
+#[test]
+fn tiny_arcs_have_the_handles_and_errors_of_their_limit() {
+    let powers = (-323..=-6).map(|exponent| format!("1e{exponent}").parse().unwrap());
+    let gauss = Rule::CHEN_2_GAUSS_2;
+    let rules = Method::ALL.into_iter().map(Rule::from).chain([gauss]);
+    let rules: Vec<Rule> = rules.collect();
+    for degrees in powers.chain([0.0, 5e-324, 1.5e-320]) {
+        let span = Span::from_degrees(degrees);
+        for (rule, method) in rules.iter().filter_map(|rule| Some((rule, rule.method()?))) {
+            let Some(law) = method.card().law else {
+                assert!(rule.piece(&span).is_err(), "{method}");
+                continue;
+            };
+            let part = match method.card().degree {
+                Degree::Quadratic => 0.5,
+                _ if method == Method::ApprichPlus => 0.6,
+                Degree::Cubic => 1.0 / 3.0,
+            };
+            let piece = rule.piece(&span).unwrap();
+            assert_eq!((piece.end_radius, piece.handle.x), (1.0, 1.0), "{method}");
+            let off = (piece.handle.y - part * span.a).abs();
+            assert!(
+                off <= 1e-15 * span.a + 1e-323,
+                "{method} {degrees}: {off:e}"
+            );
+            let right = law.constant * span.a.powi(law.order.into());
+            let peak = rule.radial_error(&span).unwrap().peak();
+            let off = (peak - right).abs();
+            assert!(off <= 1e-9 * right + 1e-323, "{method} {degrees}: {peak:e}");
+        }
+    }
 }
