@@ -112,7 +112,8 @@ impl Drawing {
 ///
 /// # Errors
 ///
-/// Where the rule cannot do what is asked ([`Impossible`](crate::Error::Impossible)), the joints or the transform cannot be used, or
+/// Where a number of the shape or of the options is not finite or out of range, the rule cannot do what is asked
+/// ([`Impossible`](crate::Error::Impossible)), the joints or the transform cannot be used, or
 /// no number of segments meets the tolerance ([`ToleranceOutOfReach`](crate::Error::ToleranceOutOfReach)).
 ///
 /// ```
@@ -199,6 +200,8 @@ struct Request<'a> {
 impl<'a> Request<'a> {
     /// `None` for a line and for nothing.
     fn new(shape: &'a Shape, options: &'a Options) -> Result<Option<Self>> {
+        shape.check()?;
+        options.rule.check()?;
         let Some(outline) = shape.outline() else {
             return Ok(None);
         };

@@ -43,7 +43,7 @@ pub struct Options {
     pub precision: Option<Precision>,
     /// What becomes of a line that cannot be drawn.
     pub on_error: OnError,
-    /// How many threads, at least one.
+    /// How many threads, at least one; more than 256 are 256.
     pub jobs: usize,
     /// Whether [`Summary::worst`] is found; JSON and pictures state it in any case, path data and PostScript take several times as long.
     pub measure: bool,
@@ -122,7 +122,7 @@ pub struct Answers {
 ///
 /// # Errors
 ///
-/// Where reading or writing fails, and [`io::ErrorKind::InvalidData`] for a line longer than 4 MiB, whatever [`OnError`] says: its
+/// Where reading or writing fails, [`io::ErrorKind::InvalidInput`] for a format whose answers are no lines, and [`io::ErrorKind::InvalidData`] for a line longer than 4 MiB, whatever [`OnError`] says: its
 /// message begins with the number of the line.
 ///
 /// ```
@@ -139,6 +139,10 @@ pub fn run(
     options: &Options,
     complain: impl FnMut(u64, &Error),
 ) -> io::Result<Summary> {
+    if !matches!(options.format, Format::Path | Format::Json | Format::Ps) {
+        let why = format!("a line holds no {}", options.format);
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, why));
+    }
     let writer = Writer {
         output,
         complain,

@@ -9,7 +9,7 @@ use kurbo::{Affine, PathSeg, Point, Rect};
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step};
 use crate::curve::{control_points, largest_coordinate};
-use crate::error::{Result, finite};
+use crate::error::{Result, finite, positive};
 use crate::joints::Cut;
 use crate::number::Precision;
 use crate::shape::Shape;
@@ -170,7 +170,8 @@ impl Difference {
 ///
 /// # Errors
 ///
-/// Where it would take more than some ten seconds: thousands of curves that cross one another everywhere.
+/// Where the tolerance is neither 0 nor a positive, finite number, and where it would take more than some ten seconds: thousands of
+/// curves that cross one another everywhere.
 ///
 /// ```
 /// use curveto::diff::{Track, compare};
@@ -185,6 +186,9 @@ impl Difference {
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn compare(old: &[Track], new: &[Track], tolerance: f64) -> Result<Difference> {
+    if tolerance != 0.0 {
+        positive("tolerance", tolerance)?;
+    }
     let largest = old.iter().chain(new).map(Track::largest);
     let noise = 4.0 * f64::EPSILON * largest.fold(0.0, f64::max);
     let mut difference = Difference {

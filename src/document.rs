@@ -112,8 +112,9 @@ impl Options {
     ///
     /// # Errors
     ///
-    /// Where a tolerance is not positive. What the method cannot do is left with a note: whether a document has such shapes, only it tells.
+    /// Where a tolerance is not positive, or a literal handle is no number or beyond 1e9. What the method cannot do is left with a note: whether a document has such shapes, only it tells.
     pub fn check(&self) -> crate::Result<()> {
+        self.rule.check()?;
         if let Target::Arcs { tolerance, .. } = self.to
             && let Some(Tolerance::Absolute(size) | Tolerance::Relative(size)) = tolerance
         {

@@ -198,7 +198,7 @@ impl Arc {
     ///
     /// The largest distance from the true arc, in user units. On an ellipse the bound is the error of the unit circle times the
     /// larger radius, so that flat ellipses come out finer than asked. The count grows with its -1/6 power. A tolerance that is
-    /// finer than 64 units in the last place of the larger radius counts as that.
+    /// finer than 64 units in the last place of the larger radius, 0 or negative or no number counts as that.
     ///
     /// ```
     /// use curveto::{Angle, Arc};

@@ -8,7 +8,7 @@ use core::str::FromStr;
 use kurbo::Vec2;
 
 use crate::angle::Angle;
-use crate::error::{Error, JointsError, MethodError, Remedy, Result};
+use crate::error::{Error, JointsError, MethodError, Remedy, Result, finite};
 use crate::method::{Rule, Span};
 use crate::shape::UnitArc;
 
@@ -148,8 +148,11 @@ impl Joints {
     ///
     /// # Errors
     ///
-    /// Where two joints coincide, or one does not lie inside the arc's sweep.
+    /// Where a joint is no finite number, two coincide, or one does not lie inside the arc's sweep.
     pub fn at(arc: &UnitArc, joints: &[Angle]) -> Result<Self> {
+        for joint in joints {
+            finite("angle of a joint", joint.degrees())?;
+        }
         let sign = 1.0_f64.copysign(arc.sweep.degrees());
         let first = if arc.closed {
             joints
@@ -172,6 +175,7 @@ impl Joints {
             }
             ways.push(way);
         }
+        check_count(ways.len() - 1)?;
         ways.sort_by(f64::total_cmp);
         if let Some(pair) = ways.windows(2).find(|pair| pair[1] - pair[0] < 1e-9) {
             let at = first.degrees() + sign * pair[0];

@@ -74,9 +74,16 @@ pub(crate) fn unit_for(largest: f64) -> f64 {
     power(2.0, libm::log2(largest).ceil().clamp(-500.0, 500.0) as i32)
 }
 
-/// The largest number among all coordinates.
+/// The largest number among all coordinates, of which none may be too large; the radii are positive too.
 pub(crate) fn largest_coordinate(curve: &Curve, reference: &Reference) -> Result<f64> {
     let truth = &reference.truth;
+    for value in [truth.radii.x, truth.radii.y] {
+        // As small as a curve may be: only a constructor asks for more.
+        if finite("radius", value)? <= 0.0 {
+            let what = "radius";
+            return Err(Error::NotPositive { what, value });
+        }
+    }
     let mut largest = truth.larger_radius().max(f64::MIN_POSITIVE);
     let points = curve.segments.iter().flat_map(control_points);
     for p in points.chain([truth.center]) {

@@ -114,14 +114,32 @@ impl Circle {
     ///
     /// Where a number is not finite or the radius is not positive.
     pub fn new(center: impl Into<Point>, radius: f64) -> Result<Self> {
-        let center = finite_point("centre", center.into())?;
-        Ok(Self {
-            center,
-            radius: positive("radius", radius)?,
+        let circle = Self {
+            center: center.into(),
+            radius,
             start: Angle::ZERO,
             reverse: false,
-        })
+        };
+        circle.check()?;
+        Ok(circle)
     }
+
+    fn check(&self) -> Result<()> {
+        finite_point("centre", self.center)?;
+        positive("radius", self.radius)?;
+        finite("start angle", self.start.degrees())?;
+        Ok(())
+    }
+}
+
+/// Refuses the numbers of which no ellipse is drawn.
+#[inline]
+fn check_ellipse(center: Point, radii: Vec2, rotation: Angle, start: Angle) -> Result<()> {
+    finite_point("centre", center)?;
+    positive_radii(radii)?;
+    finite("rotation", rotation.degrees())?;
+    finite("start angle", start.degrees())?;
+    Ok(())
 }
 
 impl Ellipse {
@@ -131,14 +149,19 @@ impl Ellipse {
     ///
     /// Where a number is not finite or a radius is not positive.
     pub fn new(center: impl Into<Point>, radii: impl Into<Vec2>, rotation: Angle) -> Result<Self> {
-        let center = finite_point("centre", center.into())?;
-        Ok(Self {
-            center,
-            radii: positive_radii(radii.into())?,
+        let ellipse = Self {
+            center: center.into(),
+            radii: radii.into(),
             rotation,
             start: Angle::ZERO,
             reverse: false,
-        })
+        };
+        ellipse.check()?;
+        Ok(ellipse)
+    }
+
+    fn check(&self) -> Result<()> {
+        check_ellipse(self.center, self.radii, self.rotation, self.start)
     }
 }
 
@@ -155,22 +178,30 @@ impl Arc {
         start: Angle,
         sweep: Angle,
     ) -> Result<Self> {
-        let center = finite_point("centre", center.into())?;
-        let radii = positive_radii(radii.into())?;
-        finite("start angle", start.degrees())?;
-        let sweep = whole_turn(Angle::from_degrees(finite("sweep", sweep.degrees())?));
-        if sweep.degrees().abs() > 360.0 {
-            return Err(Error::Shape(ShapeError::Sweep(sweep.degrees())));
-        }
-        Ok(Self {
-            center,
-            radii,
+        let arc = Self {
+            center: center.into(),
+            radii: radii.into(),
             rotation,
             start,
-            sweep,
+            sweep: whole_turn(sweep),
             ends: None,
             given: Given::Sweep,
-        })
+        };
+        arc.check()?;
+        Ok(arc)
+    }
+
+    /// Refuses what [`Arc::new`] does: every field is open.
+    fn check(&self) -> Result<()> {
+        check_ellipse(self.center, self.radii, self.rotation, self.start)?;
+        let sweep = finite("sweep", self.sweep.degrees())?;
+        if sweep.abs() > 360.0 {
+            return Err(Error::Shape(ShapeError::Sweep(sweep)));
+        }
+        for end in self.ends.into_iter().flatten() {
+            finite_point("end", end)?;
+        }
+        Ok(())
     }
 
     /// Its ellipse, by its centre.
@@ -241,6 +272,19 @@ fn within_reach(start: Angle) -> Angle {
 }
 
 impl Shape {
+    /// Refuses the numbers that the constructors refuse: fields are open.
+    pub(crate) fn check(&self) -> Result<()> {
+        match self {
+            Self::Circle(circle) => circle.check(),
+            Self::Ellipse(ellipse) => ellipse.check(),
+            Self::Arc(arc) => arc.check(),
+            Self::Line(line) => [line.from, line.to]
+                .into_iter()
+                .try_for_each(|end| finite_point("end", end).map(drop)),
+            Self::Empty => Ok(()),
+        }
+    }
+
     /// The piece of the unit circle and where it lies; `None` for a line and for nothing.
     #[must_use]
     pub fn outline(&self) -> Option<Outline> {

@@ -113,26 +113,33 @@ impl Sphere {
         meridians: usize,
         parallels: usize,
     ) -> Result<Self> {
-        let center = center.into();
-        finite("x coordinate of the centre", center.x)?;
-        finite("y coordinate of the centre", center.y)?;
-        if let Some(count) = [meridians, parallels].into_iter().find(|&n| n > MOST_LINES) {
+        let sphere = Self {
+            center: center.into(),
+            radius,
+            meridians,
+            parallels,
+        };
+        sphere.check()?;
+        Ok(sphere)
+    }
+
+    fn check(&self) -> Result<()> {
+        finite("x coordinate of the centre", self.center.x)?;
+        finite("y coordinate of the centre", self.center.y)?;
+        let counts = [self.meridians, self.parallels];
+        if let Some(count) = counts.into_iter().find(|&n| n > MOST_LINES) {
             let most = MOST_LINES;
             return Err(Error::Shape(ShapeError::TooManyLines { count, most }));
         }
-        Ok(Self {
-            center,
-            radius: positive("radius", radius)?,
-            meridians,
-            parallels,
-        })
+        positive("radius", self.radius)?;
+        Ok(())
     }
 
     /// The sphere as it is seen.
     ///
     /// # Errors
     ///
-    /// Where the rule cannot do what is asked: a method whose ends leave the circle draws no half circles, which an odd number of
+    /// As [`Sphere::new`], since fields are open; where the rule cannot do what is asked: a method whose ends leave the circle draws no half circles, which an odd number of
     /// meridians are; where the latitude of the view is none; and where control points leave the range of coordinates.
     ///
     /// ```
@@ -145,6 +152,7 @@ impl Sphere {
     /// # Ok::<(), curveto::Error>(())
     /// ```
     pub fn seen(&self, view: View, options: &Options) -> Result<Picture> {
+        self.check()?;
         let count = self.meridians.div_ceil(2) + self.parallels + 1;
         let most = MOST_SEGMENTS / count;
         if let Cut::Count(count) = options.cut

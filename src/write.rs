@@ -133,7 +133,7 @@ impl Options {
 ///
 /// # Errors
 ///
-/// Where the picture cannot be made ([`Error::Picture`]), and where the format cannot hold what was drawn ([`Error::Format`]).
+/// Where the picture cannot be made ([`Error::Picture`]), a length of its style or the feed is out of range, and where the format cannot hold what was drawn ([`Error::Format`]).
 ///
 /// ```
 /// use curveto::write::{self, Format, Image, write};
@@ -274,9 +274,10 @@ fn courses(figure: &Figure) -> Result<Vec<Course>> {
 ///
 /// # Errors
 ///
-/// Where the picture is too large to be made ([`Error::Picture`]).
+/// Where a side of the picture is not positive and finite, and where it is too large to be made ([`Error::Picture`]).
 #[cfg(feature = "plot")]
 pub fn plot(chart: &Chart, image: Image, size: Option<Size>) -> Result<Vec<u8>> {
+    size.map_or(Ok(()), Size::check)?;
     #[cfg(feature = "png")]
     if image == Image::Png {
         return pixels(chart, size);

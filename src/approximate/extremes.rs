@@ -2,8 +2,8 @@
 
 use super::{Drawing, Options, Request, approximate, straight};
 use crate::angle::Angle;
-use crate::error::{Error, Remedy, Result};
-use crate::joints::{Cut, Joints, MOST_SEGMENTS, Tolerance};
+use crate::error::{Error, JointsError, Remedy, Result};
+use crate::joints::{Cut, Joints, Tolerance, check_count};
 use crate::measure::radial;
 use crate::shape::{Shape, Truth};
 
@@ -16,7 +16,7 @@ const MOST_PARTS: usize = 256;
 ///
 /// # Errors
 ///
-/// As [`approximate`].
+/// As [`approximate`], and [`Error::Joints`] for a cut that has joints of its own: [`Cut::Adaptive`] and [`Cut::At`].
 ///
 /// ```
 /// use curveto::{Angle, Ellipse, Options, Shape, approximate::approximate_at_extremes};
@@ -39,17 +39,15 @@ pub fn approximate_at_extremes(
     let pieces = Pieces::new(request, with_start);
     let mut parts = pieces.fewest();
     match options.cut {
-        Cut::Count(count @ 0) => Err(Error::Count {
-            count,
-            most: MOST_SEGMENTS,
-        }),
         Cut::Count(count) => {
+            check_count(count.saturating_mul(parts.len()))?;
             parts.fill(count);
             let drawn = pieces.draw(&parts);
             drawn.map_err(|error| with_more_parts(error, pieces.largest))
         }
         Cut::Tolerance(tolerance) => pieces.within(parts, tolerance),
-        _ => pieces.draw(&parts),
+        Cut::Quarters => pieces.draw(&parts),
+        Cut::Adaptive(_) | Cut::At(_) => Err(Error::Joints(JointsError::Extremes)),
     }
 }
 

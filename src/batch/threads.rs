@@ -12,6 +12,9 @@ use crate::error::Error;
 /// How many chunks are on their way for each thread.
 const QUEUE: usize = 3;
 
+/// The most threads, however many are asked for.
+const MOST_JOBS: usize = 256;
+
 /// A chunk, or its answers, or some of them.
 #[derive(Debug, Default)]
 struct Job {
@@ -117,11 +120,12 @@ fn hand_out(
 
 /// Threads that answer chunks, as many as the system gives. A thread holds no more than one long part of its answers.
 fn start_threads(options: &Options) -> io::Result<(Queues, Receiver<WriterEnd>)> {
-    let (tasks, waiting) = sync_channel::<Task>(QUEUE * options.jobs);
+    let jobs = options.jobs.min(MOST_JOBS);
+    let (tasks, waiting) = sync_channel::<Task>(QUEUE * jobs);
     let waiting = Arc::new(Mutex::new(waiting));
     let options = Arc::new(options.clone());
     let mut started = 0;
-    for _ in 0..options.jobs {
+    for _ in 0..jobs {
         let (waiting, options) = (Arc::clone(&waiting), Arc::clone(&options));
         let work = move || {
             let mut worker = Worker::new((*options).clone());

@@ -27,6 +27,14 @@ pub enum PictureError {
     /// A size with a side that is not positive and finite.
     #[error("the sides of a picture are positive and finite, and '{0}' has one that is not")]
     Side(String),
+    /// A negative width of the stroke or margin.
+    #[error("the {what} is at least 0, but it is {value}")]
+    Length {
+        /// The name of the length.
+        what: &'static str,
+        /// The value that was given.
+        value: f64,
+    },
     /// A text that names nothing to be shown beside a curve.
     #[error("'{0}' cannot be shown: what can is joints, handles, truth, error=K")]
     Shown(String),

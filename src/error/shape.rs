@@ -66,6 +66,14 @@ pub enum ShapeError {
         /// The largest.
         most: f64,
     },
+    /// The length of a literal handle.
+    #[error("a handle is a length on the unit circle, at most {most:e}, not {handle:e}")]
+    Handle {
+        /// The length that was given.
+        handle: f64,
+        /// The largest.
+        most: f64,
+    },
     /// The three points of a conic lie on a line.
     #[error("the three points of a conic lie on a line: nothing is left of it but the line")]
     StraightConic,
@@ -110,6 +118,9 @@ pub enum JointsError {
     /// Two lie at this angle in degrees.
     #[error("two of them lie at {0} degrees")]
     Twice(f64),
+    /// Joints at the extremes, by a cut that has joints of its own.
+    #[error("they lie at the extremes, and between these a count or a tolerance cuts")]
+    Extremes,
     /// The conic has no centre, and so no angles.
     #[error("a hyperbola and a parabola have no angles; a count and a tolerance cut them")]
     NoAngles,

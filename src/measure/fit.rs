@@ -6,10 +6,11 @@
 
 mod ellipse;
 
-use kurbo::{ParamCurve, Point, Vec2};
+use kurbo::{Affine, ParamCurve, Point, Vec2};
 
-use crate::curve::Curve;
-use crate::error::{Error, Result, UnmeasurableError};
+use super::unit_for;
+use crate::curve::{Curve, largest_coordinate};
+use crate::error::{Error, Result, UnmeasurableError, finite};
 use crate::numeric::functions::{angle_of, power, unit_vector};
 use crate::shape::Truth;
 
@@ -117,19 +118,23 @@ fn fitted(
     to: Option<FitTo>,
     nearest: fn(&[Point]) -> Result<(Truth, f64)>,
 ) -> Result<(Truth, Fit)> {
+    // In units near 1 no square leaves the range of f64.
+    let largest = finite("coordinate", largest_coordinate(&curve.segments))?;
+    let unit = unit_for(largest.max(f64::MIN_POSITIVE));
+    let scaled = curve.transformed(Affine::scale(1.0 / unit));
     let fit = |points: &[Point], to| {
         let (truth, squares) = nearest(points)?;
         let rms = (squares / points.len() as f64).sqrt();
         let fit = Fit {
             to,
             points: points.len(),
-            rms,
+            rms: rms * unit,
             relative_rms: rms / truth.larger_radius(),
         };
-        Ok((truth, fit))
+        Ok((truth.scaled(unit), fit))
     };
-    let at_joints = || fit(&joints(curve), FitTo::Joints);
-    let along_it = || fit(&along(curve), FitTo::Curve);
+    let at_joints = || fit(&joints(&scaled), FitTo::Joints);
+    let along_it = || fit(&along(&scaled), FitTo::Curve);
     match to {
         Some(FitTo::Joints) => at_joints(),
         Some(FitTo::Curve) => along_it(),

@@ -84,10 +84,15 @@ impl FromStr for Quantity {
     }
 }
 
+/// The parameter after so many of equal steps; 0 where there are none.
+fn part(step: u32, steps: u32) -> f64 {
+    f64::from(step) / f64::from(steps.max(1))
+}
+
 /// The points (x, y) of each segment at `steps` + 1 equal steps of t.
 pub(crate) fn points(curve: &Curve, steps: u32) -> Vec<Vec<(f64, f64)>> {
     let at = |segment: &PathSeg, step| {
-        let point = segment.eval(f64::from(step) / f64::from(steps));
+        let point = segment.eval(part(step, steps));
         (point.x, point.y)
     };
     let segments = curve.segments.iter();
@@ -97,7 +102,7 @@ pub(crate) fn points(curve: &Curve, steps: u32) -> Vec<Vec<(f64, f64)>> {
 }
 
 /// The quantity along each segment, as (angle in degrees, value) at `steps` + 1 equal steps of t; a segment has fewer points
-/// where the quantity is not defined. [`Quantity::Drawing`] has x in place of the angle.
+/// where the quantity is not defined, and the start alone at 0 steps. [`Quantity::Drawing`] has x in place of the angle.
 #[must_use]
 pub fn along(
     curve: &Curve,
@@ -131,7 +136,7 @@ pub fn along(
                 })
             };
             (0..=steps)
-                .map(|step| f64::from(step) / f64::from(steps))
+                .map(|step| part(step, steps))
                 .filter_map(|t| {
                     let angle = bench.angle(i) + framed.turned(t).to_degrees();
                     value(t).filter(|v| v.is_finite()).map(|v| (angle, v))

@@ -1,6 +1,6 @@
 //! What gives the control points of a whole chain of pieces, and what it refuses.
 
-use crate::error::{Error, MethodError, Remedy, Result, RuleName};
+use crate::error::{Error, MethodError, Remedy, Result, RuleName, ShapeError};
 use crate::radial_error::RadialError;
 
 use super::{Degree, Ends, Iteration, Method, Piece, Quadrature, Span, chen, ellipse, tangent};
@@ -12,7 +12,7 @@ pub enum Rule {
     Method(Method),
     /// Chen's Formulation II with its lengths found in this way.
     Chen2(Iteration),
-    /// A literal handle length on the unit circle, for every segment.
+    /// A literal handle length on the unit circle, for every segment: from -1e9 to 1e9.
     Handle(f64),
 }
 
@@ -27,6 +27,9 @@ impl From<Method> for Rule {
         Self::Method(method)
     }
 }
+
+/// Far more than any curve could use; the measure stays finite below it.
+const LARGEST_HANDLE: f64 = 1e9;
 
 impl Rule {
     /// Formulation II with arc length from Chen's two-point Gauss quadrature.
@@ -95,14 +98,14 @@ impl Rule {
     ///
     /// # Errors
     ///
-    /// As [`Method::piece`].
+    /// As [`Method::piece`], and [`Error::Shape`] for a literal handle that is no number or beyond 1e9.
     pub fn piece(self, span: &Span) -> Result<Piece> {
         match self {
             Self::Method(method) => method.piece(span),
             Self::Chen2(iteration) => Method::Chen2
                 .check_angle(span)
                 .map(|()| Piece::tangent(chen::formulation_2(span, iteration))),
-            Self::Handle(k) => check_half_turn(span).map(|()| Piece::tangent(k)),
+            Self::Handle(k) => self.check_literal(span).map(|()| Piece::tangent(k)),
         }
     }
 
@@ -110,15 +113,36 @@ impl Rule {
     ///
     /// # Errors
     ///
-    /// As [`Method::piece`].
+    /// As [`Rule::piece`].
     pub fn radial_error(self, span: &Span) -> Result<RadialError> {
         match self {
             Self::Method(method) => method.radial_error(span),
             Self::Chen2(iteration) => Method::Chen2
                 .check_angle(span)
                 .map(|()| chen::formulation_2_error(span, iteration)),
-            Self::Handle(k) => check_half_turn(span).map(|()| tangent::error(span, k)),
+            Self::Handle(k) => self.check_literal(span).map(|()| tangent::error(span, k)),
         }
+    }
+
+    /// Refuses a literal handle that is no number, or far longer than any curve could use.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Shape`].
+    pub fn check(self) -> Result<()> {
+        match self {
+            Self::Handle(handle) if handle.is_nan() || handle.abs() > LARGEST_HANDLE => {
+                let most = LARGEST_HANDLE;
+                Err(Error::Shape(ShapeError::Handle { handle, most }))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What a literal handle does not serve.
+    fn check_literal(self, span: &Span) -> Result<()> {
+        self.check()?;
+        check_half_turn(span)
     }
 
     /// The pieces of a chain of arcs of these angles.
@@ -128,7 +152,7 @@ impl Rule {
     ///
     /// # Errors
     ///
-    /// As [`Method::piece`], and [`Error::Impossible`] where the ends leave the circle and the angles differ or the chain is open.
+    /// As [`Rule::piece`], and [`Error::Impossible`] where the ends leave the circle and the angles differ or the chain is open.
     pub fn pieces(self, spans: &[Span], closed: bool) -> Result<Vec<[Piece; 2]>> {
         // Ends off the circle ask for equal angles, but for the rounding of joints that were computed.
         let is_free = self

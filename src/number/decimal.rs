@@ -136,7 +136,8 @@ impl Decimal {
             decimals -= 1;
         }
         Self::nearest(x, decimals as u8).unwrap_or(Self {
-            units: x as i64,
+            // The least i64 has no number of the other sign.
+            units: (x as i64).max(-i64::MAX),
             decimals: 0,
         })
     }

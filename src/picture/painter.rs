@@ -10,7 +10,7 @@ use super::scene::{Group, Mark, Pen, Scene};
 use super::style::Style;
 use crate::course::Step;
 use crate::curve::{Curve, control_points};
-use crate::error::{Error, PictureError, Result, finite};
+use crate::error::{Error, PictureError, Result};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
 use crate::numeric::functions::power;
 
@@ -41,16 +41,10 @@ impl Figure {
     ///
     /// # Errors
     ///
-    /// Where a length of the style is not finite or beyond all bounds, and where the true shape or the deviation from it is to be
-    /// shown and the figure has none.
+    /// Where the size of the style is not positive, a length of it is negative, or one of them is not finite or beyond all bounds;
+    /// and where the true shape or the deviation from it is to be shown and the figure has none.
     pub fn scene(&self, style: &Style) -> Result<Scene> {
-        for (what, length) in [
-            ("stroke width", style.stroke_width),
-            ("margin", style.margin),
-            ("factor of the error", style.show.error),
-        ] {
-            length.map_or(Ok(0.0), |length| finite(what, length))?;
-        }
+        style.check()?;
         let painter = Painter::new(self, style);
         let groups = painter.groups()?;
         Ok(Scene {

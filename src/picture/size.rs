@@ -89,6 +89,20 @@ impl Size {
         }
     }
 
+    /// Refuses sides that are not positive and finite.
+    pub(crate) fn check(self) -> Result<()> {
+        let values = [self.width, self.height].map(|side| side.value);
+        self.check_as(|| format!("{}x{}", values[0], values[1]))
+    }
+
+    fn check_as(self, text: impl Fn() -> String) -> Result<()> {
+        let is_side = |side: Side| side.value.is_finite() && side.value > 0.0;
+        if is_side(self.width) && is_side(self.height) {
+            return Ok(());
+        }
+        Err(Error::Picture(PictureError::Side(text())))
+    }
+
     /// Width and height in pixels, for a format that counts in them.
     #[must_use]
     pub fn pixels(self) -> [f64; 2] {
@@ -138,13 +152,10 @@ impl FromStr for Size {
         let Some([width, height]) = sides.next_back() else {
             return Err(Error::Picture(PictureError::Size(text.to_owned())));
         };
-        for (side, _) in [width, height] {
-            if !(side.is_finite() && side > 0.0) {
-                return Err(Error::Picture(PictureError::Side(text.to_owned())));
-            }
-        }
         let [width, height] = [width, height].map(|(value, unit)| Side { value, unit });
-        Ok(Self { width, height })
+        let size = Self { width, height };
+        size.check_as(|| text.to_owned())?;
+        Ok(size)
     }
 }
 

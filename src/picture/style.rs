@@ -4,7 +4,7 @@ use core::str::FromStr;
 
 use super::paint::Paint;
 use super::size::Size;
-use crate::error::{Error, PictureError, Result};
+use crate::error::{Error, PictureError, Result, finite};
 use crate::number::round_one_two_five;
 
 /// The part of the larger side that the default stroke is wide.
@@ -43,6 +43,29 @@ impl Default for Style {
             show: Show::default(),
         }
     }
+}
+
+impl Style {
+    /// Refuses a size or a length of which no picture can be made.
+    pub(crate) fn check(&self) -> Result<()> {
+        self.size.map_or(Ok(()), Size::check)?;
+        for (what, value) in [("stroke width", self.stroke_width), ("margin", self.margin)] {
+            let value = value.map_or(Ok(0.0), |value| finite(what, value))?;
+            if value < 0.0 {
+                return Err(Error::Picture(PictureError::Length { what, value }));
+            }
+        }
+        let factor = self.show.error.unwrap_or(1.0);
+        if !is_factor(factor) {
+            return Err(Error::Picture(PictureError::Factor(factor.to_string())));
+        }
+        finite("factor of the error", factor)?;
+        Ok(())
+    }
+}
+
+fn is_factor(factor: f64) -> bool {
+    factor.is_finite() && factor > 0.0
 }
 
 /// The width of the stroke of a drawing whose larger side is this long: about 1 % of it, a 1, 2 or 5 with zeros.
@@ -118,7 +141,7 @@ impl FromStr for Shown {
             return Err(Error::Picture(PictureError::Shown(text.to_owned())));
         };
         match factor.trim().parse::<f64>() {
-            Ok(factor) if factor.is_finite() && factor > 0.0 => Ok(Self::Error(factor)),
+            Ok(factor) if is_factor(factor) => Ok(Self::Error(factor)),
             _ => Err(Error::Picture(PictureError::Factor(factor.to_owned()))),
         }
     }

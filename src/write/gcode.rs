@@ -7,7 +7,7 @@ use kurbo::{Point, Vec2};
 
 use crate::contour::Closeness;
 use crate::course::{CircularArc, Course, Step};
-use crate::error::{Error, FormatError, Remedy, Result};
+use crate::error::{Error, FormatError, Remedy, Result, positive};
 use crate::number::{Precision, compact, counted, rounded_up, significant, text};
 use crate::numeric::functions::power;
 
@@ -37,8 +37,11 @@ pub struct Options {
 ///
 /// # Errors
 ///
-/// Where the precision that is asked for moves lines or the ends of arcs farther than [`Options::closeness`] lets it.
+/// Where the feed is not positive and finite, and where the precision that is asked for moves lines or the ends of arcs farther than [`Options::closeness`] lets it.
 pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<String> {
+    options
+        .feed
+        .map_or(Ok(0.0), |feed| positive("feed", feed))?;
     let Program {
         courses,
         precision,

@@ -56,9 +56,6 @@ pub(crate) struct ApproximationArgs {
     stop: Option<f64>,
 }
 
-/// Far more than any curve could use; the measure stays finite below it.
-const LARGEST_HANDLE: f64 = 1e9;
-
 impl ApproximationArgs {
     /// What gives the control points of a drawing.
     pub(crate) fn rule(&self) -> Result<Rule, Failure> {
@@ -116,13 +113,9 @@ impl ApproximationArgs {
             };
         }
         if let Some(k) = self.handle {
-            return if k.abs() <= LARGEST_HANDLE {
-                Ok(Rule::Handle(k))
-            } else {
-                Err(Failure::request(format!(
-                    "a handle is a length on the unit circle, at most {LARGEST_HANDLE:e}, not {k:e}"
-                )))
-            };
+            let rule = Rule::Handle(k);
+            rule.check()?;
+            return Ok(rule);
         }
         Ok(Rule::Method(method))
     }

@@ -82,7 +82,7 @@ impl BatchArgs {
     pub(crate) fn options(&self) -> Result<Options, Failure> {
         let jobs = self.each.jobs.map_or_else(
             || std::thread::available_parallelism().map_or(1, usize::from),
-            |jobs| jobs.get().min(256),
+            core::num::NonZeroUsize::get,
         );
         let format = formats::choose_but(Some(&Format::Gcode), self.format, self.output.path())?;
         if format == Format::Gcode {

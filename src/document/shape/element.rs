@@ -4,7 +4,6 @@ use std::borrow::Cow;
 
 use kurbo::{ParamCurve, Point, Vec2};
 
-use crate::Angle;
 use crate::document::path::bezier;
 use crate::document::path::collapse::is_too_small;
 use crate::document::path::scratch::Scratch;
@@ -15,6 +14,7 @@ use crate::document::{Options, Reason};
 use crate::number::decimal::Decimal;
 use crate::shape::Truth;
 use crate::shape::endpoint::SvgArc;
+use crate::{Angle, Rule};
 
 /// A shape with its used values: `auto` resolved, radii clamped.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -138,7 +138,7 @@ pub(in crate::document) fn path_data(
     match shape {
         UsedShape::Ellipse(center, radii) => {
             let [rx, ry] = radii.map(|radius| radius.value);
-            check_place(&[center, radii])?;
+            check_place(&[center, radii], options.rule)?;
             bezier::ellipse(
                 Point::new(center[0].value, center[1].value),
                 Vec2::new(rx, ry),
@@ -179,14 +179,19 @@ pub(in crate::document) fn path_data(
 const FARTHEST: f64 = (1 << 18) as f64;
 
 /// Refuses what arithmetic or a renderer cannot hold.
-fn check_place(lengths: &[&[Length; 2]]) -> Result<(), Reason> {
+fn check_place(lengths: &[&[Length; 2]], rule: Rule) -> Result<(), Reason> {
     let largest = |pairs: &[&[Length; 2]]| {
         let lengths = pairs.iter().flat_map(|pair| pair.iter());
         lengths.fold(0.0, |most: f64, length| most.max(length.value.abs()))
     };
     let (place, sizes) = lengths.split_at(1);
     let most = largest(sizes);
-    if largest(lengths) > 1e15 || largest(place) > FARTHEST * most {
+    // A literal handle may take control points far beyond the radii.
+    let reach = match rule {
+        Rule::Handle(k) => k.abs().max(1.0),
+        _ => 1.0,
+    };
+    if largest(lengths) * reach > 1e15 || largest(place) > FARTHEST * most {
         return Err(Reason::TooLarge);
     }
     Ok(())
@@ -202,7 +207,7 @@ fn rect(
     out: &mut Vec<u8>,
 ) -> Result<f64, Reason> {
     let [rx, ry] = radii.map(|radius| radius.value);
-    check_place(&[&corner, &size, &radii])?;
+    check_place(&[&corner, &size, &radii], options.rule)?;
     // Of such corners rounding leaves none.
     let leaves_none = |decimals| is_too_small(rx.min(ry), decimals);
     if options.precision.is_some_and(leaves_none) {

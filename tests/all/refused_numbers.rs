@@ -1,0 +1,326 @@
+//! Numbers of which nothing can be drawn, refused wherever they enter the library.
+
+use core::fmt::Debug;
+use std::io::ErrorKind;
+
+use curveto::approximate::approximate_at_extremes;
+use curveto::batch;
+use curveto::compare::{Comparison, Criterion};
+use curveto::error::PictureError;
+use curveto::joints::MOST_SEGMENTS;
+use curveto::measure::fit::{self, FitTo};
+use curveto::measure::profile::{Quantity, along};
+use curveto::measure::samples::samples;
+use curveto::measure::{Reference, report};
+use curveto::method::Span;
+use curveto::picture::plot::Chart;
+use curveto::picture::size::Size;
+use curveto::picture::style::{Show, Style};
+use curveto::shape::Truth;
+use curveto::sphere::{self, Sphere, View};
+use curveto::write::{self, Format, Image};
+use curveto::{
+    Angle, Arc, Circle, Cut, Ellipse, Error, Options, Rule, Shape, approximate, diff, document,
+};
+use kurbo::Affine;
+
+const NO_NUMBERS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+fn circle() -> Circle {
+    Circle::new((0.0, 0.0), 10.0).unwrap()
+}
+
+fn quarter() -> Arc {
+    let [none, sweep] = [0.0, 90.0].map(Angle::from_degrees);
+    Arc::new((0.0, 0.0), (10.0, 10.0), none, none, sweep).unwrap()
+}
+
+fn cut(cut: Cut) -> Options {
+    Options {
+        cut,
+        ..Options::default()
+    }
+}
+
+fn assert_refused<T>(drawn: Result<T, Error>, number: impl Debug) {
+    assert!(drawn.err().is_some(), "{number:?}");
+}
+
+#[test]
+fn angles_of_shapes_are_finite() {
+    let none = Angle::ZERO;
+    for number in NO_NUMBERS {
+        let no_angle = Angle::from_degrees(number);
+        assert_refused(Ellipse::new((0.0, 0.0), (2.0, 1.0), no_angle), number);
+        for [rotation, start, sweep] in [
+            [no_angle, none, none],
+            [none, no_angle, none],
+            [none, none, no_angle],
+        ] {
+            let arc = Arc::new((0.0, 0.0), (2.0, 1.0), rotation, start, sweep);
+            assert_refused(arc, number);
+        }
+    }
+}
+
+#[test]
+fn fields_of_shapes_are_checked_where_they_are_drawn() {
+    let drawn = |shape| approximate(&shape, &cut(Cut::Adaptive(5)));
+    for number in NO_NUMBERS.into_iter().chain([-1.0, 0.0]) {
+        let radius = Circle {
+            radius: number,
+            ..circle()
+        };
+        assert_refused(drawn(Shape::Circle(radius)), number);
+        let mut arc = quarter();
+        arc.radii.y = number;
+        assert_refused(drawn(Shape::Arc(arc)), number);
+    }
+    for number in NO_NUMBERS {
+        let start = Angle::from_degrees(number);
+        assert_refused(drawn(Shape::Circle(Circle { start, ..circle() })), number);
+        let mut arcs = [quarter(); 3];
+        arcs[0].start = start;
+        arcs[1].rotation = start;
+        arcs[2].ends = Some([(number, 0.0).into(), (0.0, 10.0).into()]);
+        for arc in arcs {
+            assert_refused(drawn(Shape::Arc(arc)), number);
+        }
+    }
+    let mut arc = quarter();
+    arc.sweep = Angle::from_degrees(400.0);
+    assert_refused(drawn(Shape::Arc(arc)), arc.sweep);
+}
+
+#[test]
+fn a_literal_handle_is_at_most_a_thousand_million() {
+    let right_angle = Span::from_degrees(90.0);
+    for number in NO_NUMBERS.into_iter().chain([1.000_001e9, -1e308]) {
+        let rule = Rule::Handle(number);
+        assert_refused(rule.piece(&right_angle), number);
+        assert_refused(rule.radial_error(&right_angle), number);
+        assert_refused(quarter().cubics_by(rule, 1), number);
+        assert_refused(
+            Comparison::new(&[rule], &[4], Criterion::Peak, None),
+            number,
+        );
+        let by_span = Comparison::by_span(&[rule], &[90.0], Criterion::Peak);
+        assert_refused(by_span, number);
+        for shape in [Shape::Circle(circle()), Shape::Arc(quarter())] {
+            let options = Options {
+                rule,
+                ..Options::default()
+            };
+            assert_refused(approximate(&shape, &options), number);
+        }
+    }
+    assert!(Rule::Handle(-1e9).piece(&right_angle).is_ok());
+}
+
+#[test]
+fn joints_that_are_no_numbers_are_called_so() {
+    for shape in [Shape::Circle(circle()), Shape::Arc(quarter())] {
+        for number in NO_NUMBERS {
+            let joints = [30.0, number].map(Angle::from_degrees).to_vec();
+            let drawn = approximate(&shape, &cut(Cut::At(joints)));
+            assert!(matches!(drawn, Err(Error::NotFinite { .. })), "{drawn:?}");
+        }
+    }
+}
+
+#[test]
+fn parts_between_extremes_are_so_many_segments_at_most() {
+    let shape = Shape::Circle(circle());
+    for count in [0, MOST_SEGMENTS / 4 + 1, 100_000_000, usize::MAX] {
+        let drawn = approximate_at_extremes(&shape, false, &cut(Cut::Count(count)));
+        assert!(matches!(drawn, Err(Error::Count { .. })), "{count}");
+    }
+    for own in [Cut::Adaptive(5), Cut::At(vec![Angle::ZERO])] {
+        let drawn = approximate_at_extremes(&shape, false, &cut(own));
+        assert!(matches!(drawn, Err(Error::Joints(_))));
+    }
+}
+
+#[test]
+fn a_batch_answers_in_lines_on_as_many_threads_as_serve() {
+    let run = |format, jobs| {
+        let options = batch::Options {
+            format,
+            jobs,
+            ..batch::Options::default()
+        };
+        let mut out = Vec::new();
+        batch::run(&b"circle 0 0 50\n"[..], &mut out, &options, |_, _| ()).map(|_| out)
+    };
+    assert!(
+        run(Format::Path, usize::MAX)
+            .unwrap()
+            .starts_with(b"M50 0C")
+    );
+    let others = Format::ALL
+        .iter()
+        .copied()
+        .filter(|format| !matches!(format, Format::Path | Format::Json | Format::Ps));
+    for format in others {
+        let refused = run(format, 1).unwrap_err();
+        assert_eq!(refused.kind(), ErrorKind::InvalidInput, "{format}");
+    }
+}
+
+#[test]
+fn a_sphere_s_fields_are_checked_where_it_is_seen() {
+    let sphere = Sphere::new((0.0, 0.0), 100.0, 4, 1).unwrap();
+    let options = sphere::Options::default();
+    let many = usize::MAX;
+    for wrong in [
+        Sphere {
+            parallels: many,
+            ..sphere
+        },
+        Sphere {
+            meridians: many,
+            ..sphere
+        },
+        Sphere {
+            radius: f64::NAN,
+            ..sphere
+        },
+    ] {
+        assert_refused(wrong.seen(View::default(), &options), wrong);
+    }
+}
+
+#[test]
+fn two_drawings_are_compared_within_a_distance() {
+    for tolerance in NO_NUMBERS.into_iter().chain([-1.0]) {
+        assert_refused(diff::compare(&[], &[], tolerance), tolerance);
+    }
+    assert!(diff::compare(&[], &[], 0.0).is_ok());
+}
+
+#[test]
+fn handles_of_converted_documents_are_checked_and_never_overflow() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="1e10"/></svg>"#;
+    let options = |handle| document::Options {
+        rule: Rule::Handle(handle),
+        ..document::Options::default()
+    };
+    for handle in NO_NUMBERS.into_iter().chain([1e20]) {
+        assert_refused(options(handle).check(), handle);
+        assert_eq!(document::convert(svg, &options(handle)).unwrap().text, svg);
+    }
+    // Its points are beyond the whole numbers of 64 bits.
+    let kept = document::convert(svg, &options(-1e9)).unwrap();
+    assert_eq!(kept.text, svg);
+}
+
+#[test]
+fn looks_are_checked_in_every_picture() {
+    let drawing = approximate(&Shape::Circle(circle()), &Options::default()).unwrap();
+    let written = |format, style| {
+        let options = write::Options {
+            style,
+            ..write::Options::default()
+        };
+        write::write(&drawing, format, &options)
+    };
+    for number in NO_NUMBERS.into_iter().chain([-1.0, 0.0]) {
+        for sides in [[number, 10.0], [10.0, number]] {
+            let size = Some(Size::plain(sides));
+            for format in Image::ALL.iter().copied().map(Format::Image) {
+                let style = Style {
+                    size,
+                    ..Style::default()
+                };
+                let is_side = matches!(
+                    written(format, style),
+                    Err(Error::Picture(PictureError::Side(_)))
+                );
+                assert!(is_side, "{format} {number}");
+            }
+            let comparison = Comparison::new(&[], &[4], Criterion::Peak, None).unwrap();
+            let chart = Chart::comparison(&comparison);
+            assert_refused(write::plot(&chart, Image::Svg, size), number);
+            assert_refused(write::plot(&chart, Image::Png, size), number);
+        }
+        let error = Style {
+            show: Show {
+                error: Some(number),
+                ..Show::default()
+            },
+            ..Style::default()
+        };
+        assert_refused(written(Format::Image(Image::Svg), error), number);
+    }
+    for number in NO_NUMBERS.into_iter().chain([-1.0]) {
+        let stroke = Style {
+            stroke_width: Some(number),
+            ..Style::default()
+        };
+        let margin = Style {
+            margin: Some(number),
+            ..Style::default()
+        };
+        for style in [stroke, margin] {
+            assert_refused(written(Format::Image(Image::Svg), style), number);
+        }
+    }
+}
+
+#[test]
+fn a_machine_moves_at_a_positive_feed() {
+    let drawing = approximate(&Shape::Circle(circle()), &Options::default()).unwrap();
+    for number in NO_NUMBERS.into_iter().chain([-1.0, 0.0]) {
+        let options = write::Options {
+            feed: Some(number),
+            ..write::Options::default()
+        };
+        assert_refused(write::write(&drawing, Format::Gcode, &options), number);
+    }
+}
+
+#[test]
+fn a_reference_has_positive_radii() {
+    let drawing = approximate(&Shape::Circle(circle()), &Options::default()).unwrap();
+    for number in NO_NUMBERS.into_iter().chain([-1.0, 0.0, f64::MAX]) {
+        for radii in [(number, 10.0), (10.0, number)] {
+            let axis = (1.0, 0.0).into();
+            let truth = Truth::new((0.0, 0.0).into(), radii.into(), axis);
+            let reference = Reference::from(truth);
+            assert_refused(report(&drawing.curve, &reference, None), radii);
+            assert_refused(samples(&drawing.curve, &reference, 3), radii);
+        }
+    }
+}
+
+#[test]
+fn a_profile_of_no_steps_is_where_each_segment_starts() {
+    let drawing = approximate(&Shape::Circle(circle()), &Options::default()).unwrap();
+    let reference = Reference::from(&drawing.outline.unwrap());
+    for quantity in [Quantity::Drawing, Quantity::Error] {
+        let along = along(&drawing.curve, &reference, quantity, 0);
+        assert!(along.len() == 4 && along.iter().all(|points| points.len() == 1));
+        assert!(along.iter().flatten().all(|(x, y)| (x + y).is_finite()));
+    }
+}
+
+#[test]
+fn a_circle_is_fitted_at_any_size() {
+    let drawing = approximate(&Shape::Circle(circle()), &Options::default()).unwrap();
+    let fitted = |size, to| {
+        let curve = drawing.curve.transformed(Affine::scale(size));
+        fit::circle(&curve, Some(to))
+    };
+    for to in [FitTo::Joints, FitTo::Curve] {
+        let (whole, right) = fitted(1.0, to).unwrap();
+        for size in [1e-170, 1e148] {
+            let (truth, fit) = fitted(size, to).unwrap();
+            let off = (truth.radii.x / size - whole.radii.x).abs();
+            assert!(off < 1e-13, "{size:e}: {off:e}");
+            let off = (fit.rms / size - right.rms).abs();
+            assert!(off < 1e-13, "{size:e}: {off:e}");
+        }
+        assert_refused(fitted(1e150, to), to);
+        assert_refused(fitted(f64::NAN, to), to);
+    }
+}
