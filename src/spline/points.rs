@@ -38,7 +38,7 @@ pub enum ReadError {
 }
 
 /// What is said of a word in the first line that is neither number nor name.
-const NO_NAME: &str = "no name of a column, which begins with a letter and has letters, digits, _ and - alone; a # begins a comment";
+const NO_NAME: &str = "no name of a column: a letter, then letters, digits, _ and -, perhaps a unit in brackets; a # begins a comment";
 
 /// The longest line: two numbers take no more.
 const LONGEST_LINE: u64 = 1 << 16;
@@ -157,22 +157,25 @@ fn bare(field: &str) -> &str {
     inner.unwrap_or_else(|| unquoted(field))
 }
 
-/// What names are made of.
+/// What names are made of; accents may follow their letters.
 fn is_made_of(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
+    c.is_alphanumeric() || c == '_' || ('\u{300}'..='\u{36f}').contains(&c)
+}
+
+/// Whether it has digits and is a number but for letters that look like some.
+fn is_mistyped(name: &str) -> bool {
+    let meant = name.replace(['O', 'o'], "0").replace(['l', 'I'], "1");
+    name.contains(|c: char| c.is_ascii_digit()) && meant.parse::<f64>().is_ok()
 }
 
 /// Whether a word, perhaps with a unit after it, names a column.
 fn is_name(word: &str) -> bool {
     let end = word.find(['(', '[']).unwrap_or(word.len());
     let (name, unit) = word.split_at(end);
-    let is_plain =
-        |part: &str| part.starts_with(char::is_alphabetic) && part.chars().all(is_made_of);
-    // Letters that are taken for digits.
-    let meant = name.replace(['O', 'o'], "0").replace(['l', 'I'], "1");
-    let is_mistyped = name.contains(|c: char| c.is_ascii_digit()) && meant.parse::<f64>().is_ok();
-    let is_number = is_mistyped || name.parse::<f64>().is_ok();
-    !is_number && name.split('-').all(is_plain) && (unit.is_empty() || is_unit(unit))
+    let is_number = is_mistyped(name) || name.parse::<f64>().is_ok();
+    let is_word =
+        name.starts_with(char::is_alphabetic) && name.chars().all(|c| is_made_of(c) || c == '-');
+    !is_number && is_word && (unit.is_empty() || is_unit(unit))
 }
 
 /// Whether a word is a unit in brackets.
@@ -286,6 +289,10 @@ impl<'a> Fields<'a> {
                 // Of the numbers themselves the point says more.
                 number if number.is_empty() || number.parse::<f64>().is_ok() => flaw,
                 number if number.starts_with(begins_a_number) => self.no_number(field),
+                name if is_mistyped(name) => self.flaw(
+                    field,
+                    format!("'{field}' is a number but for letters in place of 0 or 1"),
+                ),
                 _ => self.flaw(field, format!("'{field}' is not a number, and {NO_NAME}")),
             });
         }

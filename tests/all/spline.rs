@@ -385,6 +385,7 @@ fn points_come_in_many_forms() {
         "\"0\",\"0\"\n\"1\",2\n3,\" 1 \"\n4,4\n",
         "\"x, in mm\";\"y 2\"\n0;0\n1;2\n3;1\n4;4\n",
         "pos_x0 [mm], 'y-axis' (mm)\n0;0\n1;2\n3;1\n4;4\n",
+        "gro\u{308}\u{df}e,x-1\n0;0\n1;2\n3;1\n4;4\n",
         "l\u{e4}nge,h\u{f6}he\n0;0\n1;2\n3;1\n4;4\n",
     ] {
         assert_eq!(
@@ -443,20 +444,19 @@ fn bad_points_are_named_by_line_and_column() {
         ),
         ("~1,~2\n1,1\n", "<stdin>:1:1: '~1' is not"),
         ("x=0,y=0\n1,1\n", "<stdin>:1:1: 'x=0' is not"),
-        ("O.5,O.7\n1,1\n", "<stdin>:1:1: 'O.5' is not"),
-        ("l0,l2\n1,1\n", "<stdin>:1:1: 'l0' is not"),
-        ("x,O5\n1,1\n", "<stdin>:1:3: 'O5' is not"),
+        ("O.5,O.7\n1,1\n", "<stdin>:1:1: 'O.5' is a number but"),
+        ("l0,l2\n1,1\n", "<stdin>:1:1: 'l0' is a number but"),
+        ("x,O5\n1,1\n", "<stdin>:1:3: 'O5' is a number but"),
         (
             "// c\n1,1\n",
-            "<stdin>:1:1: '//' is not a number, and no name of a column, which begins with a letter and has letters, digits, _ and - alone; a # begins a comment",
+            "<stdin>:1:1: '//' is not a number, and no name of a column: a letter, then letters, digits, _ and -, perhaps a unit in brackets; a # begins a comment",
         ),
-        ("x-1 y-1\n1,1\n", "<stdin>:1:1: 'x-1' is not"),
         ("(mm) (mm)\n1,1\n", "<stdin>:1:1: '(mm)' is not"),
         ("x (0) y (0)\n1,1\n", "<stdin>:1:3: '(0)' is not"),
         (",\n1,1\n", "<stdin>:1:1: a number is missing"),
         (
             "\u{2212}1,0\n1,1\n",
-            "' is not a number, and no name of a column, which begins with a letter and has letters, digits, _ and - alone; a # begins a \
+            "' is not a number, and no name of a column: a letter, then letters, digits, _ and -, perhaps a unit in brackets; a # begins a \
              comment\nhint: the minus of numbers is a hyphen: -1\n",
         ),
         (

@@ -183,7 +183,8 @@ pub(crate) fn hint_of_number(text: &str) -> Option<String> {
     if pointed != text && pointed.parse::<f64>().is_ok() {
         return Some(format!("decimals come after a point: {pointed}"));
     }
-    let with_minus = text.replace('\u{2212}', "-");
+    // A minus sign, an en dash and a hyphen that does not break.
+    let with_minus = text.replace(['\u{2212}', '\u{2013}', '\u{2011}'], "-");
     if with_minus != text && with_minus.parse::<f64>().is_ok() {
         return Some(format!("the minus of numbers is a hyphen: {with_minus}"));
     }
