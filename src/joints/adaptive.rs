@@ -196,7 +196,7 @@ impl Balance {
     }
 
     /// The ways to the joints of this many segments of equal error, both ends included, and that where the lobes tell it; `None` where the
-    /// method's largest angle forbids it, or as in [`Self::narrowed`].
+    /// method's largest angle forbids it, or as in [`Self::evened`].
     fn equalised(
         &self,
         whole: f64,
@@ -207,7 +207,7 @@ impl Balance {
         if let Some(level) = self.levelled(whole, pieces, begun) {
             return Some((level.ways, Some(level.most)));
         }
-        let narrowed = |equal: f64| Some((self.narrowed(whole, pieces, equal, most)?, None));
+        let narrowed = |equal: f64| Some((self.evened(whole, pieces, equal, most)?, None));
         if self.errors.is_quick() {
             let equal = self.equal(whole, pieces);
             if self.errors.is_worth_a_look(equal) {

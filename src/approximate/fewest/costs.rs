@@ -59,7 +59,7 @@ fn the_fewest_segments_of_flat_ellipses_cost_little() {
         (Method::Midpoint, [0.05, 0.2], false, 20, [22, 4335], 46),
         (Method::Curvature, [0.01, 0.05], false, 15, [36, 9478], 36),
         (Method::Minimax, [0.01, 0.05], true, 15, [18, 6323], 31),
-        (Method::Minimax, [0.003, 0.01], false, 15, [70, 10250], 30),
+        (Method::Minimax, [0.003, 0.01], false, 15, [70, 10946], 30),
     ]);
 }
 

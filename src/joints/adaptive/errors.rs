@@ -25,7 +25,7 @@ const EQUIOSCILLATING_LOBES: [f64; 5] = [0.052, 0.241, 0.5, 0.759, 0.948];
 /// no longer grows with the length of a segment alone.
 const FIRST_ORDER: f64 = 1e-4;
 
-/// Of flatter ellipses the first order tells too little beside the sharp ends: there the nearest point is taken.
+/// Of flatter ellipses the first order tells too little beside the sharp ends where lobes are narrow: there the nearest point is taken.
 const FLAT: f64 = 0.25;
 
 /// Flatter ellipses have sharp ends.
@@ -184,7 +184,7 @@ impl Errors {
         let square = point.to_vec2().hypot2();
         // r - 1 by r² - 1, which keeps its digits.
         let radial = (square - 1.0).abs() / (square.sqrt() + 1.0);
-        if self.short >= FLAT {
+        if self.short >= FLAT || !self.is_equioscillating() {
             return radial / (1.0 + self.swing * (point.x * point.x) / square).sqrt();
         }
         let (radii, squares) = (Vec2::new(self.short, 1.0), [1.0 + self.swing, 1.0]);

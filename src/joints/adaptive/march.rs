@@ -241,13 +241,7 @@ impl Balance {
     /// Joints of this many segments of equal error where longer ones may err less: the error is narrowed down from that of `equal` angles on,
     /// or from `most` where that is less, between errors that take more and no more of them: by secants of both logarithms, and evenly
     /// where these do not bring it down, as a sharp end makes the count leap. `None` where more are taken for `most`.
-    pub(super) fn narrowed(
-        &self,
-        whole: f64,
-        pieces: usize,
-        equal: f64,
-        most: f64,
-    ) -> Option<Vec<f64>> {
+    fn narrowed(&self, whole: f64, pieces: usize, equal: f64, most: f64) -> Option<Vec<f64>> {
         let (count, mut high) = (pieces as f64, equal.min(most));
         let (mut low, mut allowed) = (high / WIDE, high);
         // The last segment is to be a little too short rather than one too many.
@@ -291,6 +285,52 @@ impl Balance {
             } else {
                 (low * high).sqrt()
             };
+        }
+        found
+    }
+
+    /// The joints of [`Self::narrowed`], or those that mirror one another where these err less.
+    pub(super) fn evened(
+        &self,
+        whole: f64,
+        pieces: usize,
+        equal: f64,
+        most: f64,
+    ) -> Option<Vec<f64>> {
+        let marched = self.narrowed(whole, pieces, equal, most);
+        // Of more than three the marched ones are about as near.
+        let is_odd = pieces == 3 && self.is_sharp() && self.mirrors();
+        let even = is_odd
+            .then(|| self.mirrored(whole, pieces, equal.min(most)))
+            .flatten();
+        let less = |a: Vec<f64>, b: Vec<f64>| if self.most(&b) < self.most(&a) { b } else { a };
+        marched.into_iter().chain(even).reduce(less)
+    }
+
+    /// Joints of an odd number of segments that mirror one another over the opposite end of the axis: the error is narrowed down for which
+    /// those from the start on meet a middle one that has no larger one; `None` where that takes more than `most`.
+    fn mirrored(&self, whole: f64, pieces: usize, most: f64) -> Option<Vec<f64>> {
+        let half = pieces / 2;
+        let (mut low, mut high, mut allowed) = (most / WIDE, most, most);
+        let (mut found, mut joints) = (None, Vec::new());
+        for _ in 0..NARROWINGS {
+            self.march(whole, allowed, half, &mut joints);
+            let reached = joints.get(half).filter(|reached| 2.0 * **reached < whole);
+            let is_beyond =
+                reached.is_some_and(|&way| self.error(way, whole - 2.0 * way) > allowed);
+            if is_beyond {
+                low = allowed;
+            } else {
+                high = allowed;
+                if reached.is_some() {
+                    let back = joints.iter().rev().map(|way| whole - way);
+                    found = Some(joints.iter().copied().chain(back).collect());
+                }
+            }
+            if high <= NARROW * low || low == most {
+                break;
+            }
+            allowed = (low * high).sqrt();
         }
         found
     }

@@ -11,7 +11,7 @@ use super::{BARE, Balance, GRID, Joints};
 const WIDE: f64 = 1.0 / 60.0;
 
 /// The most segments whose joints are looked for so, and the shortest, in degrees, for which the places of half a turn are few.
-const MOST: usize = 24;
+const MOST: usize = 40;
 const SHORTEST: f64 = 3.0;
 
 /// How many places a segment passes on the grid, nearly, and how many a quarter has at least.

@@ -24,6 +24,10 @@ fn the_error_is_the_largest_distance_of_many_places() {
             (0.1, [12.0, 7.0]),
             (0.01, [60.0, 30.0]),
         ] {
+            // Of the others the first order is enough to begin with.
+            if short < 0.05 && method != Method::MinimaxG0 {
+                continue;
+            }
             let errors = errors(method, short);
             for from in [-100.0, -20.0, 0.0, 33.0, 84.0, 140.0] {
                 for size in sizes {
