@@ -334,7 +334,7 @@ impl Plan {
     }
 
     fn inner(&self, p: Point) -> Point {
-        Point::new(self.precision.round(p.x), self.precision.round(p.y))
+        self.precision.round_point(p)
     }
 
     /// An end of a step, which stays as it was given.

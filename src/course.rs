@@ -11,7 +11,6 @@ use crate::curve::Curve;
 use crate::number::Precision;
 use crate::shape::endpoint::SvgArc;
 use crate::shape::{Arc, Given, Outline};
-use rounding::rounded;
 
 /// By what part the radii of a circle may differ after a map that turns and scales it: its rounding, and a margin.
 const ROUND: f64 = 1e-12;
@@ -127,8 +126,8 @@ impl CircularArc {
     #[must_use]
     pub fn rounded(&self, precision: Precision) -> Self {
         Self {
-            to: rounded(self.to, precision),
-            center: rounded(self.center, precision),
+            to: precision.round_point(self.to),
+            center: precision.round_point(self.center),
             ..*self
         }
     }
@@ -193,7 +192,7 @@ impl Course {
     /// The course with its points rounded, centres too.
     #[must_use]
     pub fn rounded(&self, precision: Precision) -> Self {
-        let round = |p| rounded(p, precision);
+        let round = |p| precision.round_point(p);
         let step = |step: &Step| match *step {
             Step::Line(to) => Step::Line(round(to)),
             Step::Arc(arc) => Step::Arc(arc.rounded(precision)),

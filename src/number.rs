@@ -18,6 +18,7 @@ pub(crate) mod read;
 pub use people::{compact, counted, round_one_two_five, rounded_up, significant};
 
 use crate::numeric::functions;
+use kurbo::Point;
 use std::io::Write as _;
 
 use decimal::{After, BelowOne, Decimal};
@@ -86,6 +87,12 @@ impl Precision {
             Self::Full => x,
             Self::Fixed(decimals) => round(x, decimals),
         }
+    }
+
+    /// The point of both coordinates rounded so.
+    #[inline]
+    pub(crate) fn round_point(self, p: Point) -> Point {
+        Point::new(self.round(p.x), self.round(p.y))
     }
 }
 

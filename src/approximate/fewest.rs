@@ -3,8 +3,6 @@
 use core::cell::OnceCell;
 use core::ops::RangeInclusive;
 
-use kurbo::Point;
-
 use super::{Options, ROUNDING_SHARE, Request, Sketch};
 use crate::error::{Error, ReachError, Remedy, Result};
 use crate::joints::adaptive::{self, Balance};
@@ -171,10 +169,9 @@ impl Request<'_> {
                 let allowed = tolerance + 16.0 * f64::EPSILON * self.reach();
                 // The ends of an arc are looked at by themselves.
                 let inner = usize::from(!joints.closed)..joints.count();
-                Placed::new(&self.outline, joints).points(inner).any(|p| {
-                    let rounded = Point::new(precision.round(p.x), precision.round(p.y));
-                    radial::distance(truth, rounded).abs() > allowed
-                })
+                Placed::new(&self.outline, joints)
+                    .points(inner)
+                    .any(|p| radial::distance(truth, precision.round_point(p)).abs() > allowed)
             }
             _ => false,
         }

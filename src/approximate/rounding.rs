@@ -51,7 +51,7 @@ impl Request<'_> {
             .outline
             .ends
             .unwrap_or_else(|| [unit.start, end].map(on_circle));
-        let moved = |p: Point| p.distance(Point::new(precision.round(p.x), precision.round(p.y)));
+        let moved = |p: Point| p.distance(precision.round_point(p));
         ends.map(moved).into_iter().fold(0.0, f64::max)
     }
 }

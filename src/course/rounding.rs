@@ -8,10 +8,6 @@ use super::{CircularArc, Course, Step};
 use crate::angle::Angle;
 use crate::number::Precision;
 
-pub(super) fn rounded(p: Point, precision: Precision) -> Point {
-    Point::new(precision.round(p.x), precision.round(p.y))
-}
-
 impl CircularArc {
     /// The arc with its centre, its radius and its angles rounded, and how far that moves it at most; `None` where it leaves no arc.
     fn rounded_by_center(&self, precision: Precision) -> Option<(Self, f64)> {
@@ -44,7 +40,7 @@ impl CircularArc {
     /// larger on the arc than 1, or the diameter over the chord where it is more than half a turn.
     fn rounded_by_ends(&self, precision: Precision, from: Point) -> Option<(Self, f64)> {
         let old = [from, self.to];
-        let new = old.map(|p| rounded(p, precision));
+        let new = old.map(|p| precision.round_point(p));
         let [chord, other] = [old, new].map(|[from, to]| to - from);
         if chord == Vec2::ZERO || other == Vec2::ZERO {
             return None;
@@ -82,7 +78,7 @@ impl Course {
             return Some((self.clone(), 0.0));
         }
         let (mut steps, mut moved) = (Vec::with_capacity(self.steps.len()), 0.0_f64);
-        let (mut from, mut start) = (self.start, rounded(self.start, precision));
+        let (mut from, mut start) = (self.start, precision.round_point(self.start));
         for step in &self.steps {
             let (new, off) = match step {
                 Step::Arc(arc) if self.steps.len() == 1 && (arc.is_circle() || !arc.ends_given) => {
@@ -95,8 +91,8 @@ impl Course {
                     (Step::Arc(arc), off)
                 }
                 Step::Line(_) | Step::Elliptical(_) => {
-                    let to = rounded(step.to(), precision);
-                    let off = from.distance(rounded(from, precision));
+                    let to = precision.round_point(step.to());
+                    let off = from.distance(precision.round_point(from));
                     (Step::Line(to), off.max(step.to().distance(to)))
                 }
             };

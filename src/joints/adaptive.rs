@@ -89,11 +89,6 @@ impl Balance {
         self.errors.is_sharp()
     }
 
-    /// The largest angle of a segment, in degrees.
-    pub(crate) const fn largest_angle(&self) -> f64 {
-        self.largest_angle
-    }
-
     /// Whether fewer segments than marching takes may be within an error, over the larger radius: where the first order does not tell it.
     pub(crate) fn may_take_fewer(&self, allowed: f64) -> bool {
         !self.errors.is_quick() && self.errors.is_rough(allowed)

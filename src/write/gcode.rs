@@ -211,15 +211,9 @@ fn chords(
         let [sine, other] = [at, sweep - at].map(|angle| libm::sin(0.5 * angle));
         let along = 2.0 * radius * sine * libm::cos(0.5 * (sweep - at)) / chord.hypot2().sqrt();
         let p = from + chord * along + across * (2.0 * radius * sine * other);
-        steps.push(Step::Line(Point::new(
-            precision.round(p.x),
-            precision.round(p.y),
-        )));
+        steps.push(Step::Line(precision.round_point(p)));
     }
-    steps.push(Step::Line(Point::new(
-        precision.round(arc.to.x),
-        precision.round(arc.to.y),
-    )));
+    steps.push(Step::Line(precision.round_point(arc.to)));
     Some(off(count))
 }
 

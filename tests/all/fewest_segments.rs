@@ -86,6 +86,17 @@ fn draw(shape: &Shape, method: Method, cut: Cut) -> Drawing {
     approximate(shape, &options).unwrap()
 }
 
+/// The drawing with all digits, where the method serves.
+fn in_full(shape: &Shape, method: Method, cut: Cut) -> curveto::Result<Drawing> {
+    let options = Options {
+        rule: method.into(),
+        cut,
+        precision: Some(Precision::Full),
+        ..Options::default()
+    };
+    approximate(shape, &options)
+}
+
 fn within(shape: &Shape, method: Method, tolerance: f64) -> Drawing {
     draw(
         shape,
@@ -225,15 +236,7 @@ fn fewer(
     tolerance: f64,
     cut: impl Fn(usize) -> Option<Cut>,
 ) -> [usize; 2] {
-    let draw = |cut| {
-        let options = Options {
-            rule: method.into(),
-            cut,
-            precision: Some(Precision::Full),
-            ..Options::default()
-        };
-        approximate(shape, &options)
-    };
+    let draw = |cut| in_full(shape, method, cut);
     let found = draw(Cut::Tolerance(Tolerance::Absolute(tolerance)));
     let found = found.map_or(60, |drawing| drawing.curve.segments.len());
     let is_within = |&count: &usize| {
@@ -329,14 +332,8 @@ fn elliptic_arc(radii: (f64, f64), start: f64, sweep: f64) -> Shape {
 
 /// How far one segment strays from an arc.
 fn strays(method: Method, radii: (f64, f64), start: f64, sweep: f64) -> f64 {
-    let options = Options {
-        rule: method.into(),
-        cut: Cut::Count(1),
-        precision: Some(Precision::Full),
-        ..Options::default()
-    };
-    approximate(&elliptic_arc(radii, start, sweep), &options)
-        .map_or(f64::INFINITY, |drawing| drawing.error.peak())
+    let arc = elliptic_arc(radii, start, sweep);
+    in_full(&arc, method, Cut::Count(1)).map_or(f64::INFINITY, |drawing| drawing.error.peak())
 }
 
 /// The fewest segments with joints anywhere: each as long as the true error lets it be, looked for from above, since a joint on an axis, or
@@ -486,15 +483,7 @@ fn no_joints_on_a_grid_are_nearer_or_fewer_on_flat_ellipses() {
     ] {
         let radii = (100.0, short);
         let shape = elliptic_arc(radii, start, sweep);
-        let draw = |cut| {
-            let options = Options {
-                rule: method.into(),
-                cut,
-                precision: Some(Precision::Full),
-                ..Options::default()
-            };
-            approximate(&shape, &options)
-        };
+        let draw = |cut| in_full(&shape, method, cut);
         let least = least_peaks(radii, start, sweep, method);
         for (count, least) in least.into_iter().enumerate().skip(3) {
             let adaptive = draw(Cut::Adaptive(count)).unwrap().error.peak();

@@ -245,13 +245,9 @@ fn handles_of_round_rectangles_lie_on_the_lines_of_their_sides() {
             precision: Some((n % 3) as u8),
             ..document::Options::default()
         };
-        let converted = document::convert(&svg, &options).unwrap();
-        let Some(data) = converted.text.split(" d=\"").nth(1) else {
+        let Some((data, curve)) = converted_curve(&svg, &options) else {
             continue;
         };
-        let curve = path::curves(data.split('"').next().unwrap())
-            .unwrap()
-            .remove(0);
         for line in curve.segments.iter().enumerate() {
             let (i, PathSeg::Line(line)) = line else {
                 continue;
@@ -283,6 +279,13 @@ fn handles_of_round_rectangles_lie_on_the_lines_of_their_sides() {
     );
 }
 
+/// The path data that the first shape of a file became, and its curve.
+fn converted_curve(svg: &str, options: &document::Options) -> Option<(String, curveto::Curve)> {
+    let converted = document::convert(svg, options).unwrap();
+    let data = converted.text.split(" d=\"").nth(1)?.split('"').next()?;
+    Some((data.to_owned(), path::curves(data).unwrap().remove(0)))
+}
+
 /// Joints of round rectangles lie on half a unit of the last decimal, where sums of floats fall to either side.
 #[test]
 fn round_rectangles_close_on_their_first_point() {
@@ -296,13 +299,9 @@ fn round_rectangles_close_on_their_first_point() {
             precision: Some(1),
             ..document::Options::default()
         };
-        let converted = document::convert(&svg, &options).unwrap();
-        let Some(data) = converted.text.split(" d=\"").nth(1) else {
+        let Some((data, curve)) = converted_curve(&svg, &options) else {
             continue;
         };
-        let curve = path::curves(data.split('"').next().unwrap())
-            .unwrap()
-            .remove(0);
         let last = curve.segments.last().unwrap();
         // A gap would be a line.
         assert!(matches!(last, PathSeg::Cubic(_)), "{svg} {data}");

@@ -1,7 +1,7 @@
 //! Where the search for a count begins and ends, and what decides about a curve, by known answers and by trial.
 
 use super::*;
-use kurbo::ParamCurve;
+use kurbo::{ParamCurve, Point};
 
 use crate::angle::Angle;
 use crate::approximate::approximate_between;

@@ -4,7 +4,6 @@ use crate::approximate::{Request, Sketch};
 use crate::joints::Joints;
 use crate::joints::adaptive::Balance;
 use crate::measure::radial;
-use crate::method::Method;
 use crate::place::Placed;
 use crate::shape::UnitArc;
 
@@ -101,7 +100,8 @@ impl March<'_> {
     fn ways(&self, limit: f64, most: usize) -> Option<Vec<f64>> {
         let mut ways = vec![0.0];
         let mut way = 0.0;
-        let largest = self.largest(limit);
+        let radius = self.request.outline.truth.larger_radius();
+        let largest = self.balance.longest_within(limit / radius);
         while way < self.whole {
             if ways.len() > most {
                 return None;
@@ -114,18 +114,6 @@ impl March<'_> {
             ways = ways.iter().rev().map(|way| self.whole - way).collect();
         }
         Some(ways)
-    }
-
-    /// A length of which no longer segment is within a limit.
-    fn largest(&self, limit: f64) -> f64 {
-        let rule = self.request.options.rule;
-        // Of these the circle tells nothing.
-        let sees_ellipse = rule.method().is_some_and(Method::sees_ellipse);
-        if sees_ellipse {
-            return self.balance.largest_angle();
-        }
-        let radius = self.request.outline.truth.larger_radius();
-        self.balance.sizes(limit / radius)[1]
     }
 
     /// The longest segment from a way on that is within a limit. It is looked for from above: where a joint hides the sharp end of a flat

@@ -125,7 +125,7 @@ impl Balance {
 
     /// The lengths of a segment that is within an error anywhere, and of one that is nowhere: the affine map scales a distance from the
     /// circle by no more than one and no less than the ratio of the radii.
-    pub(crate) fn sizes(&self, allowed: f64) -> [f64; 2] {
+    pub(super) fn sizes(&self, allowed: f64) -> [f64; 2] {
         let safe = self.on_circle((1.0 - ROUGHLY) * allowed, 45.0);
         let least = allowed / self.lobes.short;
         let most = self.resized(safe, least / allowed);

@@ -206,10 +206,9 @@ impl Balance {
         Some(path)
     }
 
-    /// A length beyond which no segment is within an error.
-    fn longest_within(&self, allowed: f64) -> f64 {
-        let sees_ellipse = self.errors.sees_ellipse();
-        if sees_ellipse || !allowed.is_finite() {
+    /// A length beyond which no segment is within an error, over the larger radius.
+    pub(crate) fn longest_within(&self, allowed: f64) -> f64 {
+        if self.errors.sees_ellipse() || !allowed.is_finite() {
             return self.largest_angle;
         }
         self.sizes(allowed)[1]
