@@ -9,7 +9,7 @@ mod rounds;
 mod sketch;
 pub(crate) mod within;
 
-pub(crate) use decimals::{Known, ROUNDING_SHARE, automatic_precision};
+pub(crate) use decimals::{KnownCurve, ROUNDING_SHARE, automatic_precision};
 pub use extremes::approximate_at_extremes;
 pub(crate) use sketch::Sketch;
 
@@ -269,7 +269,7 @@ impl<'a> Request<'a> {
         let curve = placed.curve(pieces, joints.closed);
         let peak = self.peak_by_formula(&joints);
         let precision = self.options.precision.unwrap_or_else(|| {
-            let known = Known {
+            let known = KnownCurve {
                 rule: self.options.rule,
                 truth: &self.outline.truth,
                 axes: self.outline.axes(),

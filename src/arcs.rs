@@ -28,7 +28,7 @@ use crate::error::{Error, Result, positive};
 use crate::joints::{MOST_IN_ALL, MOST_SEGMENTS, Tolerance};
 use crate::number::{Precision, decimals_of, rounded_up};
 use crate::numeric::functions::power;
-use piece::Piece;
+use piece::StepCurve;
 
 /// The part of the tolerance that rounding may use where no precision is asked for: it costs one chord in a hundred.
 const ROUNDING_PART: f64 = 0.02;
@@ -209,11 +209,11 @@ fn advised(
 }
 
 /// The steps of a contour under a map.
-fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<Piece>> {
+fn pieces(contour: &Contour, transform: Affine) -> Result<Vec<StepCurve>> {
     contour
         .steps
         .iter()
-        .map(|step| Piece::new(step, transform))
+        .map(|step| StepCurve::new(step, transform))
         .collect()
 }
 
@@ -234,8 +234,8 @@ struct Plan {
 
 impl Plan {
     /// Without a tolerance the rounding of what was given explains so much more of it.
-    fn new(pieces: &[Piece], options: &Options, explained: f64) -> Result<Self> {
-        let bounds = pieces.iter().map(Piece::bounding_box);
+    fn new(pieces: &[StepCurve], options: &Options, explained: f64) -> Result<Self> {
+        let bounds = pieces.iter().map(StepCurve::bounding_box);
         let bounds = bounds.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
         let size = bounds.width().max(bounds.height()) / 2.0;
         let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];

@@ -143,7 +143,7 @@ pub fn run(
         let why = format!("a line holds no {}", options.format);
         return Err(io::Error::new(io::ErrorKind::InvalidInput, why));
     }
-    let writer = Writer {
+    let writer = AnswerWriter {
         output,
         complain,
         stop: options.on_error == OnError::Stop,
@@ -159,7 +159,7 @@ pub fn run(
 /// Answers every line in this thread.
 fn run_alone<W: Write, C: FnMut(u64, &Error)>(
     chunks: &mut Chunks<impl Read>,
-    mut writer: Writer<W, C>,
+    mut writer: AnswerWriter<W, C>,
     options: &Options,
 ) -> io::Result<Summary> {
     let mut worker = Worker::new(options.clone());
@@ -180,14 +180,14 @@ fn run_alone<W: Write, C: FnMut(u64, &Error)>(
 }
 
 /// The end of the way: writes, counts and complains.
-struct Writer<W, C> {
+struct AnswerWriter<W, C> {
     output: W,
     complain: C,
     stop: bool,
     summary: Summary,
 }
 
-impl<W: Write, C: FnMut(u64, &Error)> Writer<W, C> {
+impl<W: Write, C: FnMut(u64, &Error)> AnswerWriter<W, C> {
     /// Whether to go on.
     fn write(&mut self, answers: &Answers) -> io::Result<bool> {
         self.output.write_all(&answers.text)?;

@@ -25,9 +25,9 @@ use crate::number::Precision;
 use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Given, Shape, Truth, conic_placement};
 use branch::Branch;
-use frame::Frame;
+use frame::ConicFrame;
 pub use report::Report;
-pub use samples::Sample;
+pub use samples::ConicSample;
 
 /// A conic between two points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,7 +73,7 @@ const LARGEST_WEIGHT: f64 = 1e9;
 
 /// A conic that was drawn.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Drawing {
+pub struct ConicDrawing {
     /// What was drawn, the transform applied.
     pub conic: Conic,
     /// What gave the control points; `None` for a parabola, which is exact.
@@ -84,7 +84,7 @@ pub struct Drawing {
     pub error: RadialError,
 }
 
-impl Drawing {
+impl ConicDrawing {
     /// The id of the method, or `exact` for a parabola.
     #[must_use]
     pub fn method_name(&self) -> &'static str {
@@ -179,7 +179,7 @@ impl Conic {
 
     /// One segment for every quarter turn of hyperbolic angle, or of an ellipse's.
     fn quarters(&self) -> usize {
-        quarters(Angle::from_radians(2.0 * Frame::new(self).half))
+        quarters(Angle::from_radians(2.0 * ConicFrame::new(self).half))
     }
 
     /// Draws it: a parabola as quadratics, exactly; a hyperbola, and an ellipse next to a parabola, as cubics that touch it at both
@@ -199,7 +199,7 @@ impl Conic {
     /// assert!(drawing.error.peak() <= 1e-3);
     /// # Ok::<(), curveto::Error>(())
     /// ```
-    pub fn draw(&self, options: &Options) -> Result<Drawing> {
+    pub fn draw(&self, options: &Options) -> Result<ConicDrawing> {
         let map = options.transform;
         let [from, control, to] = [self.from, self.control, self.to].map(|p| map * p);
         let conic = Self::new(from, control, to, self.weight)?;
@@ -235,7 +235,7 @@ impl Conic {
     /// Pieces of equal parameter.
     fn equal(&self, count: usize, method: Option<Method>) -> Result<Vec<PathSeg>> {
         check_count(count)?;
-        let half = Frame::new(self).half;
+        let half = ConicFrame::new(self).half;
         let joint = |i: usize| half * (2.0 * i as f64 - count as f64) / count as f64;
         self.pieces(&(0..=count).map(joint).collect::<Vec<_>>(), method)
     }
@@ -246,7 +246,7 @@ impl Conic {
             let whole = QuadBez::new(self.from, self.control, self.to);
             return Ok(vec![PathSeg::Quad(whole)]);
         }
-        let frame = Frame::new(self);
+        let frame = ConicFrame::new(self);
         let ends = joints.windows(2);
         ends.map(|ends| self.piece(&frame, [ends[0], ends[1]], method))
             .collect()
@@ -255,7 +255,7 @@ impl Conic {
     /// The piece between two parameters.
     fn piece(
         &self,
-        frame: &Frame,
+        frame: &ConicFrame,
         [from, to]: [f64; 2],
         method: Option<Method>,
     ) -> Result<PathSeg> {
@@ -287,7 +287,7 @@ impl Conic {
         method: Option<Method>,
         branch: &Branch,
         options: &Options,
-    ) -> Result<Drawing> {
+    ) -> Result<ConicDrawing> {
         let curve = Curve {
             segments,
             closed: false,
@@ -321,7 +321,7 @@ impl Conic {
         } else {
             measured(&curve)
         };
-        Ok(Drawing {
+        Ok(ConicDrawing {
             conic: *self,
             method,
             curve,

@@ -62,7 +62,7 @@ impl Step {
 
 /// What becomes of the Béziers that were given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Target {
+pub enum BezierTarget {
     /// They stay as they are.
     #[default]
     Beziers,
@@ -186,19 +186,19 @@ impl Subpath {
 /// As [`approximate`](crate::approximate()), and where arcs, or cubics as quadratics, would take more segments than a curve may have, or five times as many in all.
 ///
 /// ```
-/// use curveto::contour::{Target, draw};
+/// use curveto::contour::{BezierTarget, draw};
 /// use curveto::path;
 /// let pie = path::contours("M0 0L50 0A50 50 0 0 1 0 50Z")?;
-/// let drawing = draw(&pie, Target::Beziers, &curveto::Options::default())?;
+/// let drawing = draw(&pie, BezierTarget::Beziers, &curveto::Options::default())?;
 /// assert_eq!(path::data(drawing.curves(), false), "M0 0L50 0C50 27.596 27.596 50 0 50Z");
 /// # Ok::<(), curveto::Error>(())
 /// ```
 pub fn draw(
     contours: &[Contour],
-    target: Target,
+    target: BezierTarget,
     options: &approximate::Options,
 ) -> Result<PathDrawing> {
-    if target == Target::Quadratics {
+    if target == BezierTarget::Quadratics {
         contours
             .iter()
             .try_for_each(|contour| check_quadratics(contour, options))?;
@@ -295,7 +295,7 @@ fn finest(precisions: impl Iterator<Item = Precision>) -> Precision {
 
 /// Turns steps into segments that are written alike.
 struct Finisher<'a> {
-    target: Target,
+    target: BezierTarget,
     options: &'a approximate::Options,
     precision: Precision,
 }
@@ -343,7 +343,7 @@ impl Finisher<'_> {
     fn given(&self, segment: PathSeg, segments: &mut Vec<PathSeg>) -> Result<f64> {
         let before = segments.len();
         let cubic = match (segment, self.target) {
-            (PathSeg::Cubic(cubic), Target::Quadratics) => Some(cubic),
+            (PathSeg::Cubic(cubic), BezierTarget::Quadratics) => Some(cubic),
             _ => None,
         };
         let kept = if let Some(cubic) = &cubic {
@@ -371,7 +371,7 @@ impl Finisher<'_> {
     }
 }
 
-impl Target {
+impl BezierTarget {
     /// The precision that a given segment asks for, where it is not written as it is.
     fn precision(self, step: &Step, options: &approximate::Options) -> Option<Precision> {
         let (Step::Given(segment), Self::Quadratics) = (step, self) else {

@@ -21,14 +21,14 @@ pub struct Course {
     /// Where it begins.
     pub start: Point,
     /// Its steps, each from where the one before it ends.
-    pub steps: Vec<Step>,
+    pub steps: Vec<CourseStep>,
     /// Whether it ends where it begins and is to be closed.
     pub closed: bool,
 }
 
 /// A line or a circular arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Step {
+pub enum CourseStep {
     /// A straight line to this point.
     Line(Point),
     /// An arc.
@@ -54,7 +54,7 @@ pub struct CircularArc {
     pub ends_given: bool,
 }
 
-impl Step {
+impl CourseStep {
     /// Where it ends.
     #[must_use]
     pub const fn to(&self) -> Point {
@@ -66,7 +66,7 @@ impl Step {
     }
 }
 
-impl Step {
+impl CourseStep {
     /// The outline of an arc that begins here; `None` of a line.
     #[must_use]
     pub fn outline(&self, from: Point) -> Option<Outline> {
@@ -144,7 +144,7 @@ impl Course {
     /// Whether all of it are lines and circular arcs.
     #[must_use]
     pub fn is_circular(&self) -> bool {
-        let elliptical = |step: &Step| matches!(step, Step::Elliptical(_));
+        let elliptical = |step: &CourseStep| matches!(step, CourseStep::Elliptical(_));
         !self.steps.iter().any(elliptical)
     }
 
@@ -152,7 +152,7 @@ impl Course {
     #[must_use]
     pub fn of_lines(curve: &Curve) -> Option<Self> {
         let step = |segment: &PathSeg| match segment {
-            PathSeg::Line(line) => Some(Step::Line(line.p1)),
+            PathSeg::Line(line) => Some(CourseStep::Line(line.p1)),
             _ => None,
         };
         Some(Self {
@@ -184,7 +184,7 @@ impl Course {
         };
         Some(Self {
             start,
-            steps: vec![Step::Arc(arc)],
+            steps: vec![CourseStep::Arc(arc)],
             closed: outline.unit.closed,
         })
     }
@@ -193,10 +193,10 @@ impl Course {
     #[must_use]
     pub fn rounded(&self, precision: Precision) -> Self {
         let round = |p| precision.round_point(p);
-        let step = |step: &Step| match *step {
-            Step::Line(to) => Step::Line(round(to)),
-            Step::Arc(arc) => Step::Arc(arc.rounded(precision)),
-            Step::Elliptical(arc) => Step::Elliptical(SvgArc {
+        let step = |step: &CourseStep| match *step {
+            CourseStep::Line(to) => CourseStep::Line(round(to)),
+            CourseStep::Arc(arc) => CourseStep::Arc(arc.rounded(precision)),
+            CourseStep::Elliptical(arc) => CourseStep::Elliptical(SvgArc {
                 from: round(arc.from),
                 to: round(arc.to),
                 ..arc
@@ -248,7 +248,7 @@ mod tests {
     fn arc(shape: Shape, map: Affine) -> (Point, CircularArc) {
         let outline = shape.outline().unwrap().transformed(map).unwrap();
         let course = Course::of_arc(&outline).unwrap();
-        let Step::Arc(arc) = course.steps[0] else {
+        let CourseStep::Arc(arc) = course.steps[0] else {
             panic!("{course:?}")
         };
         (course.start, arc)
@@ -319,7 +319,8 @@ mod tests {
             let outline = shape.outline().unwrap().transformed(map).unwrap();
             let course = Course::of_arc(&outline).unwrap();
             let (rounded, moved) = course.rounded_for_cad(Precision::Fixed(0)).unwrap();
-            let (Step::Arc(old), Step::Arc(new)) = (course.steps[0], rounded.steps[0]) else {
+            let (CourseStep::Arc(old), CourseStep::Arc(new)) = (course.steps[0], rounded.steps[0])
+            else {
                 panic!("{rounded:?}")
             };
             assert!(new.point(0.0).distance(rounded.start) < 1e-12);
@@ -355,11 +356,11 @@ mod tests {
         };
         let course = Course {
             start: arc.from,
-            steps: vec![Step::Elliptical(arc)],
+            steps: vec![CourseStep::Elliptical(arc)],
             closed: false,
         };
         let rounded = course.rounded(Precision::Fixed(1));
-        let [Step::Elliptical(found)] = rounded.steps[..] else {
+        let [CourseStep::Elliptical(found)] = rounded.steps[..] else {
             panic!("{rounded:?}")
         };
         assert_eq!(

@@ -92,7 +92,7 @@ pub enum Side {
 
 /// Where two subpaths lie farthest apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct FarthestPlace {
     /// The point that is farthest from the other subpath.
     pub point: Point,
     /// The drawing that it belongs to.
@@ -108,7 +108,7 @@ pub struct Distance {
     /// for equal segments only.
     pub at_most: f64,
     /// Where; `None` for equal segments.
-    pub place: Option<Place>,
+    pub place: Option<FarthestPlace>,
 }
 
 /// Two subpaths that belong together.

@@ -30,8 +30,8 @@ pub use style::property::ElementKind;
 
 use rewrite::{Pass, Rewritten};
 use style::of_document::Facts;
-use xml::encoding::Source;
-use xml::fault::{Fault, FaultKind};
+use xml::encoding::SourceText;
+use xml::fault::{FaultKind, XmlFault};
 
 /// The kinds of elements to replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -258,7 +258,7 @@ pub fn convert_bytes<'a>(bytes: &'a [u8], options: &Options) -> Result<Converted
 /// Reads the bytes of a file as UTF-8 or, byte for byte, in an encoding that holds ASCII as it is; and tells whether they stand so for theirs.
 fn read_bytes<T>(
     bytes: &[u8],
-    mut read: impl FnMut(Source<'_>) -> Result<T, Error>,
+    mut read: impl FnMut(SourceText<'_>) -> Result<T, Error>,
 ) -> Result<(T, bool), Error> {
     match decode(bytes).and_then(|text| read(text.into())) {
         Err(Error::Encoding {
@@ -273,7 +273,7 @@ fn read_bytes<T>(
         }
         Err(Error::Encoding { encoding, .. }) if xml::encoding::keeps_ascii(&encoding) => {
             let text = xml::encoding::widen(bytes);
-            let source = Source {
+            let source = SourceText {
                 text: &text,
                 is_widened: true,
             };
@@ -284,7 +284,7 @@ fn read_bytes<T>(
 }
 
 /// The new text, if anything was replaced, with what was and what was not.
-fn pass(source: Source<'_>, options: &Options) -> Result<Rewritten, Error> {
+fn pass(source: SourceText<'_>, options: &Options) -> Result<Rewritten, Error> {
     let pass = path::scratch::with_scratch(options, |scratch| {
         match rewrite::run(source, options, None, scratch, MOST_BYTES)? {
             Pass::NeedsFacts => {
@@ -331,12 +331,12 @@ pub fn decode(bytes: &[u8]) -> Result<&str, Error> {
         });
         match declared {
             Some(
-                fault @ Fault {
+                fault @ XmlFault {
                     kind: FaultKind::Encoding(_),
                     ..
                 },
             ) => Error::new(&good, fault),
-            _ => Error::new(&good, Fault::new(good.len(), "a byte that is not UTF-8")),
+            _ => Error::new(&good, XmlFault::new(good.len(), "a byte that is not UTF-8")),
         }
     })
 }

@@ -122,10 +122,10 @@ impl ArcRun {
     fn of_arc(arc: &Arc) -> Self {
         let truth = arc.truth();
         let start = EllipsePoint::at(&truth, arc.start.direction());
-        let end = match End::of(arc) {
-            End::Start => Some(start),
-            End::Angle(angle) => Some(EllipsePoint::at(&truth, angle.direction())),
-            End::Unknown => None,
+        let end = match ArcEnd::of(arc) {
+            ArcEnd::Start => Some(start),
+            ArcEnd::Angle(angle) => Some(EllipsePoint::at(&truth, angle.direction())),
+            ArcEnd::Unknown => None,
         };
         Self { start, end }.through(arc.ends)
     }
@@ -168,14 +168,14 @@ impl ArcRun {
 }
 
 /// Where an arc ends, as far as it is known without a sum.
-enum End {
+enum ArcEnd {
     /// Where it starts.
     Start,
     Angle(Angle),
     Unknown,
 }
 
-impl End {
+impl ArcEnd {
     #[inline(always)]
     fn of(arc: &Arc) -> Self {
         let sweep = arc.sweep.degrees();

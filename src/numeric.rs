@@ -106,7 +106,7 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 /// The integral of `f` over `[from, to]`: the part where the halves agree least with the whole is halved, until they agree everywhere to a
 /// few units in the last place of the sum, or to `noise`, the size below which the differences of `f` say nothing.
 pub(crate) fn adaptive_integral(f: &impl Fn(f64) -> f64, from: f64, to: f64, noise: f64) -> f64 {
-    let first = Part::new(f, [from, to], integral(f, from, to));
+    let first = Interval::new(f, [from, to], integral(f, from, to));
     let (mut sum, mut parts) = (first.of.value(), BinaryHeap::from([first]));
     for _ in 0..MOST_HALVINGS {
         let Some(&Ranked {
@@ -126,7 +126,7 @@ pub(crate) fn adaptive_integral(f: &impl Fn(f64) -> f64, from: f64, to: f64, noi
         parts.pop();
         let halves = [[from, middle], [middle, to]];
         for (range, whole) in halves.into_iter().zip(worst.halves) {
-            parts.push(Part::new(f, range, whole));
+            parts.push(Interval::new(f, range, whole));
         }
         sum = parts.iter().map(|part| part.of.value()).sum();
     }
@@ -135,13 +135,13 @@ pub(crate) fn adaptive_integral(f: &impl Fn(f64) -> f64, from: f64, to: f64, noi
 
 /// A part of an integral.
 #[derive(Clone, Copy)]
-struct Part {
+struct Interval {
     range: [f64; 2],
     /// The integrals over its halves.
     halves: [f64; 2],
 }
 
-impl Part {
+impl Interval {
     /// Ranked by how far the sum of its halves is from the integral over the whole.
     fn new(f: &impl Fn(f64) -> f64, range: [f64; 2], whole: f64) -> Ranked<Self> {
         let [from, to] = range;

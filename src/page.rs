@@ -10,8 +10,8 @@ mod sources;
 mod words;
 
 pub use document::{
-    CriterionEntry, DrawingEntry, MethodEntry, PageDocument, ShapeChoice, SourceRow, SourceTable,
-    Step,
+    CriterionEntry, DrawingEntry, MethodEntry, PageDocument, PageStep, ShapeChoice, SourceRow,
+    SourceTable,
 };
 
 use core::fmt::Write as _;
@@ -29,7 +29,7 @@ const LARGEST: usize = 400_000;
 
 /// What a page is to show.
 #[derive(Debug, Clone)]
-pub struct Request<'a> {
+pub struct PageRequest<'a> {
     /// The shape to begin with; its radii are those of the others.
     pub shape: Shape,
     /// Whether the closing operator is left out.

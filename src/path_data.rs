@@ -8,7 +8,7 @@ use core::ops::Range;
 use kurbo::Vec2;
 
 use crate::number::read as number;
-pub(crate) use fault::Fault;
+pub(crate) use fault::PathFault;
 use grammar::{after_arc_shape, after_arguments, after_numbers, after_separator, after_space};
 
 /// One command and one set of its arguments.
@@ -165,12 +165,12 @@ impl<'a> Segments<'a> {
 
     /// What is wrong at the error, to the byte.
     #[cold]
-    pub(crate) fn fault(&self) -> Option<Fault> {
+    pub(crate) fn fault(&self) -> Option<PathFault> {
         let at = self.error?;
         if !self.begun {
-            return Some(Fault::Unexpected(at));
+            return Some(PathFault::Unexpected(at));
         }
-        Some(Fault::find(self.bytes, at, self.repeated))
+        Some(PathFault::find(self.bytes, at, self.repeated))
     }
 
     /// The index of the error, if it is a number too many or the first of too few.

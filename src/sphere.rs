@@ -20,7 +20,7 @@ use crate::method::Rule;
 use crate::number::Precision;
 use crate::radial_error::RadialError;
 use crate::shape::{Arc, Circle, Shape};
-use limb::Side;
+use limb::LimbSide;
 use space::{Ring, Space};
 
 /// A sphere with the lines on it.
@@ -83,7 +83,7 @@ pub struct Part {
 
 /// A sphere as it is seen.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
+pub struct SphereView {
     /// What was asked for.
     pub sphere: Sphere,
     /// From where.
@@ -151,7 +151,7 @@ impl Sphere {
     /// assert_eq!(seen.back.len(), 2);
     /// # Ok::<(), curveto::Error>(())
     /// ```
-    pub fn seen(&self, view: View, options: &Options) -> Result<Picture> {
+    pub fn seen(&self, view: View, options: &Options) -> Result<SphereView> {
         self.check()?;
         let count = self.meridians.div_ceil(2) + self.parallels + 1;
         let most = MOST_SEGMENTS / count;
@@ -162,7 +162,7 @@ impl Sphere {
         }
         let space = Space::new(self, view)?;
         let units = Units::new(self, view, options)?;
-        let mut picture = Picture {
+        let mut picture = SphereView {
             sphere: *self,
             view,
             options: options.clone(),
@@ -178,8 +178,8 @@ impl Sphere {
             for (side, curve) in limb::cut(units.curve(line), ring.depth) {
                 let curve = curve.transformed(ring.screen);
                 match side {
-                    Side::Front => picture.front.push(Part { line, curve }),
-                    Side::Back => picture.back.push(Part { line, curve }),
+                    LimbSide::Front => picture.front.push(Part { line, curve }),
+                    LimbSide::Back => picture.back.push(Part { line, curve }),
                 }
             }
         }
@@ -215,7 +215,7 @@ impl Sphere {
     }
 }
 
-impl Picture {
+impl SphereView {
     /// The picture mapped and rounded.
     fn finished(mut self) -> Result<Self> {
         let transform = self.options.transform;

@@ -22,7 +22,7 @@ pub(crate) fn automatic_precision<'a>(
 }
 
 /// What is known of a curve before it is measured.
-pub(crate) struct Known<'a, C> {
+pub(crate) struct KnownCurve<'a, C> {
     pub(crate) rule: Rule,
     pub(crate) truth: &'a Truth,
     pub(crate) axes: Axes,
@@ -33,7 +33,7 @@ pub(crate) struct Known<'a, C> {
     pub(crate) told: Option<f64>,
 }
 
-impl<C: Cutting> Known<'_, C> {
+impl<C: Cutting> KnownCurve<'_, C> {
     /// The fewest decimals for a peak error of at most `most`. Mostly what the lobes of the pieces or samples tell of the peak asks for
     /// as many decimals as the exact one.
     pub(crate) fn precision<S: Iterator<Item = PathSeg>>(
@@ -86,7 +86,7 @@ mod tests {
         let outline = Shape::Ellipse(ellipse).outline().unwrap();
         let cutting = EqualPieces::new(outline.unit, 12).unwrap();
         let tells = |told, largest: f64| {
-            let known = Known {
+            let known = KnownCurve {
                 rule: Rule::default(),
                 truth: &outline.truth,
                 axes: outline.axes(),

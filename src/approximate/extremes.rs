@@ -36,7 +36,7 @@ pub fn approximate_at_extremes(
     let Some(request) = Request::new(shape, options)? else {
         return straight(shape, options);
     };
-    let pieces = Pieces::new(request, with_start);
+    let pieces = BetweenExtremes::new(request, with_start);
     let mut parts = pieces.fewest();
     match options.cut {
         Cut::Count(count) => {
@@ -52,7 +52,7 @@ pub fn approximate_at_extremes(
 }
 
 /// A shape between its extremes.
-struct Pieces<'a> {
+struct BetweenExtremes<'a> {
     request: Request<'a>,
     /// How many degrees after the start the pieces meet, both ends included.
     ways: Vec<f64>,
@@ -60,7 +60,7 @@ struct Pieces<'a> {
     largest: Option<f64>,
 }
 
-impl<'a> Pieces<'a> {
+impl<'a> BetweenExtremes<'a> {
     fn new(request: Request<'a>, with_start: bool) -> Self {
         let outline = &request.outline;
         let mut extremes = outline.extremes().to_vec();

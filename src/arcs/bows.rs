@@ -4,10 +4,10 @@ use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
 use super::builder::{Builder, Stretch, half_turn};
 use super::chain::runs_on;
-use super::fit::Search;
+use super::fit::PieceSearch;
 use super::from_chord::Above;
 use super::near::moved;
-use super::piece::Piece;
+use super::piece::StepCurve;
 use super::recognize::Rules;
 use super::{Options, Plan, decimals_given, pieces};
 use super::{together, turn};
@@ -57,7 +57,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
         },
         options,
         course: Course {
-            start: plan.end(given.first().map(Piece::start).unwrap_or_default()),
+            start: plan.end(given.first().map(StepCurve::start).unwrap_or_default()),
             steps: Vec::with_capacity(given.len()),
             closed: contour.closed,
         },
@@ -69,7 +69,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
     builder.at = builder.course.start;
     let mut cubics = Vec::new();
     for (piece, step) in given.iter().zip(&contour.steps) {
-        if let Piece::Cubic(cubic) = piece
+        if let StepCurve::Cubic(cubic) = piece
             && !piece.is_dot()
         {
             cubics.push(*cubic);
@@ -84,7 +84,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
 
 impl Builder<'_> {
     /// A line, or an arc that was given.
-    fn kept(&mut self, piece: &Piece, step: &Step) -> Result<()> {
+    fn kept(&mut self, piece: &StepCurve, step: &Step) -> Result<()> {
         let Step::Arc(arc) = step else {
             self.line(piece.start(), piece.end(), 0.0, true);
             return Ok(());
@@ -93,7 +93,7 @@ impl Builder<'_> {
         let kept = if outline.unit.closed {
             None
         } else if let Some(course) = Course::of_arc(&outline)
-            && let [course::Step::Arc(found)] = course.steps[..]
+            && let [course::CourseStep::Arc(found)] = course.steps[..]
         {
             Some((Vec2::splat(found.radius), 0.0, found.sweep.degrees()))
         } else if self.options.elliptic {
@@ -130,7 +130,7 @@ impl Builder<'_> {
     /// Appends an arc that was given, its ends rounded, unless that moves it too far.
     fn kept_arc(
         &mut self,
-        piece: &Piece,
+        piece: &StepCurve,
         (radii, rotation, sweep): (Vec2, f64, f64),
         is_half: bool,
     ) -> Result<bool> {
@@ -269,7 +269,7 @@ fn spans_alike<'a>(
     room: f64,
     is_enough: &impl Fn(&[Stretch<'_>]) -> bool,
 ) -> Vec<Stretch<'a>> {
-    let mut search = Search::new(room, rules.elliptic);
+    let mut search = PieceSearch::new(room, rules.elliptic);
     let (mut spans, mut free, mut at, mut drawn) = (Vec::new(), 0, 0, 0);
     while at < chain.len() {
         let rest = &chain[at..];

@@ -7,10 +7,10 @@ use kurbo::{CubicBez, Point, Vec2};
 
 use super::bound::from_arc;
 use super::chords;
-use super::fit::Search;
+use super::fit::PieceSearch;
 use super::form::Fitted;
 use super::from_chord::from_chord;
-use super::piece::Piece;
+use super::piece::StepCurve;
 use super::recognize::{Found, Rules, is_enlarged};
 use super::{Options, Plan};
 use crate::Angle;
@@ -159,7 +159,7 @@ impl Builder<'_> {
         let (steps, at) = (self.course.steps.len(), self.at);
         let errors = [self.error, self.error_of_arcs];
         for share in FINER {
-            let mut search = Search::new(share * (self.plan.room - strayed), false);
+            let mut search = PieceSearch::new(share * (self.plan.room - strayed), false);
             let fits = search.pieces(parts, MOST_SEGMENTS);
             let last = fits.len().saturating_sub(1);
             let mut fits = fits.iter().enumerate();
@@ -183,7 +183,7 @@ impl Builder<'_> {
         }
         let last = parts.len().saturating_sub(1);
         for (i, part) in parts.iter().enumerate() {
-            let (piece, mut from) = (Piece::Cubic(*part), 0.0);
+            let (piece, mut from) = (StepCurve::Cubic(*part), 0.0);
             let room = chords::Room {
                 rounded: room,
                 exact: room,
@@ -249,7 +249,7 @@ impl Builder<'_> {
         self.error = self.error.max(off + moved);
         // Of a piece of a curve that rounding makes a point nothing is left to draw.
         if end != self.at || ends_given {
-            self.course.steps.push(course::Step::Line(end));
+            self.course.steps.push(course::CourseStep::Line(end));
         }
         self.at = end;
     }
@@ -267,8 +267,8 @@ impl Builder<'_> {
         self.error = self.error.max(off);
         self.error_of_arcs = self.error_of_arcs.max(off);
         self.at = given.to;
-        let circular = circular(given, arc).map(course::Step::Arc);
-        let step = circular.unwrap_or(course::Step::Elliptical(*given));
+        let circular = circular(given, arc).map(course::CourseStep::Arc);
+        let step = circular.unwrap_or(course::CourseStep::Elliptical(*given));
         self.course.steps.push(step);
     }
 

@@ -1,6 +1,6 @@
 //! Where a piece is cut into chords: each as long as the tolerance lets it be, and never more of them than by halving.
 
-use super::piece::Piece;
+use super::piece::StepCurve;
 use crate::joints::MOST_SEGMENTS;
 
 /// How often a chord's end is moved as its distance says.
@@ -57,7 +57,7 @@ impl Cuts {
     }
 }
 
-pub(super) fn cuts(piece: &Piece, room: Room) -> Cuts {
+pub(super) fn cuts(piece: &StepCurve, room: Room) -> Cuts {
     if piece.is_line() {
         return Cuts::certain(vec![1.0]);
     }
@@ -78,7 +78,7 @@ pub(super) fn cuts(piece: &Piece, room: Room) -> Cuts {
 }
 
 /// The longest chords, or those by halving where they are fewer.
-fn fewest(piece: &Piece, room: Room) -> Cuts {
+fn fewest(piece: &StepCurve, room: Room) -> Cuts {
     let ends = longest(piece, room.rounded);
     if ends.len() > MOST_SEGMENTS {
         return Cuts::certain(ends);
@@ -98,8 +98,8 @@ fn fewest(piece: &Piece, room: Room) -> Cuts {
 
 /// Chords as long as they can be, one after the other; where longer parts may lie nearer to their chords than shorter ones, from the end
 /// where these are fewer.
-fn longest(piece: &Piece, tolerance: f64) -> Vec<f64> {
-    let walk = |backward| Walk {
+fn longest(piece: &StepCurve, tolerance: f64) -> Vec<f64> {
+    let walk = |backward| ChordWalk {
         piece,
         tolerance,
         backward,
@@ -118,7 +118,7 @@ fn longest(piece: &Piece, tolerance: f64) -> Vec<f64> {
 }
 
 /// The ends of chords by halving the parameter again and again, where these are fewer.
-fn halved(piece: &Piece, tolerance: f64, fewer_than: usize) -> Option<Vec<f64>> {
+fn halved(piece: &StepCurve, tolerance: f64, fewer_than: usize) -> Option<Vec<f64>> {
     let mut halved = Vec::new();
     halve(
         piece,
@@ -132,13 +132,13 @@ fn halved(piece: &Piece, tolerance: f64, fewer_than: usize) -> Option<Vec<f64>> 
 }
 
 /// Chords as long as they can be, from the one end of a piece or the other: a parameter is the way from there.
-struct Walk<'a> {
-    piece: &'a Piece,
+struct ChordWalk<'a> {
+    piece: &'a StepCurve,
     tolerance: f64,
     backward: bool,
 }
 
-impl Walk<'_> {
+impl ChordWalk<'_> {
     fn ends(&self) -> Vec<f64> {
         let (mut ends, mut from, mut guess) = (Vec::new(), 0.0, 1.0);
         while from < 1.0 && ends.len() <= MOST_SEGMENTS {
@@ -218,7 +218,7 @@ impl Walk<'_> {
 }
 
 fn halve(
-    piece: &Piece,
+    piece: &StepCurve,
     tolerance: f64,
     (from, to): (f64, f64),
     depth: u32,

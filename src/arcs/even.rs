@@ -4,13 +4,13 @@
 use kurbo::CubicBez;
 
 use super::chain::Chain;
-use super::fit::Search;
+use super::fit::PieceSearch;
 use super::form::Fitted;
 
 /// The most parts that are tried.
 const MOST_PARTS: usize = 16;
 
-impl Search {
+impl PieceSearch {
     /// The fewest equal parts of a closed chain that are near enough, where they are fewer than so many pieces.
     pub(super) fn even(&mut self, cubics: &[CubicBez], count: usize) -> Option<Vec<Fitted>> {
         let chain = Chain::new(cubics);

@@ -75,7 +75,7 @@ struct Nearest {
 const MOST_LONGER: f64 = 16.0;
 
 /// Looks for the fewest pieces of chains.
-pub(super) struct Search {
+pub(super) struct PieceSearch {
     room: f64,
     /// Whether arcs may be those of ellipses.
     elliptic: bool,
@@ -83,7 +83,7 @@ pub(super) struct Search {
     points: Vec<Vec2>,
 }
 
-impl Search {
+impl PieceSearch {
     pub(super) const fn new(room: f64, elliptic: bool) -> Self {
         Self {
             room,

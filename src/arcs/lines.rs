@@ -3,7 +3,7 @@
 use kurbo::{Line, PathSeg};
 
 use super::chords::{self, Cuts, Room};
-use super::piece::Piece;
+use super::piece::StepCurve;
 use super::{Options, Plan, pieces};
 use crate::contour::{Contour, Subpath};
 use crate::curve::Curve;
@@ -41,7 +41,7 @@ pub(super) fn subpath(contour: &Contour, options: &Options) -> Result<Subpath> {
     })
 }
 
-fn all_cuts(pieces: &[Piece], plan: &Plan, options: &Options) -> Result<Vec<Cuts>> {
+fn all_cuts(pieces: &[StepCurve], plan: &Plan, options: &Options) -> Result<Vec<Cuts>> {
     let rounded = plan.room_of_chords(options, plan.cut());
     let room = Room {
         rounded,
@@ -64,7 +64,7 @@ fn all_cuts(pieces: &[Piece], plan: &Plan, options: &Options) -> Result<Vec<Cuts
 }
 
 /// The chords as they are printed, and how far they lie from the pieces.
-fn drawn(pieces: &[Piece], cuts: &[Cuts], plan: &Plan) -> (Vec<PathSeg>, f64) {
+fn drawn(pieces: &[StepCurve], cuts: &[Cuts], plan: &Plan) -> (Vec<PathSeg>, f64) {
     let mut segments = Vec::new();
     let mut error = 0.0_f64;
     for (piece, cuts) in pieces.iter().zip(cuts) {

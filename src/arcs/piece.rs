@@ -12,7 +12,7 @@ use crate::shape::Outline;
 
 /// A step of a contour.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Piece {
+pub(super) enum StepCurve {
     Line(Line),
     /// A Bézier, raised to a cubic.
     Cubic(CubicBez),
@@ -30,7 +30,7 @@ pub(super) struct EllipseTurn {
     ends: Option<[Point; 2]>,
 }
 
-impl Piece {
+impl StepCurve {
     pub(super) fn new(step: &Step, transform: Affine) -> Result<Self> {
         Ok(match step {
             Step::Given(segment) => match transform * *segment {

@@ -143,7 +143,7 @@ fn together(cubics: &[CubicBez], arcs: &[Found], rules: &Rules) -> Option<Vec<Fo
     if is_even && arcs.len() <= least && round(first.radii.x, 0) == first.radii.x {
         return None;
     }
-    let points = Points::of(cubics, arcs)?;
+    let points = RunPoints::of(cubics, arcs)?;
     let known = is_even
         .then(|| points.explain(first.radii.x, rules))
         .flatten();
@@ -194,7 +194,7 @@ fn keeps_its_radius(found: &Found) -> bool {
 }
 
 /// Points of a run.
-struct Points {
+struct RunPoints {
     joints: Vec<Point>,
     /// Joints and others.
     all: Vec<Point>,
@@ -206,7 +206,7 @@ struct Points {
     least: f64,
 }
 
-impl Points {
+impl RunPoints {
     fn of(cubics: &[CubicBez], arcs: &[Found]) -> Option<Self> {
         let closed = cubics.first()?.p0 == cubics.last()?.p3;
         let last = cubics.last().filter(|_| !closed).map(|cubic| cubic.p3);

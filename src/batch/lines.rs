@@ -8,8 +8,8 @@ use super::turn::Turns;
 use super::{Answers, OnError, Options, worsen};
 use crate::angle::Angle;
 use crate::approximate::{self, approximate, sketch};
-use crate::batch::spec::{Spec, Subject};
-use crate::contour::{Contour, Target, draw};
+use crate::batch::spec::{LineContent, Spec};
+use crate::contour::{BezierTarget, Contour, draw};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::method::Rule;
@@ -118,7 +118,7 @@ impl Worker {
         };
         let spec = Spec::parse(line)?;
         if spec.method.is_none() && spec.cut.is_none() {
-            if let (Subject::Shape(Shape::Circle(circle)), Format::Path, false) =
+            if let (LineContent::Shape(Shape::Circle(circle)), Format::Path, false) =
                 (&spec.subject, self.form.format, self.form.measures)
                 && self.turns.push(out, circle, &self.options).is_some()
             {
@@ -163,8 +163,8 @@ fn push_spec(
     memo: &mut Memo,
 ) -> Result<Option<f64>> {
     match &spec.subject {
-        Subject::Shape(shape) => push_shape(out, shape, spec.id, form, options, memo),
-        Subject::Path(contours) => {
+        LineContent::Shape(shape) => push_shape(out, shape, spec.id, form, options, memo),
+        LineContent::Path(contours) => {
             push_path(out, contours, spec.id, form.format, options).map(Some)
         }
     }
@@ -207,7 +207,7 @@ fn push_path(
     format: Format,
     options: &approximate::Options,
 ) -> Result<f64> {
-    let drawing = draw(contours, Target::Beziers, options)?;
+    let drawing = draw(contours, BezierTarget::Beziers, options)?;
     match format {
         Format::Json => push_json(out, id, &PathDocument::from(&drawing))?,
         Format::Ps => {

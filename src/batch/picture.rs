@@ -5,11 +5,11 @@ use std::io::{self, BufRead as _, BufReader, Read};
 use kurbo::Affine;
 
 use super::lines::text_of;
-use super::spec::{Spec, Subject};
+use super::spec::{LineContent, Spec};
 use super::{BYTE_ORDER_MARK, LONGEST_LINE, OnError, Options, Summary, too_long, too_much, worsen};
 use crate::approximate::{self, approximate};
 use crate::arcs;
-use crate::contour::{Contour, Step, Target, draw};
+use crate::contour::{BezierTarget, Contour, Step, draw};
 use crate::course::Course;
 use crate::error::{Error, FormatError, Remedy, Result};
 use crate::joints::Cut;
@@ -187,7 +187,7 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<LineDrawi
         transform: Affine::IDENTITY,
     };
     let (curves, peak, truths, courses) = match &spec.subject {
-        Subject::Shape(shape) => {
+        LineContent::Shape(shape) => {
             let drawing = approximate(shape, &how)?;
             let course = match (shape, &drawing.outline) {
                 (Shape::Arc(_), Some(outline)) => Course::of_arc(outline),
@@ -197,8 +197,8 @@ fn shape(line: &[u8], options: &Options, exact: bool) -> Result<Option<LineDrawi
             let truths = Approximated::of_drawing(&drawing).into_iter().collect();
             (vec![drawing.curve], drawing.error.peak(), truths, courses)
         }
-        Subject::Path(contours) => {
-            let drawing = draw(contours, Target::Beziers, &how)?;
+        LineContent::Path(contours) => {
+            let drawing = draw(contours, BezierTarget::Beziers, &how)?;
             let courses = (exact && contours.iter().all(is_course))
                 .then(|| arcs::arcs(contours, &arcs::Options::default()).ok())
                 .flatten()

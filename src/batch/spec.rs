@@ -30,7 +30,7 @@ use crate::shape::{Arc, Ellipse, Shape};
 #[derive(Debug, Clone)]
 pub struct Spec<'a> {
     /// What is to be drawn.
-    pub subject: Subject,
+    pub subject: LineContent,
     /// The value of the key `id`, as it stands there.
     pub id: Option<&'a str>,
     /// The method, where the line names one.
@@ -43,7 +43,7 @@ pub struct Spec<'a> {
 
 /// What a line draws.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Subject {
+pub enum LineContent {
     /// A shape.
     Shape(Shape),
     /// A path: a polyline is one too.

@@ -3,14 +3,14 @@
 use super::*;
 
 /// Gives one piece a read, or an error.
-struct Pieces(std::vec::IntoIter<io::Result<Vec<u8>>>);
+struct PieceReads(std::vec::IntoIter<io::Result<Vec<u8>>>);
 
-fn pieces<const N: usize>(pieces: [io::Result<&[u8]>; N]) -> Pieces {
+fn pieces<const N: usize>(pieces: [io::Result<&[u8]>; N]) -> PieceReads {
     let pieces = pieces.map(|piece| piece.map(<[u8]>::to_vec));
-    Pieces(Vec::from(pieces).into_iter())
+    PieceReads(Vec::from(pieces).into_iter())
 }
 
-impl Read for Pieces {
+impl Read for PieceReads {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let Some(piece) = self.0.next().transpose()? else {
             return Ok(0);
@@ -21,7 +21,7 @@ impl Read for Pieces {
 }
 
 /// What is written for this input, by one thread and by several, and the lines that failed.
-fn answered(input: impl Fn() -> Pieces, on_error: OnError) -> io::Result<(String, Vec<u64>)> {
+fn answered(input: impl Fn() -> PieceReads, on_error: OnError) -> io::Result<(String, Vec<u64>)> {
     let of = |jobs| {
         let options = Options {
             on_error,

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 
 use super::lines::{Worker, without_last_end};
-use super::{Answers, Chunks, LONGEST_ANSWERS, Options, Summary, Writer};
+use super::{AnswerWriter, Answers, Chunks, LONGEST_ANSWERS, Options, Summary};
 use crate::error::Error;
 
 /// How many chunks are on their way for each thread.
@@ -46,7 +46,7 @@ struct Queues {
 /// As [`super::run`] on several threads.
 pub(super) fn run<W: Write, C: FnMut(u64, &Error)>(
     mut chunks: Chunks<impl Read + Send + 'static>,
-    mut writer: Writer<W, C>,
+    mut writer: AnswerWriter<W, C>,
     options: &Options,
 ) -> io::Result<Summary> {
     // What was written goes back to the reader, so that memory is asked for once and not a chunk.

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use curveto::compare::Comparison;
 use curveto::number::text;
-use curveto::page::{PageDocument, Request, html};
+use curveto::page::{PageDocument, PageRequest, html};
 use curveto::picture::plot::Chart;
 use curveto::write::comparison::{csv, table};
 use curveto::write::json;
@@ -83,7 +83,7 @@ fn page(args: &CompareArgs) -> Result<String, Failure> {
     if rules.contains(&Rule::CHEN_2_GAUSS_2) {
         words.push("--quadrature gauss2".to_owned());
     }
-    let document = PageDocument::new(&Request {
+    let document = PageDocument::new(&PageRequest {
         shape,
         open: false,
         rules: &rules,

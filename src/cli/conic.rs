@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use curveto::approximate::Options;
-use curveto::conic::{Conic, Drawing};
+use curveto::conic::{Conic, ConicDrawing};
 
 use super::Outcome;
 use super::args::{ApproximationArgs, ConicShape, Draw};
@@ -36,7 +36,7 @@ pub(super) fn drawing(
     conic: &Conic,
     approximation: &ApproximationArgs,
     options: &Options,
-) -> Result<Drawing, Failure> {
+) -> Result<ConicDrawing, Failure> {
     if approximation.extremes {
         return Err(Failure::request_with_hint(
             "--extremes is for circles and ellipses, not for a parabola or a hyperbola",

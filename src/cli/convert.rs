@@ -18,7 +18,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use self::report::FileReport;
-use self::tree::{Destination, Input, Job};
+use self::tree::{Destination, FileJob, Input};
 use super::Outcome;
 use super::args::ConvertArgs;
 use super::failure::{Failure, tell};
@@ -66,7 +66,7 @@ pub(super) fn run(args: &ConvertArgs) -> Outcome {
     if reports.iter().any(FileReport::is_closed_pipe) {
         return Ok(ExitCode::SUCCESS);
     }
-    let way = report::Way {
+    let way = report::DoneTo {
         back: args.goes_back(),
         only_checks: args.destination.check,
     };
@@ -126,7 +126,7 @@ struct Done {
 }
 
 /// Converts one file.
-fn process(job: &Job, options: &Options) -> Result<Done, Trouble> {
+fn process(job: &FileJob, options: &Options) -> Result<Done, Trouble> {
     let seen = job.input.stamp();
     let raw = read(&job.input)?;
     let compressed = input::is_packed(&raw);

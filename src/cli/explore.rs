@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use curveto::compare::Criterion;
-use curveto::page::{PageDocument, Request, html};
+use curveto::page::{PageDocument, PageRequest, html};
 use curveto::write::json;
 
 use super::Outcome;
@@ -33,7 +33,7 @@ fn explore<S: ShapeWords + clap::Args>(args: &Explored<S>) -> Outcome {
         &args.segments
     };
     check_segments(counts)?;
-    let document = PageDocument::new(&Request {
+    let document = PageDocument::new(&PageRequest {
         shape,
         open: args.shape.open(),
         rules: &args.rules(),

@@ -68,8 +68,8 @@ impl OutputTarget {
             return Self::Stdout;
         };
         match followed(path) {
-            Ok(Place::Open(1)) => Self::Stdout,
-            Ok(Place::Open(2)) => Self::Stderr,
+            Ok(LinkTarget::Open(1)) => Self::Stdout,
+            Ok(LinkTarget::Open(2)) => Self::Stderr,
             _ => Self::File(path.to_owned()),
         }
     }
@@ -131,7 +131,7 @@ impl OutputTarget {
             Self::Stdout => write(&mut io::stdout().lock()).map(drop),
             // Without its lock, since messages go there too.
             Self::Stderr => write(&mut io::stderr()).map(drop),
-            Self::File(path) => match followed(path).and_then(Place::open) {
+            Self::File(path) => match followed(path).and_then(LinkTarget::open) {
                 Ok(Opened::Through(mut file)) => write(&mut file).map(drop),
                 Ok(Opened::New(mut file)) => {
                     if write(file.file())? {
@@ -167,7 +167,7 @@ pub(crate) fn replace_input(
 }
 
 /// Where a path leads by its links.
-enum Place {
+enum LinkTarget {
     /// What this process has open already, by its number.
     Open(i32),
     /// What has to be written to and is never replaced: a device, a FIFO, what another process has open.
@@ -182,7 +182,7 @@ enum Opened {
     New(Box<NewFile>),
 }
 
-impl Place {
+impl LinkTarget {
     fn open(self) -> io::Result<Opened> {
         Ok(match self {
             Self::Open(number) => Opened::Through(open_already(number)?),
@@ -216,7 +216,7 @@ fn open_already(number: i32) -> io::Result<File> {
 const MOST_LINKS: usize = 40;
 
 /// Where a path leads by its links, also where nothing is there yet.
-fn followed(path: &Path) -> io::Result<Place> {
+fn followed(path: &Path) -> io::Result<LinkTarget> {
     let mut path = path.to_owned();
     for _ in 0..=MOST_LINKS {
         if let Some(place) = descriptor(&path) {
@@ -225,8 +225,8 @@ fn followed(path: &Path) -> io::Result<Place> {
         let Ok(target) = fs::read_link(&path) else {
             let path = fs::canonicalize(&path).unwrap_or(path);
             return Ok(match fs::metadata(&path) {
-                Ok(data) if !data.is_file() => Place::Through(path),
-                _ => Place::File(path),
+                Ok(data) if !data.is_file() => LinkTarget::Through(path),
+                _ => LinkTarget::File(path),
             });
         };
         path = folder_of(&path).join(target);
@@ -236,21 +236,22 @@ fn followed(path: &Path) -> io::Result<Place> {
 
 /// What some process has open already, where a path is its name. That looks like a link, but what is read from it may be the name of
 /// nothing, or of a file that others write to.
-fn descriptor(path: &Path) -> Option<Place> {
+fn descriptor(path: &Path) -> Option<LinkTarget> {
     let number = path.file_name()?.to_str()?.parse().ok()?;
     let folder = folder_of(path);
     let real = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
     let own = fs::canonicalize("/proc/self").unwrap_or_else(|_| "/proc/self".into());
     if real == Path::new("/dev/fd") || (real.starts_with(own) && real.ends_with("fd")) {
-        return Some(Place::Open(number));
+        return Some(LinkTarget::Open(number));
     }
-    (real.starts_with("/proc") && real.ends_with("fd")).then(|| Place::Through(path.to_owned()))
+    (real.starts_with("/proc") && real.ends_with("fd"))
+        .then(|| LinkTarget::Through(path.to_owned()))
 }
 
 /// Where a path leads by its links, by one name for one place, however it is spelled.
 pub(crate) fn place_of(path: &Path) -> PathBuf {
     let path = match followed(path) {
-        Ok(Place::File(real) | Place::Through(real)) => real,
+        Ok(LinkTarget::File(real) | LinkTarget::Through(real)) => real,
         _ => path.to_owned(),
     };
     let folder = folder_of(&path);

@@ -17,10 +17,10 @@ use super::output::write_drawn;
 use super::{Outcome, input};
 
 /// Contours and the map that is to be applied to them.
-type Part = (Vec<Contour>, Affine);
+type PlacedContours = (Vec<Contour>, Affine);
 
 /// What is drawn by path data or by the shapes of an SVG file; says what reads other files.
-fn read(source: &OsStr, notes: QuietArgs) -> Result<Vec<Part>, Failure> {
+fn read(source: &OsStr, notes: QuietArgs) -> Result<Vec<PlacedContours>, Failure> {
     let (bytes, name) = input::drawing(source)?;
     if input::is_svg(&bytes) {
         let parts = together(input::shapes(&bytes, &name, notes)?);
@@ -42,8 +42,8 @@ fn read(source: &OsStr, notes: QuietArgs) -> Result<Vec<Part>, Failure> {
 }
 
 /// Shapes that follow one another with the same map as one part, whose points are rounded alike.
-fn together(shapes: Vec<Part>) -> Vec<Part> {
-    let mut parts: Vec<Part> = Vec::new();
+fn together(shapes: Vec<PlacedContours>) -> Vec<PlacedContours> {
+    let mut parts: Vec<PlacedContours> = Vec::new();
     for (contours, map) in shapes {
         match parts.last_mut() {
             Some((last, own)) if *own == map => last.extend(contours),
@@ -54,7 +54,7 @@ fn together(shapes: Vec<Part>) -> Vec<Part> {
 }
 
 /// Refuses joints where there is no arc that could have them.
-fn check_joints(args: &PathArgs, parts: &[Part]) -> Result<(), Failure> {
+fn check_joints(args: &PathArgs, parts: &[PlacedContours]) -> Result<(), Failure> {
     let contours = parts.iter().flat_map(|(contours, _)| contours);
     let mut steps = contours.flat_map(|contour| &contour.steps);
     if let Cut::At(_) = args.approximation.cut()
@@ -112,7 +112,11 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
 }
 
 /// A part as what it is to become.
-fn drawn(args: &PathArgs, format: Format, (contours, map): &Part) -> Result<PathDrawing, Failure> {
+fn drawn(
+    args: &PathArgs,
+    format: Format,
+    (contours, map): &PlacedContours,
+) -> Result<PathDrawing, Failure> {
     let elliptic = args.elliptic()?;
     let precision = args.output.rounding(format);
     let transform = args.output.transform() * *map;

@@ -10,7 +10,7 @@ use std::collections::VecDeque;
 use kurbo::{PathSeg, Vec2};
 
 use super::branch::{Branch, BranchPlace, Cubic, arm};
-use super::frame::Frame;
+use super::frame::ConicFrame;
 use crate::curve::largest_coordinate;
 use crate::numeric::double::{Double, Twice};
 use crate::radial_error::RadialError;
@@ -37,7 +37,7 @@ struct CurvePart {
 /// Bounds the largest distances of these segments outside and inside; beyond a limit it may be any that is beyond.
 pub(super) fn bound(
     branch: &Branch,
-    frame: &Frame,
+    frame: &ConicFrame,
     segments: &[PathSeg],
     limit: Option<f64>,
 ) -> RadialError {
@@ -76,7 +76,7 @@ pub(super) fn floor(segments: &[PathSeg]) -> f64 {
 
 struct CurveSearch<'a> {
     branch: &'a Branch,
-    frame: &'a Frame,
+    frame: &'a ConicFrame,
     limit: f64,
     /// Below it no distance that is one is stated.
     floor: f64,

@@ -7,7 +7,7 @@
 use kurbo::{Affine, PathSeg, Point, Vec2};
 
 use super::Conic;
-use super::frame::Frame;
+use super::frame::ConicFrame;
 use crate::measure::unit_for;
 use crate::numeric::double::{Double, Twice, cross};
 use crate::numeric::foot::Foot;
@@ -96,9 +96,9 @@ impl Branch {
     }
 
     /// The frame of the image of a conic, U and V rounded once.
-    pub(super) fn frame(&self, image: &Conic) -> Frame {
+    pub(super) fn frame(&self, image: &Conic) -> ConicFrame {
         let arm = |[x, y]: Twice| self.unit * Vec2::new(x.value(), y.value());
-        Frame::new(image).with_arms(self.arms.map(arm))
+        ConicFrame::new(image).with_arms(self.arms.map(arm))
     }
 
     /// A point of the plane about P1.
@@ -179,7 +179,7 @@ impl Branch {
     }
 
     /// A point of a curve about P1: its distance along the normal is the root of a quadratic.
-    pub(super) fn place(&self, frame: &Frame, q: &Twice) -> BranchPlace {
+    pub(super) fn place(&self, frame: &ConicFrame, q: &Twice) -> BranchPlace {
         let place = self.sought(frame, q);
         let far = |end: &Twice| arm(q, end).hypot();
         let [from, to] = self.arms.each_ref().map(far);
@@ -194,7 +194,7 @@ impl Branch {
         }
     }
 
-    fn sought(&self, frame: &Frame, q: &Twice) -> BranchPlace {
+    fn sought(&self, frame: &ConicFrame, q: &Twice) -> BranchPlace {
         let offset = self.unit * Vec2::new(q[0].value(), q[1].value());
         let nearest = frame.nearest(offset);
         let foot = frame.seen_from(offset, nearest);

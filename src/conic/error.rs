@@ -5,7 +5,7 @@ use kurbo::{Affine, ParamCurve, PathSeg};
 use super::Conic;
 use super::bound::SLACK;
 use super::branch::Branch;
-use super::frame::Frame;
+use super::frame::ConicFrame;
 use super::{back, bound};
 use crate::curve::largest_coordinate;
 use crate::radial_error::RadialError;
@@ -48,7 +48,7 @@ fn gap(conic: &Conic, segments: &[PathSeg]) -> f64 {
 /// Where the whole conic is not covered the normals of other places may be nearer, so that it is no proof; but the drawing is measured again.
 pub(super) fn is_within(
     branch: &Branch,
-    frame: &Frame,
+    frame: &ConicFrame,
     piece: &Conic,
     ends: [f64; 2],
     segment: PathSeg,

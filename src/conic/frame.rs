@@ -26,7 +26,7 @@ const SETTLED: f64 = 1e-9;
 
 /// The parameter and the two arms of a conic.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(super) struct ConicFrame {
     kind: Kind,
     /// P1, U and V.
     origin: Point,
@@ -38,7 +38,7 @@ pub(super) struct Frame {
     vertex: f64,
 }
 
-impl Frame {
+impl ConicFrame {
     pub(super) fn new(conic: &Conic) -> Self {
         let (kind, w) = (conic.kind(), conic.weight);
         let half = match kind {
@@ -303,7 +303,7 @@ mod tests {
     fn a_parabola_bends_most_where_it_is_nearest_to_its_tip() {
         for (a, b, nearest) in [(1.0, 2.0, 1.0), (-2.0, -1.0, -1.0), (-1.0, 2.0, 0.0)] {
             let expected = 2.0 / libm::pow(1.0 + 4.0 * nearest * nearest, 1.5);
-            let found = Frame::new(&parabola(a, b)).largest_curvature();
+            let found = ConicFrame::new(&parabola(a, b)).largest_curvature();
             assert!((found / expected - 1.0).abs() < 1e-12, "{a} {b}: {found}");
         }
     }
@@ -315,7 +315,7 @@ mod tests {
         for points in [thin, wide] {
             let [from, control, to] = points.map(Point::from);
             for weight in [0.99995, 1.0, 1.5, 1e4, 1e9] {
-                let frame = Frame::new(&Conic::new(from, control, to, weight).unwrap());
+                let frame = ConicFrame::new(&Conic::new(from, control, to, weight).unwrap());
                 let sharpest = frame.largest_curvature();
                 for i in -12..=12 {
                     let x = frame.half * f64::from(i) / 8.0;
@@ -338,7 +338,7 @@ mod tests {
     #[test]
     fn the_control_point_is_opposite_to_the_middle() {
         let conic = parabola(-1.0, 1.0);
-        let frame = Frame::new(&conic);
+        let frame = ConicFrame::new(&conic);
         assert_eq!(frame.opposite(conic.control), 0.0);
         assert!((frame.opposite(Point::new(0.5, 0.25)) - 0.5).abs() < 1e-12);
     }

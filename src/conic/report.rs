@@ -1,6 +1,6 @@
 //! What is measured of a drawn conic beside its error.
 
-use super::{Drawing, Frame};
+use super::{ConicDrawing, ConicFrame};
 use crate::continuity::Continuity;
 use crate::curve::largest_coordinate;
 use crate::measure::continuity::{Joint, joint};
@@ -25,11 +25,11 @@ pub struct Report {
     pub largest_turn: f64,
 }
 
-impl Drawing {
+impl ConicDrawing {
     /// Measures its length and its joints.
     #[must_use]
     pub fn report(&self) -> Report {
-        let frame = Frame::new(&self.conic);
+        let frame = ConicFrame::new(&self.conic);
         let segments = &self.curve.segments;
         let speed = |x: f64| frame.derivative(x).hypot();
         let largest = largest_coordinate(segments);

@@ -2,7 +2,7 @@
 
 use kurbo::{ParamCurve, PathSeg};
 
-use super::{Drawing, Frame};
+use super::{ConicDrawing, ConicFrame};
 use crate::error::{Error, Result, UnmeasurableError};
 use crate::measure::samples::{SamplePoint, sampled};
 use crate::measure::{Quantity, curvature, profile};
@@ -15,7 +15,8 @@ const NOISE: f64 = 1e-14;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Sample {
+#[cfg_attr(feature = "schema", schemars(rename = "Sample"))]
+pub struct ConicSample {
     /// The point.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub at: SamplePoint,
@@ -27,20 +28,20 @@ pub struct Sample {
 }
 
 /// A drawn conic while it is sampled.
-struct Bench<'a> {
-    drawing: &'a Drawing,
-    frame: Frame,
+struct SampledConic<'a> {
+    drawing: &'a ConicDrawing,
+    frame: ConicFrame,
     /// 1 where the conic turns from +x towards +y, else -1.
     sense: f64,
 }
 
-impl<'a> Bench<'a> {
-    fn new(drawing: &'a Drawing) -> Self {
+impl<'a> SampledConic<'a> {
+    fn new(drawing: &'a ConicDrawing) -> Self {
         let conic = &drawing.conic;
         let turn = (conic.control - conic.from).cross(conic.to - conic.control);
         Self {
             drawing,
-            frame: Frame::new(conic),
+            frame: ConicFrame::new(conic),
             sense: 1.0_f64.copysign(turn),
         }
     }
@@ -59,16 +60,16 @@ impl<'a> Bench<'a> {
     }
 }
 
-impl Drawing {
+impl ConicDrawing {
     /// `count` points of each segment at equal steps of t, both ends among them.
     ///
     /// # Errors
     ///
     /// Where `count` is below 2 or all points are more than a million.
-    pub fn samples(&self, count: usize) -> Result<Vec<Sample>> {
-        let bench = &Bench::new(self);
+    pub fn samples(&self, count: usize) -> Result<Vec<ConicSample>> {
+        let bench = &SampledConic::new(self);
         sampled(&self.curve, count, |_, &segment| {
-            move |at| Sample {
+            move |at| ConicSample {
                 error: bench.error(&segment, at.t),
                 place: bench.place(&segment, at.t),
                 at,
@@ -89,7 +90,7 @@ impl Drawing {
         if quantity == Quantity::Drawing {
             return Ok(profile::points(&self.curve, steps));
         }
-        let bench = Bench::new(self);
+        let bench = SampledConic::new(self);
         let of_segment = |segment: &PathSeg| {
             let value = |t: f64| {
                 let k = curvature::at(segment, t);

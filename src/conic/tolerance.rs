@@ -3,7 +3,7 @@
 use kurbo::ParamCurve;
 
 use super::branch::Branch;
-use super::{Conic, Drawing, error};
+use super::{Conic, ConicDrawing, error};
 use crate::approximate::Options;
 use crate::error::{Error, ReachError, Remedy, Result, RuleName};
 use crate::method::Method;
@@ -25,7 +25,7 @@ impl Conic {
         method: Method,
         branch: &Branch,
         options: &Options,
-    ) -> Result<Drawing> {
+    ) -> Result<ConicDrawing> {
         for part in PARTS {
             let segments = self.pieces(
                 &self.marched(part * tolerance, method, branch)?,

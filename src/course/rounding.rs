@@ -4,7 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use kurbo::{Point, Vec2};
 
-use super::{CircularArc, Course, Step};
+use super::{CircularArc, Course, CourseStep};
 use crate::angle::Angle;
 use crate::number::Precision;
 
@@ -81,19 +81,21 @@ impl Course {
         let (mut from, mut start) = (self.start, precision.round_point(self.start));
         for step in &self.steps {
             let (new, off) = match step {
-                Step::Arc(arc) if self.steps.len() == 1 && (arc.is_circle() || !arc.ends_given) => {
+                CourseStep::Arc(arc)
+                    if self.steps.len() == 1 && (arc.is_circle() || !arc.ends_given) =>
+                {
                     let (arc, off) = arc.rounded_by_center(precision)?;
                     start = arc.point(0.0);
-                    (Step::Arc(arc), off)
+                    (CourseStep::Arc(arc), off)
                 }
-                Step::Arc(arc) => {
+                CourseStep::Arc(arc) => {
                     let (arc, off) = arc.rounded_by_ends(precision, from)?;
-                    (Step::Arc(arc), off)
+                    (CourseStep::Arc(arc), off)
                 }
-                Step::Line(_) | Step::Elliptical(_) => {
+                CourseStep::Line(_) | CourseStep::Elliptical(_) => {
                     let to = precision.round_point(step.to());
                     let off = from.distance(precision.round_point(from));
-                    (Step::Line(to), off.max(step.to().distance(to)))
+                    (CourseStep::Line(to), off.max(step.to().distance(to)))
                 }
             };
             moved = moved.max(off);

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use kurbo::Rect;
 
-use super::{Difference, Distance, Pair, Place, Side, Track};
+use super::{Difference, Distance, FarthestPlace, Pair, Side, Track};
 use crate::error::{Error, Result, UnmeasurableError};
 use crate::measure::hausdorff::{Effort, hausdorff};
 
@@ -164,7 +164,7 @@ fn distance(old: &Track, new: &Track, tolerance: f64, steps: &mut Effort) -> Dis
     };
     Distance {
         at_most: apart.at_most + old.strayed + new.strayed,
-        place: Some(Place {
+        place: Some(FarthestPlace {
             point,
             side,
             segment: track.steps.get(segment).copied().unwrap_or(segment),

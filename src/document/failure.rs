@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::xml::fault::{Fault, FaultKind};
+use super::xml::fault::{FaultKind, XmlFault};
 use super::xml::place::Places;
 
 /// Why a document cannot be converted.
@@ -42,7 +42,7 @@ pub enum Error {
 }
 
 impl Error {
-    pub(super) fn new(source: &str, fault: Fault) -> Self {
+    pub(super) fn new(source: &str, fault: XmlFault) -> Self {
         let (line, column) = Places::new(source).locate(fault.at);
         match fault.kind {
             FaultKind::Malformed(why) => Self::Malformed { line, column, why },

@@ -25,14 +25,14 @@ impl Serialize for Note {
         note.serialize_field("column", &self.column)?;
         note.serialize_field("element", self.element)?;
         note.serialize_field("code", self.reason.code())?;
-        note.serialize_field("reason", &Words(&self.reason))?;
+        note.serialize_field("reason", &ReasonText(&self.reason))?;
         note.end()
     }
 }
 
-struct Words<'a>(&'a Reason);
+struct ReasonText<'a>(&'a Reason);
 
-impl Serialize for Words<'_> {
+impl Serialize for ReasonText<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self.0)
     }

@@ -32,7 +32,7 @@ impl NewText<'_> {
 }
 
 /// Brings edits of path data to their place in the file.
-pub(super) struct Sink<'r, 'a> {
+pub(super) struct EditSink<'r, 'a> {
     pub(super) output: &'r mut NewText<'a>,
     /// The name of the element whose data they are.
     pub(super) element: &'static str,
@@ -40,7 +40,7 @@ pub(super) struct Sink<'r, 'a> {
     pub(super) origin: Option<(usize, &'r [usize])>,
 }
 
-impl Sink<'_, '_> {
+impl EditSink<'_, '_> {
     fn place(&self, at: usize) -> usize {
         self.origin.map_or(at, |(base, origin)| {
             base + origin.get(at).copied().unwrap_or(at)
@@ -48,7 +48,7 @@ impl Sink<'_, '_> {
     }
 }
 
-impl arcs::Sink for Sink<'_, '_> {
+impl arcs::Sink for EditSink<'_, '_> {
     fn edit(&mut self, range: Range<usize>) -> &mut Vec<u8> {
         let range = self.place(range.start)..self.place(range.end);
         self.output.splice.edit(range)

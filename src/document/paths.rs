@@ -17,7 +17,7 @@ pub use self::unread::Unread;
 use super::style::property::{ElementKind, Properties};
 use super::style::reader::FactsReader;
 use super::xml::doctype::{MARKUP, UNDECLARED};
-use super::xml::encoding::Source;
+use super::xml::encoding::SourceText;
 use super::xml::namespace::Namespace;
 use super::xml::node::{Element, Node};
 use super::xml::scan::Scanner;
@@ -73,12 +73,12 @@ pub fn svg_shapes(file: impl AsRef<[u8]>) -> Result<SvgDrawing, Error> {
 }
 
 fn drawing(file: &[u8], names: &[&str]) -> Result<SvgDrawing, Error> {
-    let read = |source: Source<'_>| {
+    let read = |source: SourceText<'_>| {
         let all = || {
             let mut scanner = Scanner::new(source)?;
-            let mut drawing = Reading {
+            let mut drawing = PartlyRead {
                 facts: FactsReader::of_styles(),
-                ..Reading::default()
+                ..PartlyRead::default()
             };
             loop {
                 match scanner.next()? {
@@ -93,7 +93,7 @@ fn drawing(file: &[u8], names: &[&str]) -> Result<SvgDrawing, Error> {
 }
 
 /// An open element.
-struct Open {
+struct Unclosed {
     place: Coordinates,
     /// Whether nothing within it draws a path.
     is_text: bool,
@@ -101,10 +101,10 @@ struct Open {
 
 /// A drawing of which not all nodes were seen.
 #[derive(Default)]
-struct Reading {
+struct PartlyRead {
     found: Vec<SvgPath>,
     facts: FactsReader,
-    open: Vec<Open>,
+    open: Vec<Unclosed>,
     /// Of each one found whose geometry a style sheet may set: its kind, its number and its class.
     classes: Vec<(ElementKind, usize, Option<String>)>,
     entity: Option<TextError>,
@@ -112,7 +112,7 @@ struct Reading {
     counted: (usize, usize),
 }
 
-impl Reading {
+impl PartlyRead {
     fn node(&mut self, node: &Node<'_>, scanner: &Scanner<'_>, names: &[&str]) {
         match node {
             Node::Start(element) => self.element(element, scanner, names),
@@ -154,7 +154,7 @@ impl Reading {
             });
         }
         if !element.empty {
-            self.open.push(Open { place, is_text });
+            self.open.push(Unclosed { place, is_text });
         }
     }
 

@@ -4,7 +4,7 @@ mod permission;
 
 use core::ops::Range;
 
-use super::output::{NewText, Sink};
+use super::output::{EditSink, NewText};
 use super::path::arcs;
 use super::path::runs;
 use super::path::scratch::Scratch;
@@ -17,8 +17,8 @@ use super::style::of_document::{self, Facts};
 use super::style::on_element;
 use super::style::property::{ElementKind, Markers};
 use super::xml::attributes::Attribute;
-use super::xml::encoding::Source;
-use super::xml::fault::{Fault, Result};
+use super::xml::encoding::SourceText;
+use super::xml::fault::{XmlFault, XmlResult};
 use super::xml::namespace::Namespace;
 use super::xml::node::{Element, Node};
 use super::xml::place::Places;
@@ -70,12 +70,12 @@ struct Rewriter<'a, 'f> {
 
 /// Rewrites a document, whose new text may have so many bytes.
 pub(super) fn run(
-    source: Source<'_>,
+    source: SourceText<'_>,
     options: &Options,
     facts: Option<&Facts>,
     scratch: &mut Scratch,
     most: usize,
-) -> Result<Pass> {
+) -> XmlResult<Pass> {
     let mut scanner = Scanner::new(source)?;
     let output = NewText {
         splice: Splice::new(source.text, most),
@@ -106,7 +106,7 @@ pub(super) fn run(
                 }
                 let renamed = rewriter.element(&element, &scanner, markers);
                 if rewriter.output.splice.is_full() {
-                    return Err(Fault::too_large(element.start));
+                    return Err(XmlFault::too_large(element.start));
                 }
                 if !element.empty {
                     open.push(OpenElement { renamed, markers });
@@ -200,7 +200,7 @@ impl<'a> Rewriter<'a, '_> {
             .attributes
             .iter()
             .find(|attribute| attribute.name == "d")?;
-        let path = back::SelectorSubject::new(element, &scanner.attributes, d, tolerance)?;
+        let path = back::Candidate::new(element, &scanner.attributes, d, tolerance)?;
         let kind = path.whole.kind;
         if !self.options.only.contains(kind) {
             return None;
@@ -357,7 +357,7 @@ impl<'a> Rewriter<'a, '_> {
         {
             return self.output.note(name, start, reason);
         }
-        let mut sink = Sink {
+        let mut sink = EditSink {
             output: &mut self.output,
             element: name,
             origin,

@@ -15,7 +15,7 @@ use core::iter::FusedIterator;
 use fearless_simd::{Level, Simd as _};
 
 use super::columns::{COLUMN, Column, Courses, LANES, directions, frames, pair, set};
-use super::{ArcRun, Cubics, EllipsePoint, End};
+use super::{ArcEnd, ArcRun, Cubics, EllipsePoint};
 use crate::angle::Angle;
 use crate::joints::Tolerance;
 use crate::shape::endpoint::{Half, SvgArc};
@@ -33,10 +33,10 @@ fn fill_arcs(courses: &mut Courses, arcs: &[Arc], tolerance: Tolerance) {
         rotation[i] = arc.rotation.within_turn();
         first[i] = arc.start.within_turn();
         sweep[i] = arc.sweep.degrees();
-        let end = match End::of(arc) {
-            End::Start => Some(arc.start),
-            End::Angle(end) => Some(end),
-            End::Unknown => None,
+        let end = match ArcEnd::of(arc) {
+            ArcEnd::Start => Some(arc.start),
+            ArcEnd::Angle(end) => Some(end),
+            ArcEnd::Unknown => None,
         };
         if let Some(end) = end {
             last[i] = end.within_turn();
@@ -132,9 +132,9 @@ impl Lane for Arc {
 
     #[inline(always)]
     fn cubics(&self, courses: &Courses, lane: usize) -> Cubics {
-        let end = match End::of(self) {
-            End::Unknown => None,
-            End::Start | End::Angle(_) => Some(courses.end.at(lane)),
+        let end = match ArcEnd::of(self) {
+            ArcEnd::Unknown => None,
+            ArcEnd::Start | ArcEnd::Angle(_) => Some(courses.end.at(lane)),
         };
         let start = courses.start.at(lane);
         let course = ArcRun { start, end }.through(self.ends);

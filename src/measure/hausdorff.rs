@@ -110,7 +110,7 @@ struct Farthest {
 }
 
 /// A part of a segment.
-struct Part {
+struct SegmentPart {
     segment: usize,
     cubic: CubicBez,
     feet: [ChainFoot; 2],
@@ -120,7 +120,7 @@ impl CubicChain {
     /// One way.
     fn farthest_from(&self, other: &Self, aim: Aim, steps: &mut Effort) -> Farthest {
         let theirs: HashSet<&[u64]> = other.keys.iter().map(Vec::as_slice).collect();
-        let mut search = Search::new(other, aim.found, steps);
+        let mut search = FarthestSearch::new(other, aim.found, steps);
         for (segment, cubic) in self.cubics.iter().enumerate() {
             if !theirs.contains(self.keys[segment].as_slice()) {
                 let start = search.look(cubic.p0, segment, search.last);
@@ -154,18 +154,18 @@ impl CubicChain {
 }
 
 /// What the branch and bound has found.
-struct Search<'a> {
+struct FarthestSearch<'a> {
     other: &'a CubicChain,
     steps: &'a mut Effort,
     /// By how far they lie away at most.
-    parts: BinaryHeap<Ranked<Part>>,
+    parts: BinaryHeap<Ranked<SegmentPart>>,
     at_least: f64,
     at_most: f64,
     place: Option<(Point, usize)>,
     last: usize,
 }
 
-impl<'a> Search<'a> {
+impl<'a> FarthestSearch<'a> {
     fn new(other: &'a CubicChain, at_least: f64, steps: &'a mut Effort) -> Self {
         Self {
             other,
@@ -193,7 +193,7 @@ impl<'a> Search<'a> {
     fn push(&mut self, segment: usize, cubic: CubicBez, feet: [ChainFoot; 2]) {
         self.steps.take(STEPS_OF_A_CUBIC);
         let rank = self.other.bound(&cubic, feet);
-        let of = Part {
+        let of = SegmentPart {
             segment,
             cubic,
             feet,

@@ -32,7 +32,7 @@ use self::twins::Twins;
 use super::curvature;
 use crate::curve::{control_points, largest_coordinate};
 use crate::numeric::adaptive_integral;
-use crate::numeric::bernstein::{Parameters, Polynomial};
+use crate::numeric::bernstein::{ParameterList, Polynomial};
 use crate::numeric::double::Double;
 use crate::numeric::foot::{Foot, foot};
 use crate::numeric::instructions::by_the_best;
@@ -308,12 +308,12 @@ impl Profile {
     }
 
     /// Where it changes its sign.
-    pub(crate) fn crossings(&self) -> Parameters {
+    pub(crate) fn crossings(&self) -> ParameterList {
         self.excess.sign_changes()
     }
 
     /// Where it crosses the long axis of an ellipse: there the nearest point jumps to the other side, and the distance has a corner.
-    fn axis_crossings(&self) -> Parameters {
+    fn axis_crossings(&self) -> ParameterList {
         let across = |v: Vec2| {
             if self.radii.x > self.radii.y {
                 v.y

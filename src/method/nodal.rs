@@ -11,7 +11,7 @@
 
 use kurbo::{Point, Vec2};
 
-use crate::numeric::tridiagonal::{self, Row};
+use crate::numeric::tridiagonal::{self, TridiagonalRow};
 
 /// What holds at the ends of the curve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -57,7 +57,7 @@ pub(crate) fn derivatives(
     // The equation of the node i, whose segments are the one before and the one after.
     let row = |i: usize| {
         let (before, after) = (length((i + count - 1) % count), length(i));
-        Row {
+        TridiagonalRow {
             lower: after,
             diagonal: 2.0 * (before + after),
             upper: before,
@@ -94,7 +94,7 @@ pub(crate) fn derivatives(
 fn natural(
     points: &[Point],
     length: impl Fn(usize) -> f64,
-    row: impl Fn(usize) -> Row,
+    row: impl Fn(usize) -> TridiagonalRow,
     right: impl Fn(usize) -> Vec2,
 ) -> Vec<Vec2> {
     let last = points.len() - 1;
@@ -105,7 +105,7 @@ fn natural(
         _ => right(i),
     });
     let rows = |i: usize| match i {
-        _ if i == 0 || i == last => Row {
+        _ if i == 0 || i == last => TridiagonalRow {
             lower: 1.0,
             diagonal: 2.0,
             upper: 1.0,

@@ -114,9 +114,9 @@ fn check_shortest(x: f64) {
     }
 }
 
-struct Numbers(u64);
+struct AnyNumbers(u64);
 
-impl Numbers {
+impl AnyNumbers {
     /// Coordinates, decimals, exact ties, their neighbours, and any bits at all.
     fn sample(&mut self) -> (f64, u8) {
         let choice = bits(&mut self.0);
@@ -274,7 +274,7 @@ fn check_many(count: u64) {
     thread::scope(|scope| {
         for seed in 0..threads {
             scope.spawn(move || {
-                let mut numbers = Numbers(seed << 40);
+                let mut numbers = AnyNumbers(seed << 40);
                 for _ in 0..count.div_ceil(threads) {
                     let (x, decimals) = numbers.sample();
                     check(x, decimals);

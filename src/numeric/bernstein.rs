@@ -199,8 +199,8 @@ impl Polynomial {
     ///
     /// A polynomial has as many roots as its Bernstein coefficients have changes of sign, or fewer by an even number (Descartes):
     /// it is cut in two until every part has at most one.
-    pub(crate) fn sign_changes(&self) -> Parameters {
-        let mut found = Parameters::default();
+    pub(crate) fn sign_changes(&self) -> ParameterList {
+        let mut found = ParameterList::default();
         self.isolate([0.0, 1.0], MOST_CUTS, &mut found);
         found
     }
@@ -210,7 +210,7 @@ impl Polynomial {
     pub(crate) fn sign_changes_between<const N: usize>(
         &self,
         places: &[f64; N],
-    ) -> Option<Parameters> {
+    ) -> Option<ParameterList> {
         let mut values = places.map(|place| self.at(place));
         let certain = CERTAIN * self.largest();
         for i in 0..N {
@@ -227,7 +227,7 @@ impl Polynomial {
         if (0..N - 1).filter(changes).count() != self.degree {
             return None;
         }
-        let mut found = Parameters::default();
+        let mut found = ParameterList::default();
         for i in (0..N - 1).filter(changes) {
             let (from, to, before, after) = (places[i], places[i + 1], values[i], values[i + 1]);
             if from >= 0.0 && to <= 1.0 {
@@ -239,7 +239,7 @@ impl Polynomial {
     }
 
     /// Finds the changes of sign of a part of a polynomial, whose parameters lie between these.
-    fn isolate(&self, [from, to]: [f64; 2], cuts: u32, found: &mut Parameters) {
+    fn isolate(&self, [from, to]: [f64; 2], cuts: u32, found: &mut ParameterList) {
         let changes = self.coefficient_changes();
         if changes == 0 {
             return;
@@ -336,12 +336,12 @@ fn cut(own: [f64; MOST], degree: usize, t: f64) -> [[f64; MOST]; 2] {
 
 /// A handful of parameters in ascending order.
 #[derive(Debug, Default)]
-pub(crate) struct Parameters {
+pub(crate) struct ParameterList {
     values: [f64; MOST],
     count: usize,
 }
 
-impl Parameters {
+impl ParameterList {
     /// Appends one; beyond the largest degree they are rounding.
     fn push(&mut self, t: f64) {
         if let Some(value) = self.values.get_mut(self.count) {

@@ -4,7 +4,7 @@ use core::ops::{Add, Div, Mul, Sub};
 
 /// One equation: `lower` x[i-1] + `diagonal` x[i] + `upper` x[i+1] = right[i].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Row {
+pub(crate) struct TridiagonalRow {
     pub(crate) lower: f64,
     pub(crate) diagonal: f64,
     pub(crate) upper: f64,
@@ -25,7 +25,7 @@ impl Unknown for kurbo::Vec2 {}
 /// The matrix has to be diagonally dominant, as a spline's is; then elimination needs no exchange of rows. The solution is corrected
 /// once by what it leaves of the right side, so that values with few digits come out as they are.
 pub(crate) fn solve<T: Unknown>(
-    row: impl Fn(usize) -> Row,
+    row: impl Fn(usize) -> TridiagonalRow,
     mut right: Vec<T>,
     cyclic: bool,
 ) -> Vec<T> {
@@ -39,7 +39,7 @@ pub(crate) fn solve<T: Unknown>(
     let mut x = eliminate(right.clone());
     let count = x.len();
     for (i, right) in right.iter_mut().enumerate() {
-        let Row {
+        let TridiagonalRow {
             lower,
             diagonal,
             upper,
@@ -59,10 +59,10 @@ pub(crate) fn solve<T: Unknown>(
 }
 
 /// Gaussian elimination from the first row to the last, and back.
-fn eliminate<T: Unknown>(row: impl Fn(usize) -> Row, mut right: Vec<T>) -> Vec<T> {
+fn eliminate<T: Unknown>(row: impl Fn(usize) -> TridiagonalRow, mut right: Vec<T>) -> Vec<T> {
     let mut above: Vec<f64> = Vec::with_capacity(right.len());
     for i in 0..right.len() {
-        let Row {
+        let TridiagonalRow {
             lower,
             diagonal,
             upper,
@@ -83,7 +83,10 @@ fn eliminate<T: Unknown>(row: impl Fn(usize) -> Row, mut right: Vec<T>) -> Vec<T
 }
 
 /// The last unknown is taken out: the others are x = y - z `last`, where y answers to the right side and z to its column.
-fn eliminate_cyclic<T: Unknown>(row: impl Fn(usize) -> Row, mut right: Vec<T>) -> Vec<T> {
+fn eliminate_cyclic<T: Unknown>(
+    row: impl Fn(usize) -> TridiagonalRow,
+    mut right: Vec<T>,
+) -> Vec<T> {
     let count = right.len();
     assert!(count >= 3, "a cyclic system has at least three unknowns");
     let Some(last_right) = right.pop() else {
@@ -110,9 +113,9 @@ mod tests {
     use super::*;
     use kurbo::Vec2;
 
-    fn row(i: usize) -> Row {
+    fn row(i: usize) -> TridiagonalRow {
         let (lower, upper) = (0.5 + (i % 3) as f64, 0.3 + (i % 5) as f64);
-        Row {
+        TridiagonalRow {
             lower,
             diagonal: 2.1 * (lower + upper),
             upper,
@@ -150,7 +153,7 @@ mod tests {
     #[test]
     fn values_with_few_digits_come_out_as_they_are() {
         // Formulation I through the corners of a square, and through points with whole coordinates.
-        let row = |_| Row {
+        let row = |_| TridiagonalRow {
             lower: 1.0,
             diagonal: 4.0,
             upper: 1.0,

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::document::{CriterionEntry, MethodEntry, PageDocument, ShapeChoice};
 use super::drawings::{ShapeRow, options};
 use super::words::words;
-use super::{LARGEST, Request, filled, sources, too_large};
+use super::{LARGEST, PageRequest, filled, sources, too_large};
 use crate::angle::Angle;
 use crate::approximate::approximate;
 use crate::compare::Criterion;
@@ -55,7 +55,7 @@ impl PageDocument {
     /// # Errors
     ///
     /// Where the shape is a line or nothing, a count is none, or no method can draw the shape with any of the counts.
-    pub fn new(request: &Request<'_>) -> Result<Self> {
+    pub fn new(request: &PageRequest<'_>) -> Result<Self> {
         // An arc that was given by its ends is drawn from its centre, since that is what the page's commands say.
         let shape = match request.shape {
             Shape::Arc(arc) => Shape::Arc(Arc { ends: None, ..arc }),
@@ -95,7 +95,7 @@ fn asked(
     shape: &Shape,
     outline: &Outline,
     rules: &[Rule],
-    request: &Request<'_>,
+    request: &PageRequest<'_>,
 ) -> Result<ShapeChoice> {
     let mut row = if request.spans.is_empty() {
         let name = ("asked", describe(shape));
@@ -244,7 +244,7 @@ fn distinct(rules: &[Rule]) -> Vec<Rule> {
 }
 
 /// The refusal of the first drawing.
-fn why_not(shape: &Shape, request: &Request<'_>) -> Error {
+fn why_not(shape: &Shape, request: &PageRequest<'_>) -> Error {
     let first = request.rules.first().zip(request.counts.first());
     let refusal = first.and_then(|(&rule, &count)| {
         let options = options(rule, count, Some(Precision::Full));
@@ -276,7 +276,7 @@ fn entry(rule: Rule) -> MethodEntry {
 }
 
 /// The command that makes the page.
-fn command(shape: &Shape, rules: &[Rule], request: &Request<'_>) -> String {
+fn command(shape: &Shape, rules: &[Rule], request: &PageRequest<'_>) -> String {
     let explore = || format!("explore {}", words(shape, request.open).unwrap_or_default());
     let asked = request.words.clone().unwrap_or_else(explore);
     let ids: Vec<&str> = rules.iter().map(|rule| rule.id()).collect();

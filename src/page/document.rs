@@ -78,13 +78,14 @@ pub struct ShapeChoice {
     /// The numbers of segments that were computed.
     pub counts: Vec<usize>,
     /// The shapes.
-    pub steps: Vec<Step>,
+    pub steps: Vec<PageStep>,
 }
 
 /// A shape with its drawings.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Step {
+#[cfg_attr(feature = "schema", schemars(rename = "Step"))]
+pub struct PageStep {
     /// Where the slider stands.
     pub value: f64,
     /// What it is, in a few words.
@@ -103,7 +104,7 @@ pub struct Step {
     pub drawings: Vec<DrawingEntry>,
 }
 
-impl Step {
+impl PageStep {
     /// The drawing by a method with this many segments.
     #[must_use]
     pub fn drawing(&self, method: &str, segments: usize) -> Option<&DrawingEntry> {

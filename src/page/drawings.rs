@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use super::document::{DrawingEntry, ShapeChoice, Step};
+use super::document::{DrawingEntry, PageStep, ShapeChoice};
 use super::words::{words, words_ps};
 use crate::approximate::{Drawing, Options, approximate, automatic_precision};
 use crate::compare::{Criterion, square};
@@ -28,7 +28,7 @@ const PARTS: f64 = 1000.0;
 const MAGNIFIED_SHARE: f64 = 0.01;
 
 /// The drawings of a row of shapes by one method with one count; nothing where a shape cannot be drawn so.
-pub(super) type Column = Vec<Option<(DrawingEntry, Vec<f64>)>>;
+pub(super) type DrawingColumn = Vec<Option<(DrawingEntry, Vec<f64>)>>;
 
 /// A shape or a row of shapes, on which drawings are put one method and count after the other.
 pub(super) struct ShapeRow {
@@ -46,7 +46,7 @@ impl ShapeRow {
         counts: &[usize],
         open: bool,
     ) -> Self {
-        let step = |(value, shape): &(f64, Shape)| Step {
+        let step = |(value, shape): &(f64, Shape)| PageStep {
             value: *value,
             title: describe(shape),
             words: words(shape, open).unwrap_or_default(),
@@ -70,7 +70,7 @@ impl ShapeRow {
     }
 
     /// Draws every shape by this rule with so many segments.
-    pub(super) fn column(&self, rule: Rule, count: usize) -> Result<Column> {
+    pub(super) fn column(&self, rule: Rule, count: usize) -> Result<DrawingColumn> {
         let shapes = self.shapes.iter();
         shapes
             .map(|shape| drawing(shape, rule, count, self.open))
@@ -78,7 +78,7 @@ impl ShapeRow {
     }
 
     /// Puts the drawings with so many segments on the shapes.
-    pub(super) fn take(&mut self, count: usize, column: Column) {
+    pub(super) fn take(&mut self, count: usize, column: DrawingColumn) {
         let place = self.choice.counts.iter().position(|&known| known == count);
         for (step, drawn) in self.choice.steps.iter_mut().zip(column) {
             if let Some((entry, angles)) = drawn {

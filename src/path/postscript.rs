@@ -57,7 +57,7 @@ pub fn postscript(text: &str) -> Result<Vec<Contour>> {
 
 /// What a path is made of, in coordinates of the page.
 #[derive(Debug, Clone, Copy)]
-enum Mark {
+enum PagePart {
     Move(Point),
     Line(Point),
     Curve([Point; 3]),
@@ -82,7 +82,7 @@ struct Machine {
     numbers: Vec<f64>,
     state: State,
     /// The path, and before it those of the states that were saved: a state that comes back finds its own again.
-    marks: Vec<Mark>,
+    marks: Vec<PagePart>,
     /// States, how many marks there were, and whether `save` saved them, not `gsave`.
     saved: Vec<(State, usize, bool)>,
     drawn: Vec<Contour>,
@@ -161,14 +161,14 @@ impl Machine {
         let mut pen = ContourPen::default();
         for mark in &self.marks[self.state.begin..] {
             match *mark {
-                Mark::Move(to) => pen.move_to(to),
-                Mark::Line(to) => pen.line(to),
-                Mark::Curve([a, b, to]) => {
+                PagePart::Move(to) => pen.move_to(to),
+                PagePart::Line(to) => pen.line(to),
+                PagePart::Curve([a, b, to]) => {
                     let cubic = CubicBez::new(pen.here(), a, b, to);
                     pen.segment(PathSeg::Cubic(cubic));
                 }
-                Mark::Arc(arc) => pen.arc(&arc)?,
-                Mark::Close => pen.close(),
+                PagePart::Arc(arc) => pen.arc(&arc)?,
+                PagePart::Close => pen.close(),
             }
         }
         let path = pen.contours();
@@ -193,23 +193,23 @@ impl Machine {
             "moveto" | "rmoveto" => {
                 let [to] = self.points(word, word == "rmoveto")?;
                 self.state.points = Some([to; 2]);
-                self.marks.push(Mark::Move(to));
+                self.marks.push(PagePart::Move(to));
             }
             "lineto" | "rlineto" => {
                 let [to] = self.points(word, word == "rlineto")?;
-                self.go(word, to, Mark::Line(to))?;
+                self.go(word, to, PagePart::Line(to))?;
             }
             "curveto" | "rcurveto" => {
                 let points = self.points(word, word == "rcurveto")?;
-                self.go(word, points[2], Mark::Curve(points))?;
+                self.go(word, points[2], PagePart::Curve(points))?;
             }
             "arc" | "arcn" => self.arc(word)?,
             "closepath" => {
                 if let Some([start, here]) = &mut self.state.points {
                     *here = *start;
                     // What is closed already stays as it is.
-                    if !matches!(self.marks.last(), Some(Mark::Close)) {
-                        self.marks.push(Mark::Close);
+                    if !matches!(self.marks.last(), Some(PagePart::Close)) {
+                        self.marks.push(PagePart::Close);
                     }
                 }
             }
@@ -283,7 +283,7 @@ impl Machine {
     }
 
     /// Goes on from the current point.
-    fn go(&mut self, word: &str, to: Point, mark: Mark) -> Result<()> {
+    fn go(&mut self, word: &str, to: Point, mark: PagePart) -> Result<()> {
         self.here(word)?;
         if let Some([_, here]) = &mut self.state.points {
             *here = to;
@@ -307,9 +307,9 @@ impl Machine {
         match self.state.points {
             None => {
                 self.state.points = Some([at(0); 2]);
-                self.marks.push(Mark::Move(at(0)));
+                self.marks.push(PagePart::Move(at(0)));
             }
-            Some([_, here]) if here != at(0) => self.go(word, at(0), Mark::Line(at(0)))?,
+            Some([_, here]) if here != at(0) => self.go(word, at(0), PagePart::Line(at(0)))?,
             Some(_) => {}
         }
         for third in 1..=3 {
@@ -323,7 +323,7 @@ impl Machine {
             };
             // What is no arc is refused where it stands.
             arc.shape()?;
-            self.go(word, arc.to, Mark::Arc(arc))?;
+            self.go(word, arc.to, PagePart::Arc(arc))?;
         }
         Ok(())
     }

@@ -82,9 +82,9 @@ struct CubicCoefficients {
 /// Where the text is no such JSON, and where a coefficient is not finite or beyond 1e150.
 ///
 /// ```
-/// use curveto::{path, contour::{Target, draw}};
+/// use curveto::{path, contour::{BezierTarget, draw}};
 /// let contours = path::contours_of_power(r#"{"x": [4,-3,6,2], "y": [0,0,3,1]}"#)?;
-/// let drawing = draw(&contours, Target::Beziers, &curveto::Options::default())?;
+/// let drawing = draw(&contours, BezierTarget::Beziers, &curveto::Options::default())?;
 /// assert_eq!(path::data(drawing.curves(), false), "M2 1C4 2 5 3 9 4");
 /// # Ok::<(), curveto::Error>(())
 /// ```

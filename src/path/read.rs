@@ -7,7 +7,7 @@ use crate::contour::{Contour, ContourPen, Step};
 use crate::curve::{CLOSING_GAP, Curve, size};
 use crate::error::{Error, Result, TextError, UnmeasurableError, finite};
 use crate::number::decimal_sum;
-use crate::path_data::{Fault, Segment, Segments};
+use crate::path_data::{PathFault, Segment, Segments};
 use crate::shape::endpoint::SvgArc;
 
 /// The contours of path data, one for each subpath that draws something. A closing line is a step of its own.
@@ -20,7 +20,7 @@ pub fn contours(data: &str) -> Result<Vec<Contour>> {
     let mut segments = Segments::new(data, 0..data.len());
     for segment in &mut segments {
         subpaths.take(&segment, data).map_err(|error| {
-            let fault = Fault::too_large(data, &segment);
+            let fault = PathFault::too_large(data, &segment);
             fault.map_or(error, |fault| syntax(data, fault))
         })?;
     }
@@ -71,15 +71,17 @@ pub fn curve(contour: &Contour) -> Option<Result<Curve>> {
     (!curve.segments.is_empty()).then_some(Ok(curve))
 }
 
-fn syntax(data: &str, fault: Fault) -> Error {
+fn syntax(data: &str, fault: PathFault) -> Error {
     let at = |at: usize| place(data, data[..at].chars().count() + 1);
     Error::Text(TextError::PathData {
         data: shortened(data),
         why: match fault {
-            Fault::Ends => "it ends where a command or a number should follow".to_owned(),
-            Fault::Comma(byte) => format!("a number is expected after the comma {}", at(byte)),
-            Fault::Unexpected(byte) => format!("a command or a number is expected {}", at(byte)),
-            Fault::TooLarge(byte) => format!("the number is too large {}", at(byte)),
+            PathFault::Ends => "it ends where a command or a number should follow".to_owned(),
+            PathFault::Comma(byte) => format!("a number is expected after the comma {}", at(byte)),
+            PathFault::Unexpected(byte) => {
+                format!("a command or a number is expected {}", at(byte))
+            }
+            PathFault::TooLarge(byte) => format!("the number is too large {}", at(byte)),
         },
     })
 }

@@ -3,7 +3,7 @@
 use kurbo::{PathSeg, Point, Vec2};
 
 use super::text::PathText;
-use crate::course::{Course, Step};
+use crate::course::{Course, CourseStep};
 use crate::curve::Curve;
 use crate::number::decimal::{BelowOne, Decimal};
 #[cfg(feature = "batch")]
@@ -29,34 +29,34 @@ pub fn data_of_courses<'a>(
 ) -> String {
     let mut out = Vec::new();
     for course in courses {
-        Writer::new(&mut out, Precision::Full, relative).course(course);
+        PathWriter::new(&mut out, Precision::Full, relative).course(course);
     }
     String::from_utf8(out).unwrap_or_default()
 }
 
 /// Appends the path data of a curve; a relative one must start a path or follow a closed or finished one.
 pub fn push_curve(out: &mut Vec<u8>, curve: &Curve, relative: bool) {
-    Writer::new(out, Precision::Full, relative).curve(curve);
+    PathWriter::new(out, Precision::Full, relative).curve(curve);
 }
 
 /// Appends the absolute path data of a curve, rounding as it writes: the digits are those of [`push_curve`] of the rounded curve.
 #[cfg(feature = "batch")]
 pub(crate) fn push_rounded(out: &mut Vec<u8>, curve: &Curve, precision: Precision) {
-    Writer::new(out, precision, false).curve(curve);
+    PathWriter::new(out, precision, false).curve(curve);
 }
 
 /// Appends the absolute path data of a curve by texts that are kept: the digits are those of [`push_curve`].
 #[cfg(feature = "batch")]
 pub(crate) fn push_kept(out: &mut Vec<u8>, curve: &Curve, memo: &mut Memo) {
-    Writer {
+    PathWriter {
         memo: Some(memo),
-        ..Writer::new(out, Precision::Full, false)
+        ..PathWriter::new(out, Precision::Full, false)
     }
     .curve(curve);
 }
 
 /// Writes one path.
-struct Writer<'a> {
+struct PathWriter<'a> {
     out: &'a mut Vec<u8>,
     #[cfg(feature = "batch")]
     memo: Option<&'a mut Memo>,
@@ -67,7 +67,7 @@ struct Writer<'a> {
     current: Point,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> PathWriter<'a> {
     const fn new(out: &'a mut Vec<u8>, precision: Precision, relative: bool) -> Self {
         Self {
             out,
@@ -98,7 +98,7 @@ impl<'a> Writer<'a> {
     fn course(&mut self, course: &Course) {
         self.start(course.start);
         let steps = match course.steps.as_slice() {
-            [rest @ .., Step::Line(to)]
+            [rest @ .., CourseStep::Line(to)]
                 if course.closed && !rest.is_empty() && *to == course.start =>
             {
                 rest
@@ -107,13 +107,13 @@ impl<'a> Writer<'a> {
         };
         for step in steps {
             match step {
-                Step::Line(to) => self.command(b'L', &[*to]),
-                Step::Arc(arc) => {
+                CourseStep::Line(to) => self.command(b'L', &[*to]),
+                CourseStep::Arc(arc) => {
                     let sweep = arc.sweep.degrees();
                     let flags = [sweep.abs() > 180.0, sweep > 0.0];
                     self.arc([arc.radius, arc.radius, 0.0], flags, step.to());
                 }
-                Step::Elliptical(arc) => {
+                CourseStep::Elliptical(arc) => {
                     let numbers = [arc.radii.x, arc.radii.y, arc.rotation.degrees()];
                     self.arc(numbers, [arc.large_arc, arc.sweep], step.to());
                 }

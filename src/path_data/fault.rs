@@ -6,7 +6,7 @@ use crate::number::read as number;
 
 /// What is wrong with path data, and at which byte.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Fault {
+pub(crate) enum PathFault {
     /// They end where something is missing.
     Ends,
     /// A number should follow the comma here.
@@ -17,7 +17,7 @@ pub(crate) enum Fault {
     TooLarge(usize),
 }
 
-impl Fault {
+impl PathFault {
     /// The number of a segment that is beyond `f64`, if one is.
     pub(crate) fn too_large(text: &str, segment: &Segment) -> Option<Self> {
         let fault = Self::find(text.as_bytes(), segment.start, Some(segment.letter));

@@ -99,22 +99,22 @@ fn letter_and_end(segment: svgtypes::PathSegment) -> (u8, [f64; 2]) {
 #[test]
 fn faults_are_found_to_the_byte() {
     for (text, fault) in [
-        ("M0 0L5", Fault::Ends),
-        ("M0 0L", Fault::Ends),
-        ("M0 0a5 5 0 0", Fault::Ends),
-        ("M0 0L5 5,", Fault::Comma(8)),
-        ("M0 0L5 , L5 5", Fault::Comma(7)),
-        ("M0 0,z", Fault::Comma(4)),
-        ("M0 0,,1 1", Fault::Unexpected(5)),
-        ("M,0 0", Fault::Unexpected(1)),
-        ("L5", Fault::Unexpected(0)),
-        (" none", Fault::Unexpected(1)),
-        ("M0 0X5", Fault::Unexpected(4)),
-        ("M0 0L1. 5", Fault::Unexpected(6)),
-        ("M0 0z1 1", Fault::Unexpected(5)),
-        ("M0 0A5 5 0 0 2 9 9", Fault::Unexpected(13)),
-        ("M0 0A5 5 0 01x 9", Fault::Unexpected(13)),
-        ("M0 0 1e999 x", Fault::TooLarge(5)),
+        ("M0 0L5", PathFault::Ends),
+        ("M0 0L", PathFault::Ends),
+        ("M0 0a5 5 0 0", PathFault::Ends),
+        ("M0 0L5 5,", PathFault::Comma(8)),
+        ("M0 0L5 , L5 5", PathFault::Comma(7)),
+        ("M0 0,z", PathFault::Comma(4)),
+        ("M0 0,,1 1", PathFault::Unexpected(5)),
+        ("M,0 0", PathFault::Unexpected(1)),
+        ("L5", PathFault::Unexpected(0)),
+        (" none", PathFault::Unexpected(1)),
+        ("M0 0X5", PathFault::Unexpected(4)),
+        ("M0 0L1. 5", PathFault::Unexpected(6)),
+        ("M0 0z1 1", PathFault::Unexpected(5)),
+        ("M0 0A5 5 0 0 2 9 9", PathFault::Unexpected(13)),
+        ("M0 0A5 5 0 01x 9", PathFault::Unexpected(13)),
+        ("M0 0 1e999 x", PathFault::TooLarge(5)),
     ] {
         let mut segments = Segments::new(text, 0..text.len());
         while segments.next().is_some() {}
@@ -122,5 +122,8 @@ fn faults_are_found_to_the_byte() {
     }
     let text = "M0 0A5 5 0 0 1 1e999 9";
     let arc = Segments::new(text, 0..text.len()).nth(1).unwrap();
-    assert_eq!(Fault::too_large(text, &arc), Some(Fault::TooLarge(15)));
+    assert_eq!(
+        PathFault::too_large(text, &arc),
+        Some(PathFault::TooLarge(15))
+    );
 }

@@ -18,7 +18,7 @@ use crate::course::Course;
 use crate::curve::Curve;
 use crate::number::{Precision, counted, rounded_up, significant, text};
 use crate::shape::Outline;
-use crate::sphere::{Part, Picture};
+use crate::sphere::{Part, SphereView};
 use crate::spline::Spline;
 
 /// The largest part of the size of a figure by which the points of curves along arcs that are exact may move.
@@ -254,7 +254,7 @@ impl Figure {
 impl Figure {
     /// A parabola or a hyperbola.
     #[must_use]
-    pub fn of_conic(drawing: &conic::Drawing) -> Self {
+    pub fn of_conic(drawing: &conic::ConicDrawing) -> Self {
         let title = sentence(&conic_title(&drawing.conic));
         Self {
             name: "conic",
@@ -285,7 +285,7 @@ pub enum Hidden {
 impl Figure {
     /// A sphere as layers with the classes `outline`, `back` and `front`, those beneath first.
     #[must_use]
-    pub fn of_sphere(picture: &Picture, hidden: Hidden) -> Self {
+    pub fn of_sphere(picture: &SphereView, hidden: Hidden) -> Self {
         let lines = |class, dashed, parts: &[Part]| Layer {
             class: Some(class),
             dashed,

@@ -8,7 +8,7 @@ use super::paint::Paint;
 use super::palette::{GREEN, ORANGE, SKY_BLUE};
 use super::scene::{Group, Mark, Pen, Scene};
 use super::style::Style;
-use crate::course::Step;
+use crate::course::CourseStep;
 use crate::curve::{Curve, control_points};
 use crate::error::{Error, PictureError, Result};
 use crate::number::{Precision, decimals_of, round, round_one_two_five};
@@ -258,8 +258,8 @@ impl<'a> Painter<'a> {
         let mut joints = Vec::new();
         for course in &self.figure.courses {
             joints.push(course.start);
-            joints.extend(course.steps.iter().map(Step::to));
-            if course.steps.last().map(Step::to) == Some(course.start) {
+            joints.extend(course.steps.iter().map(CourseStep::to));
+            if course.steps.last().map(CourseStep::to) == Some(course.start) {
                 joints.pop();
             }
         }

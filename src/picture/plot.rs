@@ -119,13 +119,13 @@ impl Chart {
     ///
     /// # Errors
     ///
-    /// As [`conic::Drawing::along`].
+    /// As [`conic::ConicDrawing::along`].
     pub fn along_conics(
         title: &str,
         quantity: Quantity,
-        drawings: &[(&str, &conic::Drawing)],
+        drawings: &[(&str, &conic::ConicDrawing)],
     ) -> Result<Self> {
-        let line = |(name, drawing): &(&str, &conic::Drawing)| {
+        let line = |(name, drawing): &(&str, &conic::ConicDrawing)| {
             let parts = drawing.along(quantity, steps(&drawing.curve))?;
             Ok(((*name).to_owned(), parts))
         };

@@ -15,14 +15,14 @@ const POINTS: f64 = 72.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Size {
     /// Its width.
-    pub width: Side,
+    pub width: SideLength,
     /// Its height.
-    pub height: Side,
+    pub height: SideLength,
 }
 
 /// One side of a picture, positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Side {
+pub struct SideLength {
     /// How many of its unit.
     pub value: f64,
     /// Its unit.
@@ -81,8 +81,8 @@ impl Size {
     pub const fn plain([width, height]: [f64; 2]) -> Self {
         let unit = Unit::Own;
         Self {
-            width: Side { value: width, unit },
-            height: Side {
+            width: SideLength { value: width, unit },
+            height: SideLength {
                 value: height,
                 unit,
             },
@@ -96,7 +96,7 @@ impl Size {
     }
 
     fn check_as(self, text: impl Fn() -> String) -> Result<()> {
-        let is_side = |side: Side| side.value.is_finite() && side.value > 0.0;
+        let is_side = |side: SideLength| side.value.is_finite() && side.value > 0.0;
         if is_side(self.width) && is_side(self.height) {
             return Ok(());
         }
@@ -116,7 +116,7 @@ impl Size {
     }
 }
 
-impl Side {
+impl SideLength {
     /// Its length in a format that counts `own` to an inch.
     fn counted(self, own: f64) -> f64 {
         self.unit
@@ -125,7 +125,7 @@ impl Side {
     }
 }
 
-impl fmt::Display for Side {
+impl fmt::Display for SideLength {
     /// As SVG writes it.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&text(self.value))?;
@@ -152,7 +152,7 @@ impl FromStr for Size {
         let Some([width, height]) = sides.next_back() else {
             return Err(Error::Picture(PictureError::Size(text.to_owned())));
         };
-        let [width, height] = [width, height].map(|(value, unit)| Side { value, unit });
+        let [width, height] = [width, height].map(|(value, unit)| SideLength { value, unit });
         let size = Self { width, height };
         size.check_as(|| text.to_owned())?;
         Ok(size)

@@ -5,7 +5,7 @@ use crate::conic;
 use crate::contour::{Maker, PathDrawing};
 use crate::number::{compact, counted, rounded_up, significant, text};
 use crate::shape::Shape;
-use crate::sphere::Picture;
+use crate::sphere::SphereView;
 use crate::spline::{Spline, SplineEnds};
 
 pub(super) fn conic_title(conic: &conic::Conic) -> String {
@@ -14,7 +14,7 @@ pub(super) fn conic_title(conic: &conic::Conic) -> String {
 }
 
 /// A parabola or a hyperbola and how closely it was drawn, in a line; the figure is rounded up.
-pub(crate) fn conic_summary(drawing: &conic::Drawing) -> String {
+pub(crate) fn conic_summary(drawing: &conic::ConicDrawing) -> String {
     let count = drawing.curve.segments.len();
     let closeness = match (drawing.error.peak(), drawing.method) {
         (0.0, None) => ", exact".to_owned(),
@@ -135,7 +135,7 @@ pub fn describe(shape: &Shape) -> String {
     }
 }
 
-pub(super) fn describe_sphere(picture: &Picture, title: &str) -> String {
+pub(super) fn describe_sphere(picture: &SphereView, title: &str) -> String {
     format!(
         "{title} seen from longitude {longitude}, latitude {latitude} degrees; {meridians} meridians and {parallels} parallels by {method}; in space within {peak} of the true circles ({relative} of the radius)",
         longitude = text(picture.view.longitude.degrees()),

@@ -10,7 +10,7 @@ use crate::angle::Angle;
 use crate::error::{Error, Result, ShapeError, finite, positive};
 use crate::numeric::double::Double;
 use crate::path_data::grammar::after_space;
-use crate::path_data::{Fault, Segments};
+use crate::path_data::{PathFault, Segments};
 
 /// The arc of path data `M x y A rx ry rotation large sweep x y`, in any form that the grammar of SVG allows.
 ///
@@ -29,14 +29,14 @@ pub fn parse_svg_arc(text: &str) -> Result<SvgArc> {
     let mut segments = Segments::new(text, 0..text.len());
     let mut next = |expected: &str| {
         let segment = segments.next();
-        let too_large = segment.and_then(|segment| Fault::too_large(text, &segment));
+        let too_large = segment.and_then(|segment| PathFault::too_large(text, &segment));
         match too_large.or_else(|| segments.fault()) {
             None => Ok(segment),
-            Some(Fault::Ends) => {
+            Some(PathFault::Ends) => {
                 let why = format!("it ends where {expected} should go on");
                 Err(wrong(text.len(), &why))
             }
-            Some(Fault::Comma(at) | Fault::Unexpected(at) | Fault::TooLarge(at)) => {
+            Some(PathFault::Comma(at) | PathFault::Unexpected(at) | PathFault::TooLarge(at)) => {
                 Err(wrong(at, &format!("expected {expected}")))
             }
         }

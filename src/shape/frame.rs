@@ -23,7 +23,7 @@ pub(crate) struct Frame {
     radii: Vec2,
     /// How many times the radii are as large in truth: those of an arc may be too small for its chord.
     enlarged: f64,
-    axis: Axis,
+    axis: FirstRadius,
     arc: Option<Inscribed>,
     /// What was applied after that.
     map: Option<Affine>,
@@ -31,7 +31,7 @@ pub(crate) struct Frame {
 
 /// The direction of the first radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Axis {
+enum FirstRadius {
     Vector(Vec2),
     Angle(Angle),
 }
@@ -52,7 +52,7 @@ impl Frame {
             center,
             radii,
             enlarged: 1.0,
-            axis: Axis::Vector(axis),
+            axis: FirstRadius::Vector(axis),
             arc: None,
             map: None,
         }
@@ -61,7 +61,7 @@ impl Frame {
     /// The same with the angle of the first radius.
     pub(super) const fn turned(self, rotation: Angle) -> Self {
         Self {
-            axis: Axis::Angle(rotation),
+            axis: FirstRadius::Angle(rotation),
             ..self
         }
     }
@@ -126,8 +126,8 @@ impl Frame {
             return self.conic(ends, control, weight);
         }
         let axis = match self.axis {
-            Axis::Vector(v) => [v.x, v.y].map(Double::of),
-            Axis::Angle(angle) => angle.exact_direction(),
+            FirstRadius::Vector(v) => [v.x, v.y].map(Double::of),
+            FirstRadius::Angle(angle) => angle.exact_direction(),
         };
         let is_circle = radii.x == radii.y;
         let own_radii = (!is_circle || self.map.is_some()).then_some(self.radii);
@@ -138,7 +138,7 @@ impl Frame {
             origin: self.center,
             axis: (axis != [1.0, 0.0].map(Double::of)).then_some(axis),
             radii: own_radii,
-            level: Level::Radius(Double::of(-1.0)),
+            level: DotOffset::Radius(Double::of(-1.0)),
             unit: 1.0,
             is_conic: false,
         };
@@ -147,7 +147,7 @@ impl Frame {
             exact.unit = unit * unit;
         } else {
             let radius = Double::of(self.radii.x);
-            exact.level = Level::Radius(radius.times(radius).scaled(-1.0));
+            exact.level = DotOffset::Radius(radius.times(radius).scaled(-1.0));
         }
         if let Some(arc) = self.arc {
             self.inscribe(&arc, &mut exact);
@@ -162,14 +162,14 @@ impl Frame {
             // A whole circle from a point of it, whose radius is computed.
             if self.radii.x == self.radii.y {
                 let arm = exact.unmapped(differences(from, self.center));
-                exact.level = Level::Radius(dot(arm, arm).scaled(-1.0));
+                exact.level = DotOffset::Radius(dot(arm, arm).scaled(-1.0));
             }
             return;
         }
         let chord = exact.unmapped(differences(to, from));
         if let Some(cotangent) = self.cotangent(arc, chord, exact.radii.is_none()) {
             exact.origin = from;
-            exact.level = Level::Pencil { chord, cotangent };
+            exact.level = DotOffset::Pencil { chord, cotangent };
         }
     }
 
@@ -251,7 +251,7 @@ impl Inverse {
 
 /// What is added to the dot product of two points q of the frame to make it |q|² - 1 about the centre, or |q|² - r² of a circle.
 #[derive(Clone, Copy)]
-enum Level {
+enum DotOffset {
     /// Minus the square of the radius.
     Radius(Double),
     /// From an end A of an arc to the other, B, and κ, the cotangent of half the sweep: the circles through both are the pencil
@@ -267,7 +267,7 @@ pub(crate) struct Exact {
     origin: Point,
     axis: Option<Twice>,
     radii: Option<Vec2>,
-    level: Level,
+    level: DotOffset,
     /// What the excess in this frame is multiplied by to be that of the shape that the map made.
     pub(crate) unit: f64,
     /// Whether it is that of a conic: nothing but the radii, which are rounded, says that this is a circle.
@@ -305,8 +305,8 @@ impl Exact {
     #[inline(always)]
     pub(crate) fn level(&self, q: Twice) -> Double {
         match self.level {
-            Level::Radius(level) => level,
-            Level::Pencil { chord, cotangent } => {
+            DotOffset::Radius(level) => level,
+            DotOffset::Pencil { chord, cotangent } => {
                 let across = cross(q, chord).times(cotangent);
                 across.plus(dot(q, chord).scaled(-1.0))
             }
@@ -317,8 +317,8 @@ impl Exact {
     #[inline(always)]
     pub(crate) fn center(&self) -> Twice {
         match self.level {
-            Level::Radius(_) => [Double::of(0.0); 2],
-            Level::Pencil { chord, cotangent } => {
+            DotOffset::Radius(_) => [Double::of(0.0); 2],
+            DotOffset::Pencil { chord, cotangent } => {
                 let half = chord.map(|c| c.scaled(0.5));
                 [
                     half[0].plus(half[1].times(cotangent).scaled(-1.0)),
@@ -331,8 +331,8 @@ impl Exact {
     /// The radius of the circle that the shape is in the frame.
     pub(crate) fn radius(&self) -> Double {
         match self.level {
-            Level::Radius(level) => level.scaled(-1.0).sqrt(),
-            Level::Pencil { .. } => {
+            DotOffset::Radius(level) => level.scaled(-1.0).sqrt(),
+            DotOffset::Pencil { .. } => {
                 let center = self.center();
                 dot(center, center).sqrt()
             }
@@ -346,7 +346,7 @@ impl Exact {
 
     /// Whether the centre is the origin of the frame.
     pub(crate) const fn is_about_center(&self) -> bool {
-        matches!(self.level, Level::Radius(_))
+        matches!(self.level, DotOffset::Radius(_))
     }
 
     /// How far a point lies from the image of another in the centre, where the frame is about that and without a map.

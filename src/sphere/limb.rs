@@ -11,7 +11,7 @@ const NO_DEPTH: f64 = 1e-12;
 
 /// On which side of the limb.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Side {
+pub(super) enum LimbSide {
     Front,
     Back,
 }
@@ -19,7 +19,7 @@ pub(super) enum Side {
 /// The curve, given in its own plane, in parts that lie on one side: `depth` is [a, b, c], the depth of (x, y) being a x + b y + c.
 ///
 /// A closed curve that is seen whole stays closed; else the parts begin and end at the limb.
-pub(super) fn cut(curve: &Curve, [a, b, c]: [f64; 3]) -> Vec<(Side, Curve)> {
+pub(super) fn cut(curve: &Curve, [a, b, c]: [f64; 3]) -> Vec<(LimbSide, Curve)> {
     let depth = |p: Point| {
         let depth = a * p.x + b * p.y + c;
         if depth.abs() < NO_DEPTH { 0.0 } else { depth }
@@ -38,7 +38,7 @@ pub(super) fn cut(curve: &Curve, [a, b, c]: [f64; 3]) -> Vec<(Side, Curve)> {
         pieces.rotate_left(change);
     }
     let parts = pieces.chunk_by(|one, next| one.0 == next.0);
-    let part = |pieces: &[(Side, PathSeg)]| {
+    let part = |pieces: &[(LimbSide, PathSeg)]| {
         let segments = pieces.iter().map(|&(_, segment)| segment).collect();
         (
             pieces[0].0,
@@ -52,14 +52,18 @@ pub(super) fn cut(curve: &Curve, [a, b, c]: [f64; 3]) -> Vec<(Side, Curve)> {
 }
 
 /// Appends the pieces of a segment, cut where its depth changes sign.
-fn push_pieces(pieces: &mut Vec<(Side, PathSeg)>, segment: &PathSeg, depth: impl Fn(Point) -> f64) {
+fn push_pieces(
+    pieces: &mut Vec<(LimbSide, PathSeg)>,
+    segment: &PathSeg,
+    depth: impl Fn(Point) -> f64,
+) {
     let depths: Vec<f64> = control_points(segment).into_iter().map(depth).collect();
     let polynomial = power::coefficients(&depths);
     let side = |from: f64, to: f64| {
         if power::value(polynomial, f64::midpoint(from, to)) < 0.0 {
-            Side::Back
+            LimbSide::Back
         } else {
-            Side::Front
+            LimbSide::Front
         }
     };
     let (mut rest, mut from) = (*segment, 0.0);

@@ -4,7 +4,7 @@
 mod document;
 
 use super::Writable;
-use crate::conic::Drawing;
+use crate::conic::ConicDrawing;
 use crate::picture::figure::Figure;
 use crate::picture::words::conic_summary;
 #[cfg(feature = "serde")]
@@ -12,7 +12,7 @@ pub use document::{
     ConicDocument, ConicMeasurement, ConicSamples, ConicShapeDocument, conic_csv, conic_samples_csv,
 };
 
-impl Writable for Drawing {
+impl Writable for ConicDrawing {
     fn figure(&self) -> Figure {
         Figure::of_conic(self)
     }

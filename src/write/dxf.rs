@@ -10,7 +10,7 @@ use std::collections::HashSet;
 use kurbo::{ParamCurve as _, PathSeg, Point, Rect};
 
 use crate::angle::Angle;
-use crate::course::{CircularArc, Course, Step, within_a_turn};
+use crate::course::{CircularArc, Course, CourseStep, within_a_turn};
 use crate::curve::{Curve, control_points};
 use crate::number::{round, text};
 
@@ -228,18 +228,18 @@ impl Tags {
     fn course(&mut self, layer: &str, course: &Course) {
         match course.steps.as_slice() {
             [] => {}
-            [Step::Line(to)] => {
+            [CourseStep::Line(to)] => {
                 self.entity("LINE", layer, "AcDbLine");
                 self.point(course.start);
                 for (code, value) in [(11, to.x), (21, to.y), (31, 0.0)] {
                     self.real(code, value);
                 }
             }
-            [Step::Arc(arc)] if arc.is_circle() => {
+            [CourseStep::Arc(arc)] if arc.is_circle() => {
                 self.entity("CIRCLE", layer, "AcDbCircle");
                 self.circle(arc);
             }
-            [Step::Arc(arc)] if !arc.ends_given => {
+            [CourseStep::Arc(arc)] if !arc.ends_given => {
                 self.entity("ARC", layer, "AcDbCircle");
                 self.circle(arc);
                 self.tag(100, "AcDbArc");
@@ -262,7 +262,7 @@ impl Tags {
     }
 
     /// A LWPOLYLINE, the bulge of each arc at its first vertex; a whole turn within it becomes two halves.
-    fn polyline(&mut self, layer: &str, course: &Course, steps: &[Step]) {
+    fn polyline(&mut self, layer: &str, course: &Course, steps: &[CourseStep]) {
         let mut vertices = vec![(course.start, 0.0)];
         let mut leave = |bulge: f64, to: Point| {
             if let Some(last) = vertices.last_mut() {
@@ -272,13 +272,13 @@ impl Tags {
         };
         for step in steps {
             match step {
-                Step::Line(_) | Step::Elliptical(_) => leave(0.0, step.to()),
-                Step::Arc(arc) if arc.is_circle() => {
+                CourseStep::Line(_) | CourseStep::Elliptical(_) => leave(0.0, step.to()),
+                CourseStep::Arc(arc) if arc.is_circle() => {
                     let half = arc.sweep.degrees().signum();
                     leave(half, arc.point(0.5));
                     leave(half, arc.to);
                 }
-                Step::Arc(arc) => leave(round(arc.bulge(), BULGE_DECIMALS), arc.to),
+                CourseStep::Arc(arc) => leave(round(arc.bulge(), BULGE_DECIMALS), arc.to),
             }
         }
         let closed = course.closed && vertices.len() > 2;
@@ -333,8 +333,10 @@ fn extent(trace: &Trace<'_>) -> Option<Rect> {
         Trace::Course(course) => {
             let start = Rect::from_points(course.start, course.start);
             let steps = course.steps.iter().map(|step| match step {
-                Step::Line(_) | Step::Elliptical(_) => Rect::from_points(step.to(), step.to()),
-                Step::Arc(arc) => around(arc),
+                CourseStep::Line(_) | CourseStep::Elliptical(_) => {
+                    Rect::from_points(step.to(), step.to())
+                }
+                CourseStep::Arc(arc) => around(arc),
             });
             Some(steps.fold(start, |all, step| all.union(step)))
         }

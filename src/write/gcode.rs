@@ -6,7 +6,7 @@ use core::fmt::Write as _;
 use kurbo::{Point, Vec2};
 
 use crate::contour::Closeness;
-use crate::course::{CircularArc, Course, Step};
+use crate::course::{CircularArc, Course, CourseStep};
 use crate::error::{Error, FormatError, Remedy, Result, positive};
 use crate::number::{Precision, compact, counted, rounded_up, significant, text};
 use crate::numeric::functions::power;
@@ -57,8 +57,10 @@ pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<Str
         let mut from = course.start;
         for step in &moving(&course) {
             let _ = match step {
-                Step::Line(_) | Step::Elliptical(_) => write!(out, "G1 {}", at(step.to())),
-                Step::Arc(arc) => {
+                CourseStep::Line(_) | CourseStep::Elliptical(_) => {
+                    write!(out, "G1 {}", at(step.to()))
+                }
+                CourseStep::Arc(arc) => {
                     let code = if arc.sweep.degrees() < 0.0 {
                         "G2"
                     } else {
@@ -78,13 +80,13 @@ pub fn program(title: &str, courses: &[Course], options: &Options) -> Result<Str
 }
 
 /// The steps without the lines of which rounding left no length; one of them stays where there is nothing else.
-fn moving(course: &Course) -> Vec<Step> {
+fn moving(course: &Course) -> Vec<CourseStep> {
     let mut from = course.start;
-    let moves = |step: &&Step| {
+    let moves = |step: &&CourseStep| {
         let before = core::mem::replace(&mut from, step.to());
-        matches!(step, Step::Arc(_)) || from != before
+        matches!(step, CourseStep::Arc(_)) || from != before
     };
-    let mut steps: Vec<Step> = course.steps.iter().filter(moves).copied().collect();
+    let mut steps: Vec<CourseStep> = course.steps.iter().filter(moves).copied().collect();
     if steps.is_empty() {
         steps.extend(course.steps.first());
     }
@@ -147,7 +149,7 @@ impl Program {
                     .into_iter()
                     .fold(0.0, f64::max);
                 let (mut kind, mut off) = (0, shift);
-                if let (Step::Arc(old), Step::Arc(arc)) = (old, new) {
+                if let (CourseStep::Arc(old), CourseStep::Arc(arc)) = (old, new) {
                     (kind, off) = (1, shift + old.bent(arc, from));
                     if off > rooms[1] {
                         let room = rooms[1] - shift;
@@ -182,7 +184,7 @@ fn chords(
     precision: Precision,
     room: f64,
     most: usize,
-    steps: &mut Vec<Step>,
+    steps: &mut Vec<CourseStep>,
 ) -> Option<f64> {
     let (sweep, chord) = (arc.sweep.radians(), arc.to - from);
     if chord == Vec2::ZERO {
@@ -211,9 +213,9 @@ fn chords(
         let [sine, other] = [at, sweep - at].map(|angle| libm::sin(0.5 * angle));
         let along = 2.0 * radius * sine * libm::cos(0.5 * (sweep - at)) / chord.hypot2().sqrt();
         let p = from + chord * along + across * (2.0 * radius * sine * other);
-        steps.push(Step::Line(precision.round_point(p)));
+        steps.push(CourseStep::Line(precision.round_point(p)));
     }
-    steps.push(Step::Line(precision.round_point(arc.to)));
+    steps.push(CourseStep::Line(precision.round_point(arc.to)));
     Some(off(count))
 }
 
@@ -228,8 +230,10 @@ fn automatic(courses: &[Course]) -> Precision {
         let mut from = course.start;
         for step in &course.steps {
             size = size.max(match step {
-                Step::Line(_) | Step::Elliptical(_) => (step.to() - from).hypot2().sqrt(),
-                Step::Arc(arc) => arc.radius,
+                CourseStep::Line(_) | CourseStep::Elliptical(_) => {
+                    (step.to() - from).hypot2().sqrt()
+                }
+                CourseStep::Arc(arc) => arc.radius,
             });
             from = step.to();
             largest = largest.max(from.x.abs()).max(from.y.abs());

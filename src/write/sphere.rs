@@ -5,7 +5,7 @@ mod document;
 
 use super::Writable;
 use crate::picture::figure::{Figure, Hidden};
-use crate::sphere::Picture;
+use crate::sphere::SphereView;
 #[cfg(feature = "serde")]
 pub use document::{PartDocument, SphereDocument, SphereShapeDocument, ViewDocument};
 
@@ -13,7 +13,7 @@ pub use document::{PartDocument, SphereDocument, SphereShapeDocument, ViewDocume
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereDrawing {
     /// The sphere as it is seen.
-    pub picture: Picture,
+    pub picture: SphereView,
     /// What becomes of its hidden halves.
     pub hidden: Hidden,
 }

@@ -5,7 +5,7 @@ use svg::node::element::{Circle, Description, Element, Path, Rectangle, Title};
 use svg::node::{self, Node};
 
 use crate::angle::Angle;
-use crate::course::{Course, Step};
+use crate::course::{Course, CourseStep};
 use crate::number::{Precision, text as digits};
 use crate::numeric::functions::angle_of;
 use crate::path;
@@ -151,7 +151,10 @@ fn arcs(outline: &Outline, scene: &Scene) -> Course {
     };
     let course = Course {
         start: point(0),
-        steps: (1..=count as u32).map(arc).map(Step::Elliptical).collect(),
+        steps: (1..=count as u32)
+            .map(arc)
+            .map(CourseStep::Elliptical)
+            .collect(),
         closed: outline.unit.closed,
     };
     course.rounded(Precision::Fixed(scene.decimals))

@@ -270,7 +270,7 @@ fn a_whole_circle_and_an_arc_of_no_length_may_be_steps() {
     assert!(course.start.distance(start) < 0.01);
     let mut turned = 0.0;
     for step in &course.steps {
-        if let curveto::course::Step::Arc(arc) = step {
+        if let curveto::course::CourseStep::Arc(arc) = step {
             assert!(
                 (arc.radius - 5.0).abs() < 0.01 && arc.center.distance(Point::new(1.0, 2.0)) < 0.02
             );

@@ -5,7 +5,7 @@ use std::process::Stdio;
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
-use curveto::batch::spec::{Spec, Subject};
+use curveto::batch::spec::{LineContent, Spec};
 use curveto::batch::{OnError, Options, run};
 use curveto::number::{Precision, text};
 use curveto::path;
@@ -101,7 +101,7 @@ proptest! {
     ) {
         let precision = decimals.map(Precision::Fixed);
         let options = Options { cut: cut.clone(), precision, on_error: OnError::Blank, ..Options::default() };
-        let Subject::Shape(shape) = Spec::parse(&line).unwrap().subject else {
+        let LineContent::Shape(shape) = Spec::parse(&line).unwrap().subject else {
             panic!("{line} is a path");
         };
         let drawing = approximate(&shape, &curveto::Options { cut, precision, ..curveto::Options::default() });
@@ -210,7 +210,7 @@ fn ids_pass_through() {
     assert!(answer.starts_with(r#"{"id":"a1","version":1,"#), "{answer}");
     let document: serde_json::Value = serde_json::from_str(&answer).unwrap();
     assert_eq!(document["segments"].as_array().unwrap().len(), 4);
-    let Subject::Shape(shape) = Spec::parse("circle 0 0 50").unwrap().subject else {
+    let LineContent::Shape(shape) = Spec::parse("circle 0 0 50").unwrap().subject else {
         panic!("a circle is a shape");
     };
     let full = curveto::Options {

@@ -1,6 +1,6 @@
 //! Conics by control point and weight: what they are, how far they are said to stray, and the fewest segments.
 
-use curveto::conic::{Conic, Drawing};
+use curveto::conic::{Conic, ConicDrawing};
 use curveto::kurbo::{ParamCurve, Point};
 use curveto::{Cut, Method, Options, Rule, Tolerance};
 use serde_json::Value;
@@ -37,7 +37,7 @@ fn rational(conic: &Conic, count: usize) -> Vec<Point> {
         .collect()
 }
 
-fn points(drawing: &Drawing, count: usize) -> Vec<Point> {
+fn points(drawing: &ConicDrawing, count: usize) -> Vec<Point> {
     let segments = &drawing.curve.segments;
     segments
         .iter()
@@ -62,7 +62,7 @@ fn farthest(points: &[Point], line: &[Point]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn drawn(conic: &Conic, cut: Cut) -> Drawing {
+fn drawn(conic: &Conic, cut: Cut) -> ConicDrawing {
     conic
         .draw(&Options {
             cut,

@@ -1,6 +1,6 @@
 //! Arcs as machines and CAD say them, paths, the forms of a line of `batch`, and what is said on standard error.
 
-use curveto::contour::{Target, draw};
+use curveto::contour::{BezierTarget, draw};
 use curveto::{Cut, Options, Tolerance, path};
 use kurbo::{ParamCurve, PathSeg, Point};
 use proptest::prelude::*;
@@ -272,7 +272,7 @@ proptest! {
         let data = format!("M0 0C{a} {b} {c} {d} {e} {f}");
         let options = Options { cut: Cut::Tolerance(Tolerance::Absolute(tolerance)), ..Options::default() };
         let contours = path::contours(&data).unwrap();
-        let drawing = draw(&contours, Target::Quadratics, &options).unwrap();
+        let drawing = draw(&contours, BezierTarget::Quadratics, &options).unwrap();
         prop_assert!(drawing.error().peak() <= tolerance);
         let given = path::curves(&data).unwrap();
         let drawn = &drawing.subpaths[0].curve.segments;
@@ -291,7 +291,7 @@ proptest! {
     ) {
         let arcs: Vec<String> = radii.iter().map(|r| format!("a{r} {r} 0 0 1 {} 3", r / 2.0)).collect();
         let options = Options { precision: precision.map(curveto::number::Precision::Fixed), ..Options::default() };
-        let drawing = draw(&path::contours(&format!("M1 2{}", arcs.concat())).unwrap(), Target::Beziers, &options).unwrap();
+        let drawing = draw(&path::contours(&format!("M1 2{}", arcs.concat())).unwrap(), BezierTarget::Beziers, &options).unwrap();
         let segments = &drawing.subpaths[0].curve.segments;
         for pair in segments.windows(2) {
             prop_assert_eq!(pair[0].end(), pair[1].start());

@@ -4,7 +4,7 @@
 use crate::judges::oracle;
 use crate::judges::random::uniform;
 
-use curveto::batch::spec::{Spec, Subject};
+use curveto::batch::spec::{LineContent, Spec};
 use curveto::method::Span;
 use curveto::number::Precision;
 use curveto::path;
@@ -263,7 +263,7 @@ fn joints_beside_those_of_one_error_serve_where_rounding_decides() {
             4,
         ),
     ] {
-        let Subject::Shape(shape) = Spec::parse(line).unwrap().subject else {
+        let LineContent::Shape(shape) = Spec::parse(line).unwrap().subject else {
             panic!("{line}");
         };
         let drawing = within(&shape, Method::Minimax, 0.01);

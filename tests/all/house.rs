@@ -313,3 +313,37 @@ fn functions_and_files_are_short() {
     assert!(count > 1500, "only {count} functions were found");
     assert!(long.is_empty(), "{long:#?}");
 }
+
+/// What people read with its module before it, as in `batch::Options`.
+const NAMES_OF_MODULES: [&str; 3] = ["Error", "Options", "Report"];
+
+#[test]
+fn no_two_types_have_one_name() {
+    let mut paths = Vec::new();
+    rust_files(&root().join("src"), &mut paths);
+    let mut found: BTreeMap<String, PathBuf> = BTreeMap::new();
+    for path in paths {
+        let text = fs::read_to_string(&path).unwrap();
+        let names = text.lines().filter_map(|line| {
+            let mut words = line
+                .split(|c: char| !c.is_alphanumeric() && c != '_')
+                .filter(|word| !["", "pub", "crate", "super", "in", "document"].contains(word));
+            let kind = words.next()?;
+            // Types of traits are indented and have names that the trait gives.
+            let is_type = ["struct", "enum", "trait"].contains(&kind)
+                || line.starts_with("type ")
+                || line.contains("pub type ");
+            is_type.then(|| words.next()).flatten()
+        });
+        for name in names.filter(|name| !NAMES_OF_MODULES.contains(name)) {
+            if let Some(other) = found.insert(name.to_owned(), path.clone()) {
+                panic!(
+                    "{name} is a type in {} and in {}",
+                    other.display(),
+                    path.display()
+                );
+            }
+        }
+    }
+    assert!(found.len() > 500, "{} types were read", found.len());
+}

@@ -3,7 +3,7 @@
 //! An arc of a path with more decimals than its ends have: these, which other segments share, stay as the file has them.
 
 use curveto::batch;
-use curveto::batch::spec::{Spec, Subject};
+use curveto::batch::spec::{LineContent, Spec};
 use curveto::document;
 use curveto::number::Precision;
 use curveto::path;
@@ -87,10 +87,10 @@ fn of(segments: &[PathSeg]) -> Vec<Point> {
 
 fn smallest_radius(asked: &Asked) -> f64 {
     match Spec::parse(&asked.line).unwrap().subject {
-        Subject::Shape(shape) => shape.outline().map_or(0.0, |outline| {
+        LineContent::Shape(shape) => shape.outline().map_or(0.0, |outline| {
             outline.truth.radii.x.min(outline.truth.radii.y)
         }),
-        Subject::Path(_) => 0.0,
+        LineContent::Path(_) => 0.0,
     }
 }
 
@@ -98,7 +98,7 @@ fn smallest_radius(asked: &Asked) -> f64 {
 type Curve = (Vec<Point>, f64);
 
 fn single(asked: &Asked, options: &Options) -> Option<Curve> {
-    let Subject::Shape(shape) = Spec::parse(&asked.line).ok()?.subject else {
+    let LineContent::Shape(shape) = Spec::parse(&asked.line).ok()?.subject else {
         return None;
     };
     let drawing = approximate(&shape, options).ok()?;

@@ -3,11 +3,11 @@
 use crate::judges::program;
 
 use curveto::number::Precision;
-use curveto::sphere::{Options, Part, Picture, Sphere, SphereLine, View};
+use curveto::sphere::{Options, Part, Sphere, SphereLine, SphereView, View};
 use curveto::{Angle, Method, Rule};
 use kurbo::{ParamCurve, PathSeg, Point};
 
-fn seen(meridians: usize, parallels: usize, view: [f64; 2], method: Method) -> Picture {
+fn seen(meridians: usize, parallels: usize, view: [f64; 2], method: Method) -> SphereView {
     let [longitude, latitude] = view.map(Angle::from_degrees);
     let view = View {
         longitude,

@@ -7,9 +7,9 @@ use crate::{Angle, Arc};
 
 /// A method, the flatnesses of ellipses, whether decimals are fixed, and how many there are; what the search costs at most, and the segments
 /// of all.
-type Group = (Method, [f64; 2], bool, usize, [usize; 2], usize);
+type CostCase = (Method, [f64; 2], bool, usize, [usize; 2], usize);
 
-fn cost_little(groups: &[Group]) {
+fn cost_little(groups: &[CostCase]) {
     for &(method, flat, is_fixed, shapes, most, segments) in groups {
         let (mut costs, mut count) = ([0; 2], 0);
         for (i, shape) in (1..).zip(arcs(flat, shapes)) {

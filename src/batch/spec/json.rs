@@ -4,7 +4,7 @@ use kurbo::Vec2;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use super::{Spec, Subject, arc, ellipse, point, polyline};
+use super::{LineContent, Spec, arc, ellipse, point, polyline};
 use crate::angle::Angle;
 use crate::error::json::{column, in_plain_words};
 use crate::error::{Error, Result};
@@ -147,7 +147,7 @@ impl JsonLine<'_> {
     }
 
     /// What is to be drawn; `None` where nothing is named.
-    fn subject(&self, syntax: impl Fn(usize, String) -> Error) -> Result<Option<Subject>> {
+    fn subject(&self, syntax: impl Fn(usize, String) -> Error) -> Result<Option<LineContent>> {
         let shape = if let Some(c) = &self.circle {
             Shape::Circle(Circle::new(point(c.center), c.radius)?)
         } else if let Some(e) = &self.ellipse {
@@ -174,13 +174,13 @@ impl JsonLine<'_> {
         } else if let Some([from, on, to]) = self.through {
             through(point(from), point(on), point(to))?
         } else if let Some(p) = &self.polyline {
-            return Ok(Some(Subject::Path(polyline(&p.vertices, p.closed)?)));
+            return Ok(Some(LineContent::Path(polyline(&p.vertices, p.closed)?)));
         } else if let Some(data) = &self.path {
-            return Ok(Some(Subject::Path(contours(data)?)));
+            return Ok(Some(LineContent::Path(contours(data)?)));
         } else {
             return Ok(None);
         };
-        Ok(Some(Subject::Shape(shape)))
+        Ok(Some(LineContent::Shape(shape)))
     }
 }
 

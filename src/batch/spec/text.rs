@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Vec2};
 
-use super::{Subject, arc, ellipse, polyline};
+use super::{LineContent, arc, ellipse, polyline};
 use crate::angle::Angle;
 use crate::contour::Contour;
 use crate::error::{Error, Result};
@@ -46,15 +46,15 @@ impl<'a> Words<'a> {
     }
 }
 
-pub(super) fn from_text(line: &str) -> Result<Subject> {
+pub(super) fn from_text(line: &str) -> Result<LineContent> {
     let mut words = Words { line, at: 0 };
     let Some((start, word)) = words.next() else {
         return Err(words.wrong(0, "there is no shape"));
     };
     match word {
-        "path" => Ok(Subject::Path(contours(&line[words.at..])?)),
-        "polyline" => polyline_from_text(words).map(Subject::Path),
-        _ => shape_from_text(words, start, word).map(Subject::Shape),
+        "path" => Ok(LineContent::Path(contours(&line[words.at..])?)),
+        "polyline" => polyline_from_text(words).map(LineContent::Path),
+        _ => shape_from_text(words, start, word).map(LineContent::Shape),
     }
 }
 
@@ -112,13 +112,13 @@ fn form(word: &str) -> Option<(&'static str, &'static [usize])> {
 }
 
 /// The numbers of a shape, each with its place.
-struct Numbers {
+struct ShapeNumbers {
     values: [f64; MOST_NUMBERS],
     places: [usize; MOST_NUMBERS],
     count: usize,
 }
 
-impl Numbers {
+impl ShapeNumbers {
     /// Reads all that the line has left.
     fn read(words: &mut Words, form: &str) -> Result<Self> {
         let mut read = Self {
@@ -149,7 +149,7 @@ fn shape_from_text(mut words: Words, start: usize, word: &str) -> Result<Shape> 
             "a line begins with circle, ellipse, arc, svgarc, bulge, through, polyline or path, or is a JSON object",
         ));
     };
-    let numbers = Numbers::read(&mut words, form)?;
+    let numbers = ShapeNumbers::read(&mut words, form)?;
     let count = numbers.count;
     if !counts.contains(&count) {
         return Err(words.wrong(

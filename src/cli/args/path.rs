@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 
 use clap::{Args, ValueEnum, ValueHint};
-use curveto::contour::Target;
+use curveto::contour::BezierTarget;
 use curveto::{Method, Rule};
 
 use super::{ApproximationArgs, OutputArgs};
@@ -35,7 +35,7 @@ pub(crate) struct PathArgs {
     pub(crate) power: Option<OsString>,
     /// What it becomes
     #[arg(long, value_enum, value_name = "KIND", default_value_t)]
-    to: TargetArg,
+    to: PathTargetArg,
     /// With --to arcs: arcs of ellipses too
     ///
     /// They stand where circles alone would take more, and where one was drawn or given.
@@ -51,7 +51,7 @@ pub(crate) struct PathArgs {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-enum TargetArg {
+enum PathTargetArg {
     /// Arcs become Béziers, all else stays as it is
     #[default]
     Beziers,
@@ -65,7 +65,7 @@ enum TargetArg {
 
 /// What a path becomes.
 pub(crate) enum PathKind {
-    Beziers(Target),
+    Beziers(BezierTarget),
     Lines,
     Arcs,
 }
@@ -74,16 +74,16 @@ impl PathArgs {
     /// What it becomes.
     pub(crate) fn kind(&self) -> PathKind {
         match self.to {
-            TargetArg::Beziers => PathKind::Beziers(Target::Beziers),
-            TargetArg::Quadratics => PathKind::Beziers(Target::Quadratics),
-            TargetArg::Lines => PathKind::Lines,
-            TargetArg::Arcs => PathKind::Arcs,
+            PathTargetArg::Beziers => PathKind::Beziers(BezierTarget::Beziers),
+            PathTargetArg::Quadratics => PathKind::Beziers(BezierTarget::Quadratics),
+            PathTargetArg::Lines => PathKind::Lines,
+            PathTargetArg::Arcs => PathKind::Arcs,
         }
     }
 
     /// Whether arcs may be those of ellipses.
     pub(crate) fn elliptic(&self) -> Result<bool, Failure> {
-        if self.elliptic && self.to != TargetArg::Arcs {
+        if self.elliptic && self.to != PathTargetArg::Arcs {
             return Err(Failure::request_with_hint(
                 "--elliptic is for --to arcs",
                 "'curveto path DATA --to arcs --elliptic' makes arcs of circles and ellipses",
@@ -94,7 +94,7 @@ impl PathArgs {
 
     /// What gives the control points of arcs.
     pub(crate) fn rule(&self) -> Result<Rule, Failure> {
-        if self.to == TargetArg::Beziers {
+        if self.to == PathTargetArg::Beziers {
             return self.approximation.rule();
         }
         match self.approximation.named_rule()? {

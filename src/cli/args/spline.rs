@@ -20,7 +20,7 @@ pub(crate) struct SplineArgs {
     #[command(flatten)]
     pub(crate) source: SplineSource,
     #[command(flatten)]
-    way: Way,
+    way: SplineWay,
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 }
@@ -41,10 +41,10 @@ pub(crate) struct SplineSource {
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "How it runs through them")]
-struct Way {
+struct SplineWay {
     /// How far the parameter runs along each segment
     #[arg(long, value_enum, value_name = "P", default_value_t)]
-    parametrization: Parametrization,
+    parametrization: ParametrizationArg,
     /// Nodal derivatives of length 1: G1 in place of C2
     ///
     /// Chen makes them unit vectors with arc length.
@@ -71,7 +71,7 @@ struct Way {
 
 /// How far the parameter runs along each segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-enum Parametrization {
+enum ParametrizationArg {
     /// From 0 to 1: Formulation I
     #[default]
     Uniform,
@@ -87,10 +87,12 @@ impl SplineArgs {
     /// How the curve runs through its points.
     pub(crate) fn options(&self) -> Result<Options, Failure> {
         let parametrization = match self.way.parametrization {
-            Parametrization::Uniform => spline::Parametrization::Uniform,
-            Parametrization::Chord => spline::Parametrization::Chord,
-            Parametrization::Centripetal => spline::Parametrization::Centripetal,
-            Parametrization::ArcLength => spline::Parametrization::ArcLength(self.way.quadrature),
+            ParametrizationArg::Uniform => spline::Parametrization::Uniform,
+            ParametrizationArg::Chord => spline::Parametrization::Chord,
+            ParametrizationArg::Centripetal => spline::Parametrization::Centripetal,
+            ParametrizationArg::ArcLength => {
+                spline::Parametrization::ArcLength(self.way.quadrature)
+            }
         };
         let measures = matches!(parametrization, spline::Parametrization::ArcLength(_));
         if self.way.quadrature == Quadrature::Gauss2 && !measures {

@@ -5,15 +5,15 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::tree::{Destination, Job};
+use super::tree::{Destination, FileJob};
 use crate::cli::new_file::TEMPORARY;
 
 /// A file that is made takes its lock at once, but not in the same moment: a younger one is left alone.
 const YOUNGEST: Duration = Duration::from_secs(60);
 
 /// The folders where these jobs put their files.
-pub(super) fn written(jobs: &[Job]) -> BTreeSet<PathBuf> {
-    let place = |job: &Job| match &job.destination {
+pub(super) fn written(jobs: &[FileJob]) -> BTreeSet<PathBuf> {
+    let place = |job: &FileJob| match &job.destination {
         Destination::InPlace(path) | Destination::OutDir(path) => {
             let path = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
             path.parent().map(Path::to_owned)

@@ -6,7 +6,7 @@ use curveto::document::{Counts, ElementKind, Note};
 use curveto::number::{compact, counted, rounded_up};
 use serde::Serialize;
 
-use super::tree::Job;
+use super::tree::FileJob;
 use super::{Done, Trouble};
 use crate::cli::args::{ReportForm, TalkArgs};
 use crate::cli::failure::{Failure, fit_for_terminals};
@@ -43,7 +43,7 @@ struct Document<'a> {
 }
 
 impl FileReport {
-    pub(super) fn of(job: &Job, result: Result<Done, Trouble>) -> Self {
+    pub(super) fn of(job: &FileJob, result: Result<Done, Trouble>) -> Self {
         let mut report = Self {
             file: job.name(),
             changed: false,
@@ -89,7 +89,7 @@ fn is_zero(distance: &f64) -> bool {
 
 /// What was done to the files.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Way {
+pub(super) struct DoneTo {
     /// Whether Béziers became arcs.
     pub(super) back: bool,
     /// Whether nothing was written.
@@ -97,7 +97,7 @@ pub(super) struct Way {
 }
 
 /// Tells about all files: errors and what was left, and with `--report` or `--verbose` the counts.
-pub(super) fn tell(reports: &[FileReport], form: Option<ReportForm>, talk: TalkArgs, way: Way) {
+pub(super) fn tell(reports: &[FileReport], form: Option<ReportForm>, talk: TalkArgs, way: DoneTo) {
     // Where standard error is gone, nobody is left to tell.
     let _ = if form == Some(ReportForm::Json) {
         json(reports, &mut BufWriter::new(io::stderr().lock()))
@@ -133,7 +133,7 @@ fn json(reports: &[FileReport], out: &mut impl Write) -> io::Result<()> {
 /// `counts`: what was done, where the counts are told.
 fn text(
     reports: &[FileReport],
-    counts: Option<Way>,
+    counts: Option<DoneTo>,
     notes: bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
@@ -175,7 +175,7 @@ fn text(
 }
 
 /// The counts in words, and how far what was made lies from what stood there.
-fn told(counts: &Counts, strayed: f64, way: Way) -> String {
+fn told(counts: &Counts, strayed: f64, way: DoneTo) -> String {
     let words: Vec<String> = ElementKind::ALL
         .into_iter()
         .filter(|kind| counts.of(*kind) > 0)

@@ -38,12 +38,12 @@ pub(super) enum Destination {
 
 /// One file to convert.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Job {
+pub(super) struct FileJob {
     pub(super) input: Input,
     pub(super) destination: Destination,
 }
 
-impl Job {
+impl FileJob {
     /// The name that messages give.
     pub(super) fn name(&self) -> String {
         match &self.input {
@@ -65,7 +65,7 @@ pub(super) fn jobs(
     destination: &DestinationArgs,
     hidden: bool,
     talk: TalkArgs,
-) -> Result<Vec<Job>, Failure> {
+) -> Result<Vec<FileJob>, Failure> {
     let stdin = [PathBuf::from("-")];
     let inputs = if inputs.is_empty() { &stdin } else { inputs };
     check(inputs, destination)?;
@@ -102,7 +102,7 @@ pub(super) fn jobs(
                     Destination::Output(OutputTarget::new(output.as_deref()))
                 }
             };
-            Job { input, destination }
+            FileJob { input, destination }
         })
         .collect();
     without_clashes(jobs)
@@ -276,7 +276,7 @@ fn is_svg(path: &Path) -> bool {
 }
 
 /// Refuses a folder of results below which a link leads to a file of the run.
-fn refuse_inputs_as_results(jobs: &[Job]) -> Result<(), Failure> {
+fn refuse_inputs_as_results(jobs: &[FileJob]) -> Result<(), Failure> {
     let inputs = jobs
         .iter()
         .filter_map(|job| match (&job.input, &job.destination) {
@@ -312,7 +312,7 @@ fn is_same(one: &Input, other: &Input) -> bool {
 }
 
 /// Drops a file that was named twice; refuses two files that would be written to one place.
-fn without_clashes(jobs: Vec<Job>) -> Result<Vec<Job>, Failure> {
+fn without_clashes(jobs: Vec<FileJob>) -> Result<Vec<FileJob>, Failure> {
     refuse_inputs_as_results(&jobs)?;
     let mut taken: HashMap<PathBuf, Input> = HashMap::new();
     let mut kept = Vec::with_capacity(jobs.len());

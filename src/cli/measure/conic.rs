@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use curveto::approximate::Options;
-use curveto::conic::{Conic, Drawing};
+use curveto::conic::{Conic, ConicDrawing};
 use curveto::measure::Quantity;
 use curveto::number::{Precision, compact, rounded_up};
 use curveto::picture::plot::Chart;
@@ -21,7 +21,7 @@ use crate::cli::table::{close_up, lines, plain};
 
 /// A drawing, and the number of its panel in a plot.
 struct ConicSubject {
-    drawing: Drawing,
+    drawing: ConicDrawing,
     title: String,
     panel: usize,
 }
@@ -47,7 +47,7 @@ pub(super) fn run(conic: &Conic, args: &Measured<ConicShape>) -> Outcome {
     }
     let output = report.output.path();
     let format = choose(report.format, output)?;
-    let drawings: Vec<&Drawing> = subjects.iter().map(|subject| &subject.drawing).collect();
+    let drawings: Vec<&ConicDrawing> = subjects.iter().map(|subject| &subject.drawing).collect();
     let text = match report.samples {
         Some(count) => samples::conic_text(&drawings, count, format)?,
         None => report_text(&drawings, format)?,
@@ -83,7 +83,7 @@ fn drawn(conic: &Conic, args: &Measured<ConicShape>) -> Result<Vec<ConicSubject>
 
 /// The quantity along the drawings of one panel.
 fn chart(subjects: &[&ConicSubject], quantity: Quantity) -> Result<Chart, Failure> {
-    let drawings: Vec<(&str, &Drawing)> = subjects
+    let drawings: Vec<(&str, &ConicDrawing)> = subjects
         .iter()
         .map(|subject| (subject.drawing.method_name(), &subject.drawing))
         .collect();
@@ -98,7 +98,7 @@ fn chart(subjects: &[&ConicSubject], quantity: Quantity) -> Result<Chart, Failur
 }
 
 /// Every figure of each drawing.
-fn report_text(drawings: &[&Drawing], format: ReportFormat) -> Result<String, Failure> {
+fn report_text(drawings: &[&ConicDrawing], format: ReportFormat) -> Result<String, Failure> {
     let all: Vec<ConicMeasurement> = drawings.iter().map(|&drawing| drawing.into()).collect();
     written(&all, format, false, table, conic_csv)
 }

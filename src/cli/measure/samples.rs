@@ -1,7 +1,7 @@
 //! `measure --samples`: a curve point by point.
 
 use comfy_table::Table;
-use curveto::conic::Drawing;
+use curveto::conic::ConicDrawing;
 use curveto::measure::samples::{Sample, SamplePoint, samples};
 use curveto::number::{compact, significant};
 use curveto::write::conic::{ConicSamples, conic_samples_csv};
@@ -36,7 +36,7 @@ fn sampled(subject: &MeasuredSubject, count: usize) -> Result<Samples<'_>, Failu
 
 /// The points of parabolas and hyperbolas.
 pub(super) fn conic_text(
-    drawings: &[&Drawing],
+    drawings: &[&ConicDrawing],
     count: usize,
     format: ReportFormat,
 ) -> Result<String, Failure> {

@@ -34,7 +34,7 @@ pub(in crate::document) struct Context<'a> {
 
 /// What became of one path.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(in crate::document) struct Outcome {
+pub(in crate::document) struct PathOutcome {
     /// Arc commands replaced.
     pub(in crate::document) arcs: usize,
     /// Smooth commands that had to be spelled out.
@@ -50,16 +50,16 @@ pub(in crate::document) fn rewrite(
     context: Context<'_>,
     scratch: &mut Scratch,
     sink: &mut impl Sink,
-) -> Outcome {
+) -> PathOutcome {
     let data = &text.as_bytes()[span.clone()];
     let Some(last) = memchr::memrchr2(b'a', b'A', data) else {
-        return Outcome::default();
+        return PathOutcome::default();
     };
     let last = span.start + last;
     // Relative arcs need no current point, and most paths have no other ones.
     let follows_point = memchr::memchr3(b'A', b'S', b'T', data).is_some();
     let mut segments = Segments::new(text, span.clone()).with_ends(follows_point);
-    let mut writer = Writer {
+    let mut writer = ArcWriter {
         text,
         context,
         scratch,
@@ -71,7 +71,7 @@ pub(in crate::document) fn rewrite(
         previous: None,
         end: PathText::new(BelowOne::Short),
         respell: 0,
-        outcome: Outcome::default(),
+        outcome: PathOutcome::default(),
     };
     while let Some((segment, known)) = writer.next(&mut segments) {
         writer.segment(&segment, known, &segments);
@@ -102,7 +102,7 @@ fn lettered(end: &mut PathText, out: &mut Vec<u8>, arc: &Segment, small: u8) {
     end.letter(out, small ^ large);
 }
 
-struct Writer<'a, 'b, S> {
+struct ArcWriter<'a, 'b, S> {
     text: &'a str,
     context: Context<'a>,
     scratch: &'b mut Scratch,
@@ -119,10 +119,10 @@ struct Writer<'a, 'b, S> {
     end: PathText,
     /// The smooth command that would take up a control point of the Bézier that was an arc, if the output ends with one.
     respell: u8,
-    outcome: Outcome,
+    outcome: PathOutcome,
 }
 
-impl<S: Sink> Writer<'_, '_, S> {
+impl<S: Sink> ArcWriter<'_, '_, S> {
     /// The next segment, and where the memo has it, if it is an arc that was met before.
     fn next(&self, segments: &mut Segments<'_>) -> Option<(Segment, Option<usize>)> {
         let memo = &self.scratch.memo;

@@ -8,10 +8,10 @@ use core::iter::repeat;
 use kurbo::{Point, Vec2};
 
 use crate::Angle;
-use crate::approximate::{self, Drawing, Known, approximate, approximate_between};
+use crate::approximate::{self, Drawing, KnownCurve, approximate, approximate_between};
 use crate::curve::map_points;
 use crate::document::path::beziers::Beziers;
-use crate::document::path::known::Memo;
+use crate::document::path::known::ArcTables;
 use crate::document::{Options, Reason};
 use crate::joints::cutting::{Cutting, EqualPieces};
 use crate::joints::{Cut, quarters};
@@ -32,7 +32,7 @@ type Engine = fn(&Shape, &approximate::Options) -> crate::Result<Drawing>;
 pub(in crate::document) fn arc(
     arc: &SvgArc,
     options: &Options,
-    memo: &mut Memo,
+    memo: &mut ArcTables,
     out: &mut Beziers,
 ) -> Result<(), Reason> {
     arc_by(approximate_between, arc, options, memo, out)
@@ -42,7 +42,7 @@ pub(in crate::document) fn arc(
 pub(in crate::document) fn corner(
     arc: &SvgArc,
     options: &Options,
-    memo: &mut Memo,
+    memo: &mut ArcTables,
     out: &mut Beziers,
 ) -> Result<(), Reason> {
     arc_by(approximate, arc, options, memo, out)
@@ -52,7 +52,7 @@ fn arc_by(
     engine: Engine,
     arc: &SvgArc,
     options: &Options,
-    memo: &mut Memo,
+    memo: &mut ArcTables,
     out: &mut Beziers,
 ) -> Result<(), Reason> {
     let chord = arc.chord()?.ok_or(Reason::TooLarge)?;
@@ -90,7 +90,7 @@ pub(in crate::document) fn ellipse(
     center: Point,
     radii: Vec2,
     options: &Options,
-    memo: &mut Memo,
+    memo: &mut ArcTables,
     out: &mut Beziers,
 ) -> Result<(), Reason> {
     let about = |center| Ellipse::new(center, radii, Angle::ZERO).map(Shape::Ellipse);
@@ -157,13 +157,13 @@ fn fill<C: Cutting>(
     (truth, axes): (&Truth, Axes),
     base: Point,
     options: &Options,
-    memo: &mut Memo,
+    memo: &mut ArcTables,
 ) -> Result<(), Reason> {
     let cutting = placed.cutting;
     let (piece, peak) = memo.piece(options.rule, cutting.size(0))?;
     out.segments.clear();
     out.segments.extend(placed.segments(repeat([piece; 2])));
-    let known = Known {
+    let known = KnownCurve {
         rule: options.rule,
         truth,
         axes,
@@ -249,7 +249,7 @@ mod tests {
     fn arcs_are_those_of_the_engine() {
         let mut drawn = Beziers::default();
         for options in options() {
-            let mut memo = Memo::default();
+            let mut memo = ArcTables::default();
             for i in 0..200 {
                 let n = f64::from(i);
                 let arc = SvgArc {
@@ -275,7 +275,7 @@ mod tests {
     fn ellipses_are_those_of_the_engine() {
         let mut drawn = Beziers::default();
         for options in options() {
-            let mut memo = Memo::default();
+            let mut memo = ArcTables::default();
             for radii in [
                 Vec2::new(10.0, 10.0),
                 Vec2::new(3.0, 0.7),
@@ -290,7 +290,7 @@ mod tests {
 
     #[test]
     fn other_requests_go_to_the_engine() {
-        let (mut drawn, mut memo) = (Beziers::default(), Memo::default());
+        let (mut drawn, mut memo) = (Beziers::default(), ArcTables::default());
         let free = Options {
             rule: Rule::Method(Method::MinimaxFree),
             ..Options::default()

@@ -32,7 +32,7 @@ struct Written {
 
 /// The tables.
 #[derive(Debug, Default)]
-pub(in crate::document) struct Memo {
+pub(in crate::document) struct ArcTables {
     made_for: Option<Options>,
     /// One more than the index of an arc, or 0.
     places: Vec<u32>,
@@ -41,7 +41,7 @@ pub(in crate::document) struct Memo {
     spans: Vec<Option<(f64, Piece, f64)>>,
 }
 
-impl Memo {
+impl ArcTables {
     pub(in crate::document) fn serve(&mut self, options: &Options) {
         if self.made_for.as_ref() != Some(options) {
             self.forget_arcs();
@@ -180,7 +180,7 @@ mod tests {
 
     #[test]
     fn what_was_kept_is_found_and_no_more_is_kept_than_fits() {
-        let mut memo = Memo::default();
+        let mut memo = ArcTables::default();
         let key = |i: usize| format!("{i} 1 0 0 1 {i} 1").into_bytes();
         let text = |i: usize| format!("c{i}").into_bytes();
         for i in 0..3 * MOST_ENTRIES {
@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn long_texts_are_not_kept_for_ever() {
-        let mut memo = Memo::default();
+        let mut memo = ArcTables::default();
         let long = vec![b'1'; MOST_BYTES / 64 - 1];
         for i in 0..200_u8 {
             memo.keep(

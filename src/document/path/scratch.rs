@@ -5,14 +5,14 @@ use core::cell::Cell;
 use crate::document::Options;
 use crate::document::path::beziers::Beziers;
 use crate::document::path::curve_text::Body;
-use crate::document::path::known::Memo;
+use crate::document::path::known::ArcTables;
 
 /// Buffers that outlive one path.
 #[derive(Debug, Default)]
 pub(in crate::document) struct Scratch {
     pub(in crate::document) body: Body,
     pub(in crate::document) beziers: Beziers,
-    pub(in crate::document) memo: Memo,
+    pub(in crate::document) memo: ArcTables,
 }
 
 thread_local! {

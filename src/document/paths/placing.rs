@@ -4,7 +4,7 @@ use kurbo::{Affine, Vec2};
 
 use super::tag::Tag;
 use super::view_box::ViewBox;
-use crate::document::shape::length::{self, Reading};
+use crate::document::shape::length::{self, LengthAttribute};
 use crate::error::{Error, Result, TextError, finite};
 use crate::number::read as number;
 use crate::path::{self, shortened};
@@ -128,7 +128,7 @@ impl Coordinates {
             return is_whole.then_some(share / 100.0 * self.viewport?[axis]);
         }
         match length::read(text) {
-            Reading::Length(length) => Some(length.value),
+            LengthAttribute::Length(length) => Some(length.value),
             _ => None,
         }
     }

@@ -10,14 +10,14 @@ use crate::document::xml::node::Element;
 use crate::joints::Tolerance;
 
 /// A path that may be a shape.
-pub(in crate::document) struct SelectorSubject<'r, 'a> {
+pub(in crate::document) struct Candidate<'r, 'a> {
     pub(in crate::document) element: &'r Element<'r>,
     pub(in crate::document) attributes: &'r [Attribute<'a>],
     pub(in crate::document) d: &'r Attribute<'a>,
     pub(in crate::document) whole: Whole,
 }
 
-impl<'r, 'a> SelectorSubject<'r, 'a> {
+impl<'r, 'a> Candidate<'r, 'a> {
     /// The path, where its data are a shape of no more bytes.
     pub(in crate::document) fn new(
         element: &'r Element<'r>,

@@ -7,7 +7,7 @@ use kurbo::{ParamCurve, Point, Vec2};
 use crate::document::path::bezier;
 use crate::document::path::collapse::is_too_small;
 use crate::document::path::scratch::Scratch;
-use crate::document::shape::length::{self, Length, Reading};
+use crate::document::shape::length::{self, Length, LengthAttribute};
 use crate::document::shape::text::ShapeText;
 use crate::document::style::property::ElementKind;
 use crate::document::{Options, Reason};
@@ -34,9 +34,9 @@ pub(in crate::document) fn read<'v>(
 ) -> Result<UsedShape, Reason> {
     let stands = |name| {
         attribute(name).is_some_and(|text| match length::read(&text) {
-            Reading::Length(length) => length.value > 0.0,
-            Reading::Auto => false,
-            Reading::Unknown => true,
+            LengthAttribute::Length(length) => length.value > 0.0,
+            LengthAttribute::Auto => false,
+            LengthAttribute::Unknown => true,
         })
     };
     let get = |name: &'static str| -> Result<Option<Length>, Reason> {
@@ -44,12 +44,12 @@ pub(in crate::document) fn read<'v>(
             return Ok(None);
         };
         match length::read(&text) {
-            Reading::Length(length) => Ok(Some(length)),
+            LengthAttribute::Length(length) => Ok(Some(length)),
             // `auto` is a value of rx and ry alone, and of width and height, where it is zero. SVG 2 takes the other radius for it,
             // Chromium zero.
-            Reading::Auto if matches!(name, "width" | "height") => Ok(None),
-            Reading::Auto if name == "rx" && !stands("ry") => Ok(None),
-            Reading::Auto if name == "ry" && !stands("rx") => Ok(None),
+            LengthAttribute::Auto if matches!(name, "width" | "height") => Ok(None),
+            LengthAttribute::Auto if name == "rx" && !stands("ry") => Ok(None),
+            LengthAttribute::Auto if name == "ry" && !stands("rx") => Ok(None),
             _ => Err(Reason::Length {
                 attribute: name,
                 value: text.chars().take(40).collect(),

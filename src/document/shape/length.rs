@@ -13,7 +13,7 @@ pub(in crate::document) struct Length {
 
 /// What an attribute says.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::document) enum Reading {
+pub(in crate::document) enum LengthAttribute {
     Length(Length),
     /// The keyword `auto`.
     Auto,
@@ -50,27 +50,27 @@ impl Length {
 }
 
 /// Reads the value of a geometry attribute.
-pub(in crate::document) fn read(text: &str) -> Reading {
+pub(in crate::document) fn read(text: &str) -> LengthAttribute {
     let text = text.trim_matches([' ', '\t', '\n', '\r', '\x0c']);
     if text == "auto" {
-        return Reading::Auto;
+        return LengthAttribute::Auto;
     }
     let Some((value, end)) =
         number::read(text.as_bytes(), 0).filter(|(value, _)| value.is_finite())
     else {
-        return Reading::Unknown;
+        return LengthAttribute::Unknown;
     };
     let unit = &text[end..];
     if unit.is_empty() || unit.eq_ignore_ascii_case("px") {
         let exact = Decimal::read(&text[..end]).unwrap_or(Length::computed(value).exact);
-        return Reading::Length(Length { value, exact });
+        return LengthAttribute::Length(Length { value, exact });
     }
     match UNITS
         .iter()
         .find(|(name, _)| name.eq_ignore_ascii_case(unit))
     {
-        Some((_, factor)) => Reading::Length(Length::computed(value * factor)),
-        None => Reading::Unknown,
+        Some((_, factor)) => LengthAttribute::Length(Length::computed(value * factor)),
+        None => LengthAttribute::Unknown,
     }
 }
 
@@ -80,7 +80,7 @@ mod tests {
 
     fn value(text: &str) -> Option<f64> {
         match read(text) {
-            Reading::Length(length) => Some(length.value),
+            LengthAttribute::Length(length) => Some(length.value),
             _ => None,
         }
     }
@@ -103,15 +103,15 @@ mod tests {
             "1vw",
             "1.",
         ] {
-            assert_eq!(read(text), Reading::Unknown, "{text}");
+            assert_eq!(read(text), LengthAttribute::Unknown, "{text}");
         }
-        assert_eq!(read("auto"), Reading::Auto);
+        assert_eq!(read("auto"), LengthAttribute::Auto);
     }
 
     #[test]
     fn what_is_computed_has_at_most_fifteen_digits() {
         for text in ["1mm", "7.3cm", "1000pt", "12345678.9mm", ".0001q"] {
-            let Reading::Length(length) = read(text) else {
+            let LengthAttribute::Length(length) = read(text) else {
                 panic!("{text}")
             };
             assert!(

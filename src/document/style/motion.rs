@@ -34,7 +34,7 @@ pub(super) fn moves_along(attribute: &Attribute<'_>) -> bool {
 
 /// The paths of a document along which something may move.
 #[derive(Debug, Default)]
-pub(super) struct Motion {
+pub(super) struct MotionPaths {
     /// Those of `<mpath>`.
     followed: HashSet<String>,
     /// Those to which an animation leads a link, which may be that of an `<mpath>`.
@@ -47,7 +47,7 @@ pub(super) struct Motion {
     is_unknown: bool,
 }
 
-impl Motion {
+impl MotionPaths {
     /// Whether something may move along the element of this id.
     pub(super) fn follows(&self, id: &str) -> bool {
         self.followed.contains(id)

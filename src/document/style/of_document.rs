@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use super::animation::{self, AnimatedTarget, target};
 use super::css::{self, StyleSheets};
-use super::motion::{self, Motion};
+use super::motion::{self, MotionPaths};
 use super::on_element;
 use super::property::{Effect, ElementKind, Markers, Properties};
 use super::rules::SelectorSubject;
@@ -14,8 +14,8 @@ use super::script;
 use crate::document::doubt::Trust;
 use crate::document::reason::Reason;
 use crate::document::xml::doctype::{Doctype, Resolved};
-use crate::document::xml::encoding::Source;
-use crate::document::xml::fault::Result;
+use crate::document::xml::encoding::SourceText;
+use crate::document::xml::fault::XmlResult;
 use crate::document::xml::namespace::Namespace;
 use crate::document::xml::node::{Element, Node};
 use crate::document::xml::scan::Scanner;
@@ -42,7 +42,7 @@ pub(in crate::document) struct Facts {
     everywhere: Vec<Reason>,
     animated: HashMap<AnimatedTarget, Effect>,
     changed: Changed,
-    motion: Motion,
+    motion: MotionPaths,
     /// Whether the path data of an Android drawable are animated.
     android_morphs: bool,
     pub(in crate::document) has_uses: bool,
@@ -270,7 +270,7 @@ impl Facts {
     }
 
     /// Follows markers through `<use>` into what it refers to, which may hold further ones.
-    pub(super) fn follow_uses(&mut self, source: Source<'_>) -> Result<()> {
+    pub(super) fn follow_uses(&mut self, source: SourceText<'_>) -> XmlResult<()> {
         for _ in 0..MOST_ROUNDS {
             if self.changed.markers || !self.follow_uses_once(source)? {
                 return Ok(());
@@ -281,7 +281,7 @@ impl Facts {
     }
 
     /// Goes over the document once; whether that found something new.
-    fn follow_uses_once(&mut self, source: Source<'_>) -> Result<bool> {
+    fn follow_uses_once(&mut self, source: SourceText<'_>) -> XmlResult<bool> {
         let mut scanner = Scanner::new(source)?;
         let (mut open, mut is_new) = (Vec::<Markers>::new(), false);
         loop {

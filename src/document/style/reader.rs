@@ -3,8 +3,8 @@
 use super::of_document::Facts;
 use crate::document::reason::Reason;
 use crate::document::xml::doctype::Resolved;
-use crate::document::xml::encoding::Source;
-use crate::document::xml::fault::Result;
+use crate::document::xml::encoding::SourceText;
+use crate::document::xml::fault::XmlResult;
 use crate::document::xml::node::Node;
 use crate::document::xml::scan::Scanner;
 
@@ -90,7 +90,7 @@ impl FactsReader {
 
 impl Facts {
     /// Reads a whole document.
-    pub(in crate::document) fn read(source: Source<'_>) -> Result<Self> {
+    pub(in crate::document) fn read(source: SourceText<'_>) -> XmlResult<Self> {
         let mut reader = FactsReader::default();
         let mut scanner = Scanner::new(source)?;
         loop {

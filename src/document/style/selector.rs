@@ -101,10 +101,10 @@ fn list(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> Vec<Draft> {
         {
             others.extend(before.into_all());
         }
-        if end != End::Combinator {
+        if end != CompoundEnd::Combinator {
             subjects.extend(last.take());
         }
-        if end == End::Input {
+        if end == CompoundEnd::Input {
             return subjects;
         }
     }
@@ -112,7 +112,7 @@ fn list(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> Vec<Draft> {
 
 /// What ends a compound selector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum End {
+enum CompoundEnd {
     Combinator,
     Comma,
     Input,
@@ -131,15 +131,15 @@ struct Draft {
 }
 
 /// Reads one compound selector and what follows it; those in the arguments of its functions go to `others`.
-fn compound(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> (Draft, End) {
+fn compound(input: &mut Parser<'_>, others: &mut Vec<Compound>) -> (Draft, CompoundEnd) {
     let start = input.position();
     let (mut draft, mut is_empty) = (Draft::default(), true);
     let end = loop {
         match input.next_including_whitespace_and_comments() {
-            Err(_) => break End::Input,
-            Ok(Token::Comma) => break End::Comma,
+            Err(_) => break CompoundEnd::Input,
+            Ok(Token::Comma) => break CompoundEnd::Comma,
             Ok(Token::WhiteSpace(_) | Token::CDO | Token::CDC | Token::Delim('>' | '+' | '~')) => {
-                break End::Combinator;
+                break CompoundEnd::Combinator;
             }
             Ok(Token::Comment(_)) => {}
             Ok(token) => {

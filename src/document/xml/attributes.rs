@@ -3,7 +3,7 @@
 use core::ops::Range;
 use std::collections::HashSet;
 
-use super::fault::{Fault, Result};
+use super::fault::{XmlFault, XmlResult};
 
 /// One attribute.
 #[derive(Debug, Clone)]
@@ -40,7 +40,7 @@ pub(in crate::document) fn read<'a>(
     source: &'a str,
     at: usize,
     out: &mut Vec<Attribute<'a>>,
-) -> Result<usize> {
+) -> XmlResult<usize> {
     out.clear();
     let bytes = source.as_bytes();
     let mut after = at;
@@ -51,10 +51,10 @@ pub(in crate::document) fn read<'a>(
         }
         let name = name(source, start)
             .filter(|_| start > after)
-            .ok_or_else(|| Fault::new(start, "this is not an attribute"))?;
+            .ok_or_else(|| XmlFault::new(start, "this is not an attribute"))?;
         let equals = after_space(bytes, start + name.len());
         if bytes.get(equals) != Some(&b'=') {
-            return Err(Fault::new(
+            return Err(XmlFault::new(
                 start,
                 format!("the attribute `{name}` has no value"),
             ));
@@ -76,10 +76,10 @@ pub(in crate::document) fn read<'a>(
 }
 
 /// The value of the attribute `name` whose quote stands at `opening`, and whether there is a reference in it.
-fn value<'a>(source: &'a str, opening: usize, name: &str) -> Result<(&'a str, bool)> {
+fn value<'a>(source: &'a str, opening: usize, name: &str) -> XmlResult<(&'a str, bool)> {
     let bytes = source.as_bytes();
     let Some(quote @ (b'"' | b'\'')) = bytes.get(opening).copied() else {
-        return Err(Fault::new(
+        return Err(XmlFault::new(
             opening,
             format!("the value of `{name}` has no quotes"),
         ));
@@ -88,14 +88,14 @@ fn value<'a>(source: &'a str, opening: usize, name: &str) -> Result<(&'a str, bo
     let (mut at, mut has_references) = (start, false);
     loop {
         let Some(found) = memchr::memchr3(quote, b'<', b'&', &bytes[at..]) else {
-            return Err(Fault::new(
+            return Err(XmlFault::new(
                 opening,
                 format!("the value of `{name}` has no closing quote"),
             ));
         };
         at += found;
         match bytes[at] {
-            b'<' => return Err(Fault::new(at, "`<` in the value of an attribute")),
+            b'<' => return Err(XmlFault::new(at, "`<` in the value of an attribute")),
             b'&' => {
                 has_references = true;
                 at += 1;
@@ -105,7 +105,7 @@ fn value<'a>(source: &'a str, opening: usize, name: &str) -> Result<(&'a str, bo
     }
 }
 
-fn unique(attributes: &[Attribute<'_>]) -> Result<()> {
+fn unique(attributes: &[Attribute<'_>]) -> XmlResult<()> {
     let twice = if attributes.len() <= FEW {
         let seen = |(i, attribute): (usize, &Attribute<'_>)| {
             attributes[..i]
@@ -124,7 +124,7 @@ fn unique(attributes: &[Attribute<'_>]) -> Result<()> {
             .find(|attribute| !names.insert(attribute.name))
     };
     twice.map_or(Ok(()), |attribute| {
-        Err(Fault::new(
+        Err(XmlFault::new(
             attribute.start,
             format!("the attribute `{}` stands twice in one tag", attribute.name),
         ))

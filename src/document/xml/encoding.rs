@@ -4,13 +4,13 @@ use std::borrow::Cow;
 
 /// What is read: a text, or a text that stands for bytes in a declared encoding.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::document) struct Source<'a> {
+pub(in crate::document) struct SourceText<'a> {
     pub(in crate::document) text: &'a str,
     /// Whether the text is [`widen`]ed.
     pub(in crate::document) is_widened: bool,
 }
 
-impl<'a> From<&'a str> for Source<'a> {
+impl<'a> From<&'a str> for SourceText<'a> {
     fn from(text: &'a str) -> Self {
         Self {
             text,

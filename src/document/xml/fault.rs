@@ -1,11 +1,11 @@
 //! An error at a byte, before it is told as line and column.
 
 /// The result of reading.
-pub(in crate::document) type Result<T> = core::result::Result<T, Fault>;
+pub(in crate::document) type XmlResult<T> = core::result::Result<T, XmlFault>;
 
 /// Why reading stopped, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(in crate::document) struct Fault {
+pub(in crate::document) struct XmlFault {
     pub(in crate::document) at: usize,
     pub(in crate::document) kind: FaultKind,
 }
@@ -21,7 +21,7 @@ pub(in crate::document) enum FaultKind {
     TooLarge,
 }
 
-impl Fault {
+impl XmlFault {
     pub(in crate::document) fn new(at: usize, why: impl Into<String>) -> Self {
         Self {
             at,

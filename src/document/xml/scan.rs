@@ -11,15 +11,15 @@ use quick_xml::events::Event;
 use super::attributes::{self, Attribute, after_space};
 use super::characters::{self, BYTE_ORDER_MARK, first_forbidden};
 use super::doctype::{Doctype, Resolved};
-use super::encoding::{Source, folded};
-use super::fault::{Fault, Result};
+use super::encoding::{SourceText, folded};
+use super::fault::{XmlFault, XmlResult};
 use super::namespace::Namespaces;
 use super::node::{Element, Node};
 use super::value;
 
 /// A start tag whose end tag has not come.
 #[derive(Debug, Clone, Copy)]
-struct Open<'a> {
+struct OpenTag<'a> {
     /// The byte of its `<`.
     start: usize,
     /// The name with its prefix.
@@ -38,19 +38,19 @@ pub(in crate::document) struct Scanner<'a> {
     /// The byte where the next node begins.
     at: usize,
     namespaces: Namespaces<'a>,
-    open: Vec<Open<'a>>,
+    open: Vec<OpenTag<'a>>,
     seen_root: bool,
 }
 
 impl<'a> Scanner<'a> {
     /// A scanner at the start of `source`.
-    pub(in crate::document) fn new(source: Source<'a>) -> Result<Self> {
-        let Source {
+    pub(in crate::document) fn new(source: SourceText<'a>) -> XmlResult<Self> {
+        let SourceText {
             text: source,
             is_widened,
         } = source;
         if let Some(at) = first_forbidden(source) {
-            return Err(Fault::new(at, "a character that XML does not allow"));
+            return Err(XmlFault::new(at, "a character that XML does not allow"));
         }
         Ok(Self {
             source,
@@ -117,7 +117,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// The next node.
-    pub(in crate::document) fn next(&mut self) -> Result<Node<'a>> {
+    pub(in crate::document) fn next(&mut self) -> XmlResult<Node<'a>> {
         let start = self.at;
         match self.source.as_bytes().get(start..).unwrap_or_default() {
             [] => self.finish(),
@@ -130,23 +130,28 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    fn start(&mut self, start: usize) -> Result<Node<'a>> {
+    fn start(&mut self, start: usize) -> XmlResult<Node<'a>> {
         if self.open.is_empty() && self.seen_root {
-            return Err(Fault::new(start, "a second root element"));
+            return Err(XmlFault::new(start, "a second root element"));
         }
         self.seen_root = true;
         let name = attributes::name(self.source, start + 1).ok_or_else(|| {
             let rest = &self.source[start + 1..];
             let end = rest.find(|c: char| c.is_ascii_whitespace() || matches!(c, '/' | '>'));
             let name = &rest[..end.unwrap_or(rest.len())];
-            Fault::new(start, format!("`<{name}` is not the name of an element"))
+            XmlFault::new(start, format!("`<{name}` is not the name of an element"))
         })?;
         let end = attributes::read(self.source, start + 1 + name.len(), &mut self.attributes)?;
         let empty = match self.source.as_bytes().get(end..) {
             Some([b'>', ..]) => false,
             Some([b'/', b'>', ..]) => true,
-            Some([_, ..]) => return Err(Fault::new(end, "this is not an attribute")),
-            _ => return Err(Fault::new(start, format!("the tag `<{name}` has no end"))),
+            Some([_, ..]) => return Err(XmlFault::new(end, "this is not an attribute")),
+            _ => {
+                return Err(XmlFault::new(
+                    start,
+                    format!("the tag `<{name}` has no end"),
+                ));
+            }
         };
         self.at = end + if empty { 2 } else { 1 };
         self.check_references()?;
@@ -163,7 +168,7 @@ impl<'a> Scanner<'a> {
         if empty {
             self.namespaces.leave(self.open.len());
         } else {
-            self.open.push(Open { start, name });
+            self.open.push(OpenTag { start, name });
         }
         let name_end = start + 1 + name.len();
         Ok(Node::Start(Element {
@@ -179,7 +184,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Refuses bare ampersands and references that are not declared.
-    fn check_references(&self) -> Result<()> {
+    fn check_references(&self) -> XmlResult<()> {
         for attribute in self
             .attributes
             .iter()
@@ -191,10 +196,10 @@ impl<'a> Scanner<'a> {
                 at += ampersand;
                 rest = &rest[ampersand + 1..];
                 let Some(name) = rest.find(';').map(|end| &rest[..end]) else {
-                    return Err(Fault::new(at, "`&` without a `;`"));
+                    return Err(XmlFault::new(at, "`&` without a `;`"));
                 };
                 if !self.doctype.declares(name) {
-                    return Err(Fault::new(at, undeclared(name)));
+                    return Err(XmlFault::new(at, undeclared(name)));
                 }
                 at += 1;
             }
@@ -202,7 +207,7 @@ impl<'a> Scanner<'a> {
         Ok(())
     }
 
-    fn end(&mut self, start: usize) -> Result<Node<'a>> {
+    fn end(&mut self, start: usize) -> XmlResult<Node<'a>> {
         let bytes = self.source.as_bytes();
         let rest = &self.source[start + 2..];
         let open = self.open.pop();
@@ -216,7 +221,7 @@ impl<'a> Scanner<'a> {
                 Some(open) => format!("`</{name}>` where `</{}>` should stand", open.name),
                 None => format!("`</{name}>` closes nothing"),
             };
-            return Err(Fault::new(start, why));
+            return Err(XmlFault::new(start, why));
         };
         self.namespaces.leave(self.open.len());
         self.at = close + 1;
@@ -227,7 +232,7 @@ impl<'a> Scanner<'a> {
         })
     }
 
-    fn text(&mut self, start: usize) -> Result<Node<'a>> {
+    fn text(&mut self, start: usize) -> XmlResult<Node<'a>> {
         // Mostly white space alone stands between tags.
         let blank = after_space(self.source.as_bytes(), start);
         if let None | Some(b'<') = self.source.as_bytes().get(blank) {
@@ -235,42 +240,42 @@ impl<'a> Scanner<'a> {
             return Ok(Node::Text(&self.source[start..blank]));
         }
         if self.open.is_empty() {
-            return Err(Fault::new(blank, "text outside the root element"));
+            return Err(XmlFault::new(blank, "text outside the root element"));
         }
         let rest = &self.source[start..];
         let length = memchr::memchr2(b'<', b'&', rest.as_bytes()).unwrap_or(rest.len());
         let text = &rest[..length];
         if let Some(at) = text.find("]]>") {
-            return Err(Fault::new(start + at, "`]]>` in text"));
+            return Err(XmlFault::new(start + at, "`]]>` in text"));
         }
         self.at = start + length;
         Ok(Node::Text(text))
     }
 
-    fn comment(&mut self, start: usize) -> Result<Node<'a>> {
+    fn comment(&mut self, start: usize) -> XmlResult<Node<'a>> {
         let inner = start + "<!--".len();
         let Some(length) = self.source[inner..].find("--") else {
-            return Err(Fault::new(start, "a comment without an end"));
+            return Err(XmlFault::new(start, "a comment without an end"));
         };
         let end = inner + length + "--".len();
         if self.source.as_bytes().get(end) != Some(&b'>') {
-            return Err(Fault::new(inner + length, "`--` in a comment"));
+            return Err(XmlFault::new(inner + length, "`--` in a comment"));
         }
         self.at = end + 1;
         Ok(Node::Other)
     }
 
     /// What else begins with `<!` or `<?`.
-    fn markup(&mut self, start: usize) -> Result<Node<'a>> {
+    fn markup(&mut self, start: usize) -> XmlResult<Node<'a>> {
         let mut reader = Reader::from_str(&self.source[start..]);
         let event = reader.read_event();
-        let event = event.map_err(|error| Fault::new(start, error.to_string()))?;
+        let event = event.map_err(|error| XmlFault::new(start, error.to_string()))?;
         let end = start + reader.buffer_position() as usize;
         self.at = end;
         let span = self.source.get(start..end).unwrap_or_default();
         match event {
             Event::CData(_) if self.open.is_empty() => {
-                Err(Fault::new(start, "text outside the root element"))
+                Err(XmlFault::new(start, "text outside the root element"))
             }
             Event::CData(_) => Ok(Node::Text(
                 span.strip_prefix("<![CDATA[")
@@ -280,27 +285,27 @@ impl<'a> Scanner<'a> {
             Event::PI(_) => Self::instruction(start, span),
             Event::Decl(_) => self.declaration(start, span),
             Event::DocType(_) => self.document_type(start, span),
-            _ => Err(Fault::new(start, "this is no markup of XML")),
+            _ => Err(XmlFault::new(start, "this is no markup of XML")),
         }
     }
 
-    fn reference(&mut self, start: usize) -> Result<Node<'a>> {
+    fn reference(&mut self, start: usize) -> XmlResult<Node<'a>> {
         let rest = &self.source[start + 1..];
         let Some(name) = rest.find([';', '<', '&']).map(|end| &rest[..end]) else {
-            return Err(Fault::new(start, "`&` without a `;`"));
+            return Err(XmlFault::new(start, "`&` without a `;`"));
         };
         if rest.as_bytes().get(name.len()) != Some(&b';') {
-            return Err(Fault::new(start, "`&` without a `;`"));
+            return Err(XmlFault::new(start, "`&` without a `;`"));
         }
         self.at = start + 1 + name.len() + 1;
         match self.doctype.resolve(name) {
-            Resolved::Malformed => Err(Fault::new(start, undeclared(name))),
-            _ if self.open.is_empty() => Err(Fault::new(start, "text outside the root element")),
+            Resolved::Malformed => Err(XmlFault::new(start, undeclared(name))),
+            _ if self.open.is_empty() => Err(XmlFault::new(start, "text outside the root element")),
             resolved => Ok(Node::Reference(start, resolved)),
         }
     }
 
-    fn instruction(start: usize, span: &'a str) -> Result<Node<'a>> {
+    fn instruction(start: usize, span: &'a str) -> XmlResult<Node<'a>> {
         let inner = span
             .strip_prefix("<?")
             .and_then(|s| s.strip_suffix("?>"))
@@ -310,7 +315,7 @@ impl<'a> Scanner<'a> {
             .next()
             .unwrap_or_default();
         if attributes::name(target, 0) != Some(target) || target.eq_ignore_ascii_case("xml") {
-            return Err(Fault::new(
+            return Err(XmlFault::new(
                 start,
                 format!("`<?{target}` is not a processing instruction"),
             ));
@@ -318,23 +323,23 @@ impl<'a> Scanner<'a> {
         Ok(Node::Instruction(inner))
     }
 
-    fn declaration(&mut self, start: usize, span: &'a str) -> Result<Node<'a>> {
+    fn declaration(&mut self, start: usize, span: &'a str) -> XmlResult<Node<'a>> {
         if !matches!(&self.source[..start], "" | "\u{feff}") {
-            return Err(Fault::new(
+            return Err(XmlFault::new(
                 start,
                 "the XML declaration does not stand at the very start",
             ));
         }
         let end = attributes::read(self.source, start + "<?xml".len(), &mut self.attributes)?;
         if end + "?>".len() != start + span.len() {
-            return Err(Fault::new(end, "this is not an attribute"));
+            return Err(XmlFault::new(end, "this is not an attribute"));
         }
         if self
             .attributes
             .first()
             .is_none_or(|attribute| attribute.name != "version")
         {
-            return Err(Fault::new(
+            return Err(XmlFault::new(
                 start,
                 "the XML declaration does not begin with a version",
             ));
@@ -348,14 +353,17 @@ impl<'a> Scanner<'a> {
                 .iter()
                 .any(|known| known.eq_ignore_ascii_case(encoding.value))
         {
-            return Err(Fault::encoding(encoding.value_span.start, encoding.value));
+            return Err(XmlFault::encoding(
+                encoding.value_span.start,
+                encoding.value,
+            ));
         }
         Ok(Node::Other)
     }
 
-    fn document_type(&mut self, start: usize, span: &'a str) -> Result<Node<'a>> {
+    fn document_type(&mut self, start: usize, span: &'a str) -> XmlResult<Node<'a>> {
         if self.seen_root {
-            return Err(Fault::new(
+            return Err(XmlFault::new(
                 start,
                 "a DOCTYPE after the root element's start",
             ));
@@ -367,13 +375,13 @@ impl<'a> Scanner<'a> {
         Ok(Node::Other)
     }
 
-    fn finish(&self) -> Result<Node<'a>> {
+    fn finish(&self) -> XmlResult<Node<'a>> {
         if let Some(open) = self.open.last() {
             let why = format!("`<{}>` is never closed", open.name);
-            return Err(Fault::new(open.start, why));
+            return Err(XmlFault::new(open.start, why));
         }
         if !self.seen_root {
-            return Err(Fault::new(self.source.len(), "no element"));
+            return Err(XmlFault::new(self.source.len(), "no element"));
         }
         Ok(Node::Done)
     }

@@ -62,7 +62,7 @@ impl Level {
                 break;
             }
             self.steps += 1;
-            let Step { change, level } = step(&mut self.ways, &self.peaks)?;
+            let LevelStep { change, level } = step(&mut self.ways, &self.peaks)?;
             if change <= SMALL {
                 let size = libm::exp(level);
                 (self.least, self.most) = (size, size);
@@ -178,13 +178,13 @@ impl Balance {
 }
 
 /// The largest change of a segment in a step, as a part of it, and the level that was aimed at.
-struct Step {
+struct LevelStep {
     change: f64,
     level: f64,
 }
 
 /// Moves the joints.
-fn step(ways: &mut [f64], peaks: &[Peak]) -> Option<Step> {
+fn step(ways: &mut [f64], peaks: &[Peak]) -> Option<LevelStep> {
     // δ = a + b L.
     let mut steps = Vec::with_capacity(ways.len());
     let (mut a, mut b) = (0.0, 0.0);
@@ -206,7 +206,7 @@ fn step(ways: &mut [f64], peaks: &[Peak]) -> Option<Step> {
     for (way, &step) in ways.iter_mut().zip(&steps).take(peaks.len()).skip(1) {
         *way += part * moved(step);
     }
-    change.is_finite().then_some(Step { change, level })
+    change.is_finite().then_some(LevelStep { change, level })
 }
 
 #[cfg(test)]

@@ -91,7 +91,7 @@ impl Lobes {
         if size < SHORTEST {
             return None;
         }
-        let segment = Segment::new(self, from, size)?;
+        let segment = LobeSegment::new(self, from, size)?;
         let lobe = segment.peak();
         if lobe.roughness.is_nan() || lobe.roughness > ROUGHEST {
             return None;
@@ -114,13 +114,13 @@ impl Lobes {
 
     /// The largest distance of such a segment, however long it is.
     pub(super) fn size(&self, from: f64, size: f64) -> f64 {
-        let segment = Segment::new(self, from, size);
+        let segment = LobeSegment::new(self, from, size);
         segment.map_or(f64::INFINITY, |segment| segment.peak().distance)
     }
 
     /// The same up to an error: beyond it, that of the first lobe found there.
     pub(super) fn size_up_to(&self, from: f64, size: f64, allowed: f64) -> f64 {
-        let Some(segment) = Segment::new(self, from, size) else {
+        let Some(segment) = LobeSegment::new(self, from, size) else {
             return f64::INFINITY;
         };
         let (starts, count) = segment.starts();
@@ -150,7 +150,7 @@ impl Lobes {
     pub(super) fn crossing_sharp_end(&self, from: f64) -> impl Iterator<Item = f64> {
         let way = 180.0 - after_sharp_end(from);
         // F vanishes at v² = 1 + 4H/G, which hardly varies with the size.
-        let segment = Segment::new(self, from, 45.0);
+        let segment = LobeSegment::new(self, from, 45.0);
         let place = segment.map(|segment| 1.0 + 4.0 * segment.excess[0] / segment.excess[1]);
         let place = place.filter(|&square| square > 0.0).map(f64::sqrt);
         let sizes = place.map(|v| [1.0, -1.0].map(|side| 2.0 * way / (1.0 + side * v)));
@@ -198,7 +198,7 @@ fn after_sharp_end(from: f64) -> f64 {
 }
 
 /// A segment, seen from the middle of its angle.
-struct Segment {
+struct LobeSegment {
     /// x = `cos` + 3u `bulge`, y = v (`sin` + u `lean`).
     cos: f64,
     sin: f64,
@@ -213,7 +213,7 @@ struct Segment {
     flat: f64,
 }
 
-impl Segment {
+impl LobeSegment {
     fn new(lobes: &Lobes, from: f64, size: f64) -> Option<Self> {
         let span = if size <= 180.0 {
             Span::of_quarter(size / 4.0, first_direction(size / 4.0))

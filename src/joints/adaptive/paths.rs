@@ -28,7 +28,7 @@ const NEAREST: f64 = 1e-5;
 
 /// A part of an arc from its start on, and how many joints it has inside.
 #[derive(Clone, Copy)]
-struct Part {
+struct Prefix {
     end: f64,
     joints: usize,
     /// Whether its last segment goes on beyond the end for as long.
@@ -37,7 +37,7 @@ struct Part {
     longest: f64,
 }
 
-impl Part {
+impl Prefix {
     /// The path through one place of each layer whose worst step is least.
     fn through(self, layers: &[Vec<f64>], error: impl Fn(f64, f64) -> f64) -> Option<Path> {
         // The places of a layer with the least worst step to each, and for all layers the place before.
@@ -178,14 +178,14 @@ impl Balance {
         }
         let is_odd = !pieces.is_multiple_of(2);
         let part = if is_even {
-            Part {
+            Prefix {
                 end: whole / 2.0,
                 joints: (pieces - 1) / 2,
                 is_astride: is_odd,
                 longest,
             }
         } else {
-            Part {
+            Prefix {
                 end: whole,
                 joints: pieces - 1,
                 is_astride: false,
@@ -214,7 +214,7 @@ impl Balance {
         self.sizes(allowed)[1]
     }
 
-    fn path(&self, part: Part, segment: f64, allowed: f64) -> Option<Path> {
+    fn path(&self, part: Prefix, segment: f64, allowed: f64) -> Option<Path> {
         let grid = Grid::new(self, segment, part.longest);
         let on_every = |every: f64, times: f64| {
             let mut layers = vec![grid.places(every, part.end); part.joints];

@@ -7,7 +7,7 @@ mod scales;
 
 use kurbo::Vec2;
 
-use super::part::{Motion, Part};
+use super::part::{CubicPart, Motion};
 use super::slopes::{multipliers, narrowed};
 use crate::numeric::ball::Ball;
 use crate::numeric::foot::{foot, foot_in_unit};
@@ -58,7 +58,7 @@ fn a_part_is_a_piece_of_the_whole() {
     let mut dice = Dice(1);
     for _ in 0..50 {
         let (excess, points) = (dice.some::<7>(), [dice.some::<4>(), dice.some::<4>()]);
-        let whole = Part::new([0.0, 1.0], excess, points, false);
+        let whole = CubicPart::new([0.0, 1.0], excess, points, false);
         let [before, after] = whole.halves();
         let [third, last] = after.halves();
         let center = Vec2::new(0.25, -0.5);
@@ -99,8 +99,8 @@ fn a_part_is_a_piece_of_the_whole() {
 }
 
 /// A part that stands still, so that nothing is left of its derivatives but what rounding may have done.
-fn still(place: [f64; 2], excess: f64, turned: bool) -> Part {
-    Part::new([0.0, 1.0], [excess; 7], place.map(|x| [x; 4]), turned)
+fn still(place: [f64; 2], excess: f64, turned: bool) -> CubicPart {
+    CubicPart::new([0.0, 1.0], [excess; 7], place.map(|x| [x; 4]), turned)
 }
 
 fn close(found: f64, units: f64, size: f64) {
@@ -112,7 +112,7 @@ fn close(found: f64, units: f64, size: f64) {
 }
 
 /// Parts that stand still, and how often they were halved: each time six steps of half a rounding more for F and three for points.
-fn stills(place: [f64; 2], excess: f64, turned: bool) -> [(Part, f64); 3] {
+fn stills(place: [f64; 2], excess: f64, turned: bool) -> [(CubicPart, f64); 3] {
     let whole = still(place, excess, turned);
     let half = whole.halves()[1];
     [(whole, 0.0), (half, 1.0), (half.halves()[0], 2.0)]
@@ -202,7 +202,7 @@ fn sizes_along_a_part_are_those_of_its_places_and_attained() {
         assert!(apart(by_bernstein(&excess, 0.3)[0], value(0.3)) < 1e-14);
         let [p, q, r, s] = dice.some::<4>();
         let points = [[p, q, r, s], [r, r + s / 3.0, r + 2.0 * s / 3.0, r + s]];
-        let part = Part::new([0.0, 1.0], excess, points, false).halves()[round % 2];
+        let part = CubicPart::new([0.0, 1.0], excess, points, false).halves()[round % 2];
         let middle = part.motion_at(0.5, center);
         let sizes = part.sizes(&middle);
         let spread = part.spread(&part.rounded(&middle));
@@ -239,7 +239,7 @@ fn sizes_along_a_part_are_those_of_its_places_and_attained() {
 
 #[test]
 fn the_least_place_is_that_of_the_control_points() {
-    let part = |x: [f64; 4]| Part::new([0.0, 1.0], [0.0; 7], [x, [0.0; 4]], false);
+    let part = |x: [f64; 4]| CubicPart::new([0.0, 1.0], [0.0; 7], [x, [0.0; 4]], false);
     for (x, center, expected) in [
         ([2.0, 3.0, 4.0, 5.0], 1.0, 1.0),
         ([5.0, 4.0, 3.0, 2.0], 1.0, 1.0),
@@ -275,7 +275,7 @@ fn slopes_are_the_derivatives_of_the_distance() {
             [1.0 + a, 1.0 + b, 0.55 + c, d],
             [a, 0.55 + b, 1.0 + c, 1.0 + d],
         ];
-        let part = Part::new([0.0, 1.0], [0.0; 7], points, false);
+        let part = CubicPart::new([0.0, 1.0], [0.0; 7], points, false);
         let motion = |t: f64| {
             let mut motion = part.motion_at(t, Vec2::ZERO);
             let dot = |u: [f64; 2], v: [f64; 2]| u[0] * v[0] + u[1] * v[1];

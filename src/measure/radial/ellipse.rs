@@ -3,7 +3,7 @@
 use kurbo::{CubicBez, Vec2};
 
 use super::Profile;
-use super::part::Part;
+use super::part::CubicPart;
 use super::search::visit_between;
 use crate::numeric::bernstein::Polynomial;
 use crate::numeric::double::Twice;
@@ -37,7 +37,7 @@ impl Profile {
     }
 
     /// The part of the segment between two parameters in that frame, and its control points in the exact one.
-    pub(super) fn part(&self, [from, to]: [f64; 2], turn: &[Vec2; 2]) -> (Part, [Twice; 4]) {
+    pub(super) fn part(&self, [from, to]: [f64; 2], turn: &[Vec2; 2]) -> (CubicPart, [Twice; 4]) {
         let is_whole = from == 0.0 && to == 1.0;
         let (framed, excess) = if is_whole {
             (self.framed, self.excess)
@@ -52,7 +52,7 @@ impl Profile {
                 *turned = row.x * x.value() + row.y * y.value();
             }
         }
-        let part = Part::new(
+        let part = CubicPart::new(
             [from, to],
             *excess.coefficients_of_square(),
             turned,

@@ -2,7 +2,7 @@
 
 use kurbo::Vec2;
 
-use super::part::{Motion, Part};
+use super::part::{CubicPart, Motion};
 use super::peaks::{Search, vector};
 use super::tangents::{Tangent, Tangents};
 use crate::numeric::double::Twice;
@@ -21,7 +21,7 @@ struct Roughly {
 impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// Bounds the distance on a part by its control points. The signed distance from a convex shape is a convex function of the point: it
     /// is at most the largest of the control points, and at least that from the tangent at any point of the shape.
-    pub(super) fn bound_far(&mut self, part: &Part, middle: &Motion<f64>, cuts: u32) {
+    pub(super) fn bound_far(&mut self, part: &CubicPart, middle: &Motion<f64>, cuts: u32) {
         let Some(Roughly { bounds, slack }) = self.bounds_roughly(part, middle) else {
             return;
         };
@@ -59,7 +59,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// The same by the digits of `f64`, and first by the length of the part and the distance of its middle. `None` where it does not lie farther
     /// than what is known.
-    fn bounds_roughly(&mut self, part: &Part, middle: &Motion<f64>) -> Option<Roughly> {
+    fn bounds_roughly(&mut self, part: &CubicPart, middle: &Motion<f64>) -> Option<Roughly> {
         let excess = part.certain_excess();
         let points = part.polygon(self.center).map(|q| self.image(q));
         let size = points.iter().map(|p| p.hypot()).fold(0.0, f64::max);
@@ -143,7 +143,7 @@ mod tests {
     fn searched<R>(
         ends: [(f64, f64); 2],
         known: &mut Known,
-        act: impl FnOnce(&mut Search<'_, Quiet>, &Part) -> R,
+        act: impl FnOnce(&mut Search<'_, Quiet>, &CubicPart) -> R,
     ) -> R {
         let truth = Truth::new(Point::ORIGIN, Vec2::new(1.0, 0.5), Vec2::new(1.0, 0.0));
         let profile = Profile::new(&PathSeg::Line(Line::new(ends[0], ends[1])), &truth);

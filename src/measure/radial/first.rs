@@ -5,16 +5,16 @@ use std::sync::LazyLock;
 
 use kurbo::Vec2;
 
-use super::part::{Part, largest};
+use super::part::{CubicPart, largest};
 use super::peaks::{MOST_CUTS, NEAR, Search};
-use super::quick::{Course, Look};
+use super::quick::{DistanceRun, PartBounds};
 use crate::numeric::ball::Number;
 use crate::numeric::instructions::by_the_best;
 use crate::numeric::lanes::{Lanes, Real};
 
 /// How many there are, and something of each.
 const LANES: usize = 8;
-type Row = Lanes<LANES>;
+type PartLanes = Lanes<LANES>;
 
 /// Where a segment is cut at first, in 64ths: of a curve near the shape the third, fifth and seventh part have one extreme each, and
 /// little lies as far between them. Where the distance weighs less, towards the end, fewer parts do.
@@ -25,19 +25,19 @@ const CUTS: [f64; LANES + 1] = [0.0, 5.5, 9.5, 15.5, 27.0, 37.0, 48.5, 57.0, 64.
 const ROUNDINGS: [f64; 2] = [4.0, 2.5];
 
 /// What makes the coefficients of the parts of those of a segment: of every part's coefficient j the weight of the segment's i, at [j][i].
-struct Weights {
-    from: Row,
-    width: Row,
-    excess: [[Row; 7]; 7],
-    points: [[Row; 4]; 4],
+struct PartWeights {
+    from: PartLanes,
+    width: PartLanes,
+    excess: [[PartLanes; 7]; 7],
+    points: [[PartLanes; 4]; 4],
 }
 
 /// Of the parts by these cuts, and of those by their mirror images.
-static WEIGHTS: LazyLock<[Weights; 2]> = LazyLock::new(|| {
+static WEIGHTS: LazyLock<[PartWeights; 2]> = LazyLock::new(|| {
     let cuts = CUTS.map(|place| place / 64.0);
     let mut mirrored = cuts.map(|place| 1.0 - place);
     mirrored.reverse();
-    [cuts, mirrored].map(|cuts| Weights {
+    [cuts, mirrored].map(|cuts| PartWeights {
         from: Lanes(core::array::from_fn(|i| cuts[i])),
         width: Lanes(core::array::from_fn(|i| cuts[i + 1] - cuts[i])),
         excess: weights(&cuts),
@@ -46,7 +46,7 @@ static WEIGHTS: LazyLock<[Weights; 2]> = LazyLock::new(|| {
 });
 
 /// By blossoms of Bernstein's polynomials, from 128ths without a rounding error.
-fn weights<const N: usize>(cuts: &[f64; LANES + 1]) -> [[Row; N]; N] {
+fn weights<const N: usize>(cuts: &[f64; LANES + 1]) -> [[PartLanes; N]; N] {
     core::array::from_fn(|j| {
         core::array::from_fn(|i| {
             Lanes(core::array::from_fn(|lane| {
@@ -66,29 +66,29 @@ fn weights<const N: usize>(cuts: &[f64; LANES + 1]) -> [[Row; N]; N] {
 
 /// The parts, and what is known of each.
 struct First {
-    parts: Part<Row>,
+    parts: CubicPart<PartLanes>,
     /// The distance in the middle, nearly, and what it is at least where that is near.
-    middle: Row,
-    least: Row,
-    nearness: Row,
-    look: Look<Row>,
-    course: Course<Row>,
+    middle: PartLanes,
+    least: PartLanes,
+    nearness: PartLanes,
+    look: PartBounds<PartLanes>,
+    course: DistanceRun<PartLanes>,
     /// How far from the middle its extreme lies, nearly, if there is one.
-    step: Row,
+    step: PartLanes,
 }
 
 impl First {
     #[inline(always)]
-    fn new<F: FnMut(f64, [f64; 2])>(search: &Search<'_, F>, whole: &Part) -> Self {
+    fn new<F: FnMut(f64, [f64; 2])>(search: &Search<'_, F>, whole: &CubicPart) -> Self {
         let [from, .., to] = whole.polygon(search.center);
         let steepness = |q: Vec2| search.alpha[0] * q.x * q.x + search.alpha[1] * q.y * q.y;
         let is_mirrored = steepness(to) < steepness(from);
-        let parts = Part::first(whole, &WEIGHTS[usize::from(is_mirrored)]);
+        let parts = CubicPart::first(whole, &WEIGHTS[usize::from(is_mirrored)]);
         let look = search.look(&parts);
-        let motion = parts.motion_at(Row::exact(0.5), search.center);
+        let motion = parts.motion_at(PartLanes::exact(0.5), search.center);
         let gradient = motion.gradient(search.alpha);
         let nearness = search.nearness(motion.excess, gradient);
-        let share = Row::exact(1.0 - 1e-9) - nearness.scaled(2.0);
+        let share = PartLanes::exact(1.0 - 1e-9) - nearness.scaled(2.0);
         let root = gradient.sqrt();
         Self {
             middle: motion.excess / root,
@@ -111,9 +111,9 @@ impl First {
     }
 }
 
-impl Part<Row> {
+impl CubicPart<PartLanes> {
     #[inline(always)]
-    fn first(whole: &Part, weights: &Weights) -> Self {
+    fn first(whole: &CubicPart, weights: &PartWeights) -> Self {
         let excess = mixed(&whole.excess, &weights.excess);
         let [x, y] = &whole.points;
         let points = [mixed(x, &weights.points), mixed(y, &weights.points)];
@@ -122,22 +122,22 @@ impl Part<Row> {
             from: weights.from,
             width: weights.width,
             largest: largest(&excess),
-            rounding: Row::exact(whole.rounding + off * whole.largest),
+            rounding: PartLanes::exact(whole.rounding + off * whole.largest),
             excess,
             reach: [largest(&points[0]), largest(&points[1])],
             points,
             moved: [
-                Row::exact(whole.moved[0] + moved * whole.reach[0]),
-                Row::exact(whole.moved[1] + moved * whole.reach[1]),
+                PartLanes::exact(whole.moved[0] + moved * whole.reach[0]),
+                PartLanes::exact(whole.moved[1] + moved * whole.reach[1]),
             ],
             is_fresh: false,
         }
     }
 
     /// One of them.
-    fn one(&self, lane: usize) -> Part {
-        let row = |row: [Row; 4]| row.map(|lanes| lanes.0[lane]);
-        Part {
+    fn one(&self, lane: usize) -> CubicPart {
+        let row = |row: [PartLanes; 4]| row.map(|lanes| lanes.0[lane]);
+        CubicPart {
             from: self.from.0[lane],
             width: self.width.0[lane],
             excess: self.excess.map(|lanes| lanes.0[lane]),
@@ -153,8 +153,8 @@ impl Part<Row> {
 
 /// The coefficients of all parts.
 #[inline(always)]
-fn mixed<const N: usize>(coefficients: &[f64; N], weights: &[[Row; N]; N]) -> [Row; N] {
-    let mut parts = [Row::exact(0.0); N];
+fn mixed<const N: usize>(coefficients: &[f64; N], weights: &[[PartLanes; N]; N]) -> [PartLanes; N] {
+    let mut parts = [PartLanes::exact(0.0); N];
     for (part, row) in parts.iter_mut().zip(weights) {
         for (weight, &coefficient) in row.iter().zip(coefficients) {
             *part = *part + weight.scaled(coefficient);
@@ -165,7 +165,7 @@ fn mixed<const N: usize>(coefficients: &[f64; N], weights: &[[Row; N]; N]) -> [R
 
 impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// Bounds the distance on the first parts. Those that seem the farthest come first: their extremes leave little to be found of the others.
-    pub(super) fn bound_first(&mut self, whole: &Part) {
+    pub(super) fn bound_first(&mut self, whole: &CubicPart) {
         let first = by_the_best(
             #[inline(always)]
             || First::new(self, whole),
@@ -217,10 +217,10 @@ mod tests {
     fn the_first_parts_are_pieces_of_the_whole_one_after_the_other() {
         let excess = [0.5, 1.0, -2.0, 0.5, 3.0, -1.0, 0.25];
         let points = [[1.0, 2.0, -1.0, 0.5], [0.0, 0.3, 0.7, 1.5]];
-        let whole = Part::new([0.0, 1.0], excess, points, false);
+        let whole = CubicPart::new([0.0, 1.0], excess, points, false);
         let center = Vec2::new(0.25, -0.5);
         for weights in &*WEIGHTS {
-            let parts = Part::first(&whole, weights);
+            let parts = CubicPart::first(&whole, weights);
             let mut end = 0.0;
             for part in (0..LANES).map(|lane| parts.one(lane)) {
                 let [from, to] = part.parameters();

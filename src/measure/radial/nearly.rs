@@ -59,7 +59,7 @@ pub(crate) fn nearly(
     truth: &Truth,
 ) -> Option<[f64; 2]> {
     let (larger, smaller) = (truth.larger_radius(), truth.radii.x.min(truth.radii.y));
-    let mut frame = Frame::new(truth);
+    let mut frame = EllipseFrame::new(truth);
     let (mut attained, mut peak) = (0.0_f64, 0.0_f64);
     for segment in segments {
         let samples = frame.samples(&segment.to_cubic(), &FEW_WEIGHTS);
@@ -93,7 +93,7 @@ pub(crate) fn decided<T: PartialEq, S: IntoIterator<Item = PathSeg>>(
 /// Between what the peak distance lies, by the distance of the farthest of many samples and their bound; `None` where rounding counts
 /// beside it, or that of a centre that follows from given ends.
 fn closely(segments: impl IntoIterator<Item = PathSeg>, truth: &Truth) -> Option<[f64; 2]> {
-    let mut frame = Frame::new(truth);
+    let mut frame = EllipseFrame::new(truth);
     let [mut low, mut high] = [0.0_f64; 2];
     for segment in segments {
         let cubic = segment.to_cubic();
@@ -120,11 +120,11 @@ pub(crate) fn closer_bound(segments: impl IntoIterator<Item = PathSeg>, truth: &
 }
 
 fn bound_by<const N: usize>(
-    weights: &Weights<N>,
+    weights: &SampleWeights<N>,
     segments: impl IntoIterator<Item = PathSeg>,
     truth: &Truth,
 ) -> f64 {
-    let mut frame = Frame::new(truth);
+    let mut frame = EllipseFrame::new(truth);
     let mut most = 0.0_f64;
     for segment in segments {
         let cubic = segment.to_cubic();
@@ -138,12 +138,12 @@ fn bound_by<const N: usize>(
 }
 
 /// Bernstein's polynomials at the samples.
-type Weights<const N: usize> = [[f64; N]; 4];
+type SampleWeights<const N: usize> = [[f64; N]; 4];
 
-static FEW_WEIGHTS: LazyLock<Weights<FEW>> = LazyLock::new(weights);
-static MANY_WEIGHTS: LazyLock<Weights<MANY>> = LazyLock::new(weights);
+static FEW_WEIGHTS: LazyLock<SampleWeights<FEW>> = LazyLock::new(weights);
+static MANY_WEIGHTS: LazyLock<SampleWeights<MANY>> = LazyLock::new(weights);
 
-fn weights<const N: usize>() -> Weights<N> {
+fn weights<const N: usize>() -> SampleWeights<N> {
     let t: [f64; N] =
         core::array::from_fn(|i| (1.0 - unit_vector(PI * i as f64 / (N - 1) as f64).x) / 2.0);
     [
@@ -155,7 +155,7 @@ fn weights<const N: usize>() -> Weights<N> {
 }
 
 /// The frame in which the ellipse is the unit circle.
-struct Frame {
+struct EllipseFrame {
     center: Point,
     /// The rows of the map there, and the squares of the radii.
     rows: [Vec2; 2],
@@ -164,7 +164,7 @@ struct Frame {
     reach: f64,
 }
 
-impl Frame {
+impl EllipseFrame {
     fn new(truth: &Truth) -> Self {
         let (axis, radii) = (truth.axis, truth.radii);
         Self {
@@ -195,11 +195,15 @@ impl Frame {
     }
 
     #[inline(always)]
-    fn samples<const N: usize>(&mut self, cubic: &CubicBez, weights: &Weights<N>) -> Samples<N> {
+    fn samples<const N: usize>(
+        &mut self,
+        cubic: &CubicBez,
+        weights: &SampleWeights<N>,
+    ) -> SegmentSamples<N> {
         let points = self.framed(cubic);
         let (x, y) = (along(&points, 0, weights), along(&points, 1, weights));
         let [a, b] = self.squares.map(f64::recip);
-        let mut samples = Samples {
+        let mut samples = SegmentSamples {
             excess: [0.0; N],
             steepness: [0.0; N],
             long: if a < b { y } else { x },
@@ -216,7 +220,11 @@ impl Frame {
 
 /// A coordinate at the samples. This loop and those below run over places, not over iterators of them: the compiler makes vectors of such.
 #[inline(always)]
-fn along<const N: usize>(points: &[[f64; 2]; 4], axis: usize, weights: &Weights<N>) -> [f64; N] {
+fn along<const N: usize>(
+    points: &[[f64; 2]; 4],
+    axis: usize,
+    weights: &SampleWeights<N>,
+) -> [f64; N] {
     let [a, b, c, d] = points.map(|p| p[axis]);
     let mut along = [0.0; N];
     for i in 0..N {
@@ -237,7 +245,7 @@ fn turns(points: &[[f64; 2]; 4]) -> bool {
 }
 
 /// A segment's samples.
-struct Samples<const N: usize> {
+struct SegmentSamples<const N: usize> {
     /// F, and 1/Q.
     excess: [f64; N],
     steepness: [f64; N],
@@ -246,7 +254,7 @@ struct Samples<const N: usize> {
     turns: bool,
 }
 
-impl<const N: usize> Samples<N> {
+impl<const N: usize> SegmentSamples<N> {
     /// The squares of twice Sampson's distance |F|/(2√Q).
     #[inline]
     fn squares(&self) -> [f64; N] {
@@ -278,7 +286,7 @@ impl<const N: usize> Samples<N> {
 
     /// A bound on the distance.
     #[inline(always)]
-    fn bound(&self, frame: &Frame) -> f64 {
+    fn bound(&self, frame: &EllipseFrame) -> f64 {
         let step = PI / (N - 1) as f64;
         let sizes = self.excess.map(f64::abs);
         let most = largest(&sizes);

@@ -9,7 +9,7 @@ use crate::numeric::lanes::Real;
 /// A part of a cubic in the frame where an ellipse is the unit circle, or several parts side by side. Derivatives are by its own parameter,
 /// from 0 to 1.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Part<S = f64> {
+pub(super) struct CubicPart<S = f64> {
     pub(super) from: S,
     pub(super) width: S,
     /// The Bernstein coefficients of F = |q|² - 1, and how far each may be off.
@@ -60,7 +60,7 @@ impl<S: Number> Motion<S> {
     }
 }
 
-impl<S: Real> Part<S> {
+impl<S: Real> CubicPart<S> {
     /// Between what the coefficients of F lie, rounding included.
     #[inline(always)]
     pub(super) fn certain_excess(&self) -> [S; 2] {
@@ -111,7 +111,7 @@ impl<S: Real> Part<S> {
         }
     }
 
-    /// The largest sizes for all places, from the motion at the middle as in [`Part::spread`].
+    /// The largest sizes for all places, from the motion at the middle as in [`CubicPart::spread`].
     #[inline(always)]
     pub(super) fn sizes(&self, middle: &Motion<S>) -> Sizes<S> {
         let [mut place, mut velocity, mut acceleration] = [[S::exact(0.0); 2]; 3];
@@ -150,7 +150,7 @@ impl<S: Real> Part<S> {
     }
 }
 
-impl Part {
+impl CubicPart {
     /// The part between two parameters, all of it rounded once. Where the points were `turned`, the direction was rounded too.
     pub(super) fn new(
         [from, to]: [f64; 2],
@@ -324,7 +324,7 @@ mod tests {
 
     #[test]
     fn what_is_spread_holds_every_place_of_a_part() {
-        let part = Part::new(
+        let part = CubicPart::new(
             [0.0, 1.0],
             [0.0, 1.0, -2.0, 0.5, 3.0, -1.0, 0.25],
             [[1.0, 2.0, -1.0, 0.5], [0.0, 0.3, 0.7, 1.5]],

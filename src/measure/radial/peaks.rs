@@ -7,8 +7,8 @@ use kurbo::Vec2;
 
 use super::Profile;
 use super::known::Known;
-use super::part::{Motion, Part};
-use super::place::{EXACT, Place};
+use super::part::{CubicPart, Motion};
+use super::place::{EXACT, NearestPoint};
 use super::slopes::{multipliers, narrowed};
 use super::tangents::Tangents;
 use crate::numeric::ball::Ball;
@@ -42,7 +42,7 @@ pub(super) struct Search<'a, F> {
 
 /// A part, how often it may be halved, and its bounds on either side.
 struct Pending {
-    part: Part,
+    part: CubicPart,
     cuts: u32,
     bounds: [f64; 2],
 }
@@ -107,12 +107,12 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// The same part by points and coefficients that are rounded once.
-    pub(super) fn refreshed(&self, part: &Part) -> (Part, [Twice; 4]) {
+    pub(super) fn refreshed(&self, part: &CubicPart) -> (CubicPart, [Twice; 4]) {
         self.profile.part(part.parameters(), &self.turn)
     }
 
     /// Visits an end of the segment, where F is one coefficient and the point is known in twice the digits.
-    fn end(&mut self, whole: &Part, t: f64, point: Twice) {
+    fn end(&mut self, whole: &CubicPart, t: f64, point: Twice) {
         let motion = whole.motion_at(t, self.center);
         let excess = [-1.0, 1.0].map(|side| motion.excess * (1.0 + side * f64::EPSILON));
         let gradient = motion.gradient(self.alpha) * (1.0 - 1e-9);
@@ -130,7 +130,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// Bounds the distance on a part, which has to be halved until none of it can lie above what is known, or its one extreme is found.
-    pub(super) fn bound(&mut self, part: &Part, cuts: u32) {
+    pub(super) fn bound(&mut self, part: &CubicPart, cuts: u32) {
         if self.known.is_beyond() {
             return;
         }
@@ -191,7 +191,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// Bounds the distance on a near part by N and N'; `None` where nothing of it is left to be bounded.
     fn bound_by_slopes(
         &mut self,
-        part: &Part,
+        part: &CubicPart,
         near: &Near,
         mut bounds: [f64; 2],
         open: [bool; 2],
@@ -235,7 +235,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// Whether the rounding of a part's coefficients and points alone keeps the distance from being stated.
-    fn is_coarse(&self, part: &Part, gradient: f64) -> bool {
+    fn is_coarse(&self, part: &CubicPart, gradient: f64) -> bool {
         let [x, y] = part.moved();
         let share = f64::max(x * self.alpha[0].sqrt(), y * self.alpha[1].sqrt());
         let allowed = 0.25 * self.last_place + self.known.close_by();
@@ -254,7 +254,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// Leaves a part to be halved.
-    pub(super) fn leave(&mut self, part: &Part, cuts: u32, bounds: [f64; 2]) {
+    pub(super) fn leave(&mut self, part: &CubicPart, cuts: u32, bounds: [f64; 2]) {
         let rank = self.known.most_above(bounds);
         let part = *part;
         let of = Pending { part, cuts, bounds };
@@ -262,7 +262,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// On which sides a part may lie farther than what is known. A bound that is hardly above it, for its own rounding, is stated.
-    pub(super) fn open(&mut self, part: &Part, bounds: [f64; 2], rounding: f64) -> [bool; 2] {
+    pub(super) fn open(&mut self, part: &CubicPart, bounds: [f64; 2], rounding: f64) -> [bool; 2] {
         [0, 1].map(|side| {
             let bound = bounds[side];
             let is_open = self.known.is_open(side, bound);
@@ -274,7 +274,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         })
     }
 
-    fn state(&mut self, part: &Part, side: usize, bound: f64) {
+    fn state(&mut self, part: &CubicPart, side: usize, bound: f64) {
         self.known.state(side, bound);
         // No distance there is known to be as large.
         let between = [[0.0, bound], [-bound, 0.0]][side];
@@ -292,10 +292,10 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     }
 
     /// The nearest point at a place where F is off so far at most.
-    fn place(&self, part: &Part, motion: &Motion<f64>, rounding: f64) -> Place {
+    fn place(&self, part: &CubicPart, motion: &Motion<f64>, rounding: f64) -> NearestPoint {
         let point = self.image(vector(motion.place));
         let foot = foot_in_unit(self.radii, self.alpha, point, motion.excess);
-        Place::new(self.alpha, part, motion, foot, rounding)
+        NearestPoint::new(self.alpha, part, motion, foot, rounding)
     }
 
     /// The least and the largest G.
@@ -320,7 +320,7 @@ struct Near {
     rounded: Motion<Ball>,
     motion: Motion<Ball>,
     gradients: [f64; 2],
-    place: Place,
+    place: NearestPoint,
 }
 
 pub(super) fn vector([x, y]: [f64; 2]) -> Vec2 {

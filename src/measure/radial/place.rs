@@ -1,6 +1,6 @@
 //! The nearest point of an ellipse at one place of a segment.
 
-use super::part::{Motion, Part};
+use super::part::{CubicPart, Motion};
 use crate::numeric::ball::Ball;
 use crate::numeric::foot::FootByExcess;
 
@@ -8,17 +8,17 @@ use crate::numeric::foot::FootByExcess;
 pub(super) const EXACT: f64 = 1e-10;
 
 /// The nearest point at a place, and how far the distance and s may be off.
-pub(super) struct Place {
+pub(super) struct NearestPoint {
     pub(super) foot: FootByExcess,
     pub(super) margin: f64,
     off: f64,
 }
 
-impl Place {
+impl NearestPoint {
     /// Of a part of which F is off so far at most at the place: how s, and with it the distance, follows from F and from q.
     pub(super) fn new(
         alpha: [f64; 2],
-        part: &Part,
+        part: &CubicPart,
         motion: &Motion<f64>,
         foot: FootByExcess,
         rounding: f64,

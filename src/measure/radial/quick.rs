@@ -1,12 +1,12 @@
 //! Whether the distance has an extreme on a part, by the sizes of its derivatives alone: a tenth of the time that balls take, and mostly
 //! enough. The letters are those of `slopes`.
 
-use super::part::{Motion, Part, Sizes};
+use super::part::{CubicPart, Motion, Sizes};
 use super::peaks::{NEAR, Search};
 use crate::numeric::lanes::{Lanes, Real};
 
 /// What F and G say of a part, or of several.
-pub(super) struct Look<S> {
+pub(super) struct PartBounds<S> {
     /// The largest |F|, and the least G.
     excess: S,
     gradient: S,
@@ -16,7 +16,7 @@ pub(super) struct Look<S> {
 }
 
 /// How the distance runs along a part that is near.
-pub(super) struct Course<S> {
+pub(super) struct DistanceRun<S> {
     /// What |N| is at least: where that is positive, the distance rises or falls all along.
     pub(super) steep: S,
     /// Between what N' lies.
@@ -26,23 +26,23 @@ pub(super) struct Course<S> {
 /// What the roundings of a few sums are off at most, as a part of those of sizes.
 const ROUNDING: f64 = 1e-12;
 
-impl Look<f64> {
+impl PartBounds<f64> {
     /// The bounds on both sides; `None` where the part is not near.
     pub(super) fn bounds(&self) -> Option<[f64; 2]> {
         (self.nearness <= NEAR).then_some(self.bounds)
     }
 }
 
-impl Course<f64> {
+impl DistanceRun<f64> {
     /// Whether the distance rises or falls all along.
     pub(super) fn is_monotone(&self) -> bool {
         self.steep > 0.0
     }
 }
 
-impl<const N: usize> Look<Lanes<N>> {
-    pub(super) fn one(&self, lane: usize) -> Look<f64> {
-        Look {
+impl<const N: usize> PartBounds<Lanes<N>> {
+    pub(super) fn one(&self, lane: usize) -> PartBounds<f64> {
+        PartBounds {
             excess: self.excess.0[lane],
             gradient: self.gradient.0[lane],
             nearness: self.nearness.0[lane],
@@ -51,9 +51,9 @@ impl<const N: usize> Look<Lanes<N>> {
     }
 }
 
-impl<const N: usize> Course<Lanes<N>> {
-    pub(super) fn one(&self, lane: usize) -> Course<f64> {
-        Course {
+impl<const N: usize> DistanceRun<Lanes<N>> {
+    pub(super) fn one(&self, lane: usize) -> DistanceRun<f64> {
+        DistanceRun {
             steep: self.steep.0[lane],
             bend: self.bend.map(|lanes| lanes.0[lane]),
         }
@@ -65,8 +65,8 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// inside.
     pub(super) fn leads_to_extreme(
         &mut self,
-        part: &Part,
-        course: &Course<f64>,
+        part: &CubicPart,
+        course: &DistanceRun<f64>,
         bounds: [f64; 2],
         start: f64,
     ) -> bool {
@@ -82,7 +82,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// What the control points tell, which cost little.
     #[inline(always)]
-    pub(super) fn look<S: Real>(&self, part: &Part<S>) -> Look<S> {
+    pub(super) fn look<S: Real>(&self, part: &CubicPart<S>) -> PartBounds<S> {
         let [p, q] = part.least_place(self.center);
         let gradient = (p * p).scaled(self.alpha[0]) + (q * q).scaled(self.alpha[1]);
         self.look_by(part.certain_excess(), gradient.scaled(1.0 - 1e-14))
@@ -90,12 +90,12 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
 
     /// The same where F and G are between and at least so.
     #[inline(always)]
-    pub(super) fn look_by<S: Real>(&self, [low, high]: [S; 2], gradient: S) -> Look<S> {
+    pub(super) fn look_by<S: Real>(&self, [low, high]: [S; 2], gradient: S) -> PartBounds<S> {
         let excess = low.abs().larger(high.abs());
         let nearness = self.nearness(excess, gradient);
         let share = S::exact(1.0 + 1e-14) + nearness.scaled(1.3);
         let weight = share / gradient.sqrt().scaled(2.0);
-        Look {
+        PartBounds {
             excess,
             gradient,
             nearness,
@@ -118,10 +118,10 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     #[inline(always)]
     pub(super) fn course<S: Real>(
         &self,
-        part: &Part<S>,
+        part: &CubicPart<S>,
         middle: &Motion<S>,
-        look: &Look<S>,
-    ) -> Course<S> {
+        look: &PartBounds<S>,
+    ) -> DistanceRun<S> {
         let Sizes {
             place,
             velocity,
@@ -147,7 +147,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
         let rate = (steepest + s * (v + w)) * over * (one + n.scaled(3.42));
         let slack = (rate * v + s * turning * (one + n.scaled(1.15))) * one;
         let flattest = rising[0].larger(rising[1].scaled(-1.0)).scaled(0.5);
-        Course {
+        DistanceRun {
             steep: flattest - s * w,
             bend: [low.scaled(0.5) - slack, high.scaled(0.5) + slack],
         }
@@ -237,7 +237,7 @@ mod tests {
                 ((0.5, 1.0), [points[1], points[0]], (center.1, center.0)),
             ] {
                 searched(radii, Vec2::new(x, y), |search| {
-                    let part = Part::new([0.0, 1.0], excess, points, false);
+                    let part = CubicPart::new([0.0, 1.0], excess, points, false);
                     let middle = part.motion_at(0.5, search.center);
                     let look = search.look(&part);
                     assert_close(look.nearness, nearness);

@@ -19,7 +19,7 @@ const NORMAL_TURN: f64 = 0.95;
 const MOST_HALVINGS: u32 = 24;
 
 /// A place on the segment with the derivative of the distance there.
-struct Sample {
+struct SlopeAt {
     t: f64,
     slope: f64,
     normal: Vec2,
@@ -33,7 +33,7 @@ pub(crate) fn visit_between(
     foot: impl Fn(f64) -> Foot,
     mut visit: impl FnMut(f64, f64),
 ) {
-    let search = Search { segment, foot };
+    let search = ExtremeSearch { segment, foot };
     visit(0.0, search.distance(0.0));
     let mut cuts = cuts.to_vec();
     cuts.sort_by(f64::total_cmp);
@@ -50,19 +50,19 @@ pub(crate) fn visit_between(
     visit(1.0, search.distance(1.0));
 }
 
-struct Search<'a, F> {
+struct ExtremeSearch<'a, F> {
     segment: &'a PathSeg,
     foot: F,
 }
 
-impl<F: Fn(f64) -> Foot> Search<'_, F> {
+impl<F: Fn(f64) -> Foot> ExtremeSearch<'_, F> {
     fn distance(&self, t: f64) -> f64 {
         (self.foot)(t).distance
     }
 
-    fn sample(&self, t: f64) -> Sample {
+    fn sample(&self, t: f64) -> SlopeAt {
         let normal = (self.foot)(t).outward;
-        Sample {
+        SlopeAt {
             t,
             slope: derivative(self.segment, t).dot(normal),
             normal,
@@ -72,8 +72,8 @@ impl<F: Fn(f64) -> Foot> Search<'_, F> {
     /// Visits the extreme between two places, halving where the normal turns far.
     fn bracket(
         &self,
-        before: &Sample,
-        after: &Sample,
+        before: &SlopeAt,
+        after: &SlopeAt,
         halvings: u32,
         visit: &mut impl FnMut(f64, f64),
     ) {

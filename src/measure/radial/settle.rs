@@ -1,8 +1,8 @@
 //! The one extreme of a part, by Newton's method.
 
-use super::part::Part;
+use super::part::CubicPart;
 use super::peaks::{Search, vector};
-use super::place::Place;
+use super::place::NearestPoint;
 use super::slopes::Slopes;
 use crate::numeric::foot::foot_in_unit;
 
@@ -20,7 +20,7 @@ const SETTLED: f64 = 1e-6;
 impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
     /// Finds the extreme of a part on which |N'| is at least `curving`, by steps from t on; whether it did. From a place on, the distance
     /// grows by N² / (2 √g curving) at most.
-    pub(super) fn settle(&mut self, part: &Part, mut t: f64, curving: f64) -> bool {
+    pub(super) fn settle(&mut self, part: &CubicPart, mut t: f64, curving: f64) -> bool {
         for _ in 0..MOST_QUICK {
             t = t.clamp(0.0, 1.0);
             let step = self.step(&part.motion_at(t, self.center));
@@ -40,7 +40,7 @@ impl<F: FnMut(f64, [f64; 2])> Search<'_, F> {
                 t += step;
                 continue;
             }
-            let place = Place::new(self.alpha, part, &motion, foot, part.rounding());
+            let place = NearestPoint::new(self.alpha, part, &motion, foot, part.rounding());
             if !place.is_exact(self.last_place) {
                 return false;
             }

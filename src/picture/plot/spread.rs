@@ -3,20 +3,20 @@
 /// Heights nearest to the wished ones, ascending, that are at least `step` apart and within [`low`, `high`] where there is room:
 /// neighbours that are too close become a block about the mean of their wishes, and blocks that touch become one.
 pub(super) fn spread(wished: &[f64], step: f64, low: f64, high: f64) -> Vec<f64> {
-    struct Block {
+    struct Stack {
         /// Of (wish - own offset in the block).
         sum: f64,
         count: usize,
     }
     let room = (high - low).max(1.0);
     let step = step.min(room / wished.len().max(1) as f64);
-    let start = |block: &Block| {
+    let start = |block: &Stack| {
         let most = (high - step * (block.count as f64 - 1.0)).max(low);
         (block.sum / block.count as f64).clamp(low, most)
     };
-    let mut blocks: Vec<Block> = Vec::new();
+    let mut blocks: Vec<Stack> = Vec::new();
     for &wish in wished {
-        blocks.push(Block {
+        blocks.push(Stack {
             sum: wish,
             count: 1,
         });

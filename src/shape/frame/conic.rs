@@ -5,7 +5,7 @@
 
 use kurbo::{Affine, Point};
 
-use super::{Exact, Frame, Inverse, Level, differences};
+use super::{DotOffset, Exact, Frame, Inverse, differences};
 use crate::numeric::double::{Double, Twice};
 
 /// The columns of that map, and the centre.
@@ -50,7 +50,7 @@ impl Frame {
             origin: Point::ORIGIN,
             axis: None,
             radii: None,
-            level: Level::Radius(Double::of(-1.0)),
+            level: DotOffset::Radius(Double::of(-1.0)),
             unit: 1.0,
             is_conic: true,
         }

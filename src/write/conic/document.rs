@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::conic::{Conic, Drawing, Report, Sample};
+use crate::conic::{Conic, ConicDrawing, ConicSample, Report};
 use crate::error::Result;
 use crate::number::{counted, text};
 use crate::path;
@@ -63,8 +63,8 @@ impl From<&Conic> for ConicShapeDocument {
     }
 }
 
-impl From<&Drawing> for ConicDocument {
-    fn from(drawing: &Drawing) -> Self {
+impl From<&ConicDrawing> for ConicDocument {
+    fn from(drawing: &ConicDrawing) -> Self {
         let segments = drawing.curve.segments.iter();
         Self {
             version: 1,
@@ -97,8 +97,8 @@ pub struct ConicMeasurement {
     pub report: Report,
 }
 
-impl From<&Drawing> for ConicMeasurement {
-    fn from(drawing: &Drawing) -> Self {
+impl From<&ConicDrawing> for ConicMeasurement {
+    fn from(drawing: &ConicDrawing) -> Self {
         Self {
             version: 1,
             shape: (&drawing.conic).into(),
@@ -110,7 +110,7 @@ impl From<&Drawing> for ConicMeasurement {
     }
 }
 
-fn title(drawing: &Drawing) -> String {
+fn title(drawing: &ConicDrawing) -> String {
     let count = drawing.curve.segments.len();
     let (title, method) = (Figure::of_conic(drawing).title, drawing.method_name());
     format!("{title}, {} by {method}", counted(count, "segment"))
@@ -129,7 +129,7 @@ pub struct ConicSamples {
     /// A few words.
     pub title: String,
     /// The points, segment by segment at equal steps of t, both ends of each segment among them.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<ConicSample>,
 }
 
 impl ConicSamples {
@@ -137,8 +137,8 @@ impl ConicSamples {
     ///
     /// # Errors
     ///
-    /// As [`Drawing::samples`].
-    pub fn new(drawing: &Drawing, count: usize) -> Result<Self> {
+    /// As [`ConicDrawing::samples`].
+    pub fn new(drawing: &ConicDrawing, count: usize) -> Result<Self> {
         Ok(Self {
             version: 1,
             shape: (&drawing.conic).into(),

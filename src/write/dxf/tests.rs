@@ -21,8 +21,8 @@ fn values(tags: &[(u16, String)], code: u16) -> Vec<f64> {
     found.map(|tag| tag.1.parse().unwrap()).collect()
 }
 
-fn arc(to: (f64, f64), center: (f64, f64), start: f64, sweep: f64) -> Step {
-    Step::Arc(CircularArc {
+fn arc(to: (f64, f64), center: (f64, f64), start: f64, sweep: f64) -> CourseStep {
+    CourseStep::Arc(CircularArc {
         to: to.into(),
         center: center.into(),
         radius: 1.0,
@@ -38,7 +38,7 @@ fn a_closed_course_shares_its_first_vertex_and_keeps_its_last_bulge() {
     let course = Course {
         start: Point::new(-1.0, 0.0),
         steps: vec![
-            Step::Line(Point::new(1.0, 0.0)),
+            CourseStep::Line(Point::new(1.0, 0.0)),
             arc((-1.0, 0.0), (0.0, 0.0), 0.0, 180.0),
         ],
         closed: true,
@@ -58,7 +58,7 @@ fn a_whole_turn_within_a_course_is_two_halves() {
     let course = Course {
         start: Point::new(0.0, 0.0),
         steps: vec![
-            Step::Line(Point::new(1.0, 0.0)),
+            CourseStep::Line(Point::new(1.0, 0.0)),
             arc((1.0, 0.0), (0.0, 0.0), 0.0, -360.0),
         ],
         closed: false,

@@ -17,7 +17,7 @@ fn an_arc_whose_centre_rounding_moves_too_far_becomes_the_fewest_chords() {
     };
     let course = Course {
         start: Point::ZERO,
-        steps: vec![Step::Arc(half)],
+        steps: vec![CourseStep::Arc(half)],
         closed: false,
     };
     let room = 1.3;
@@ -64,7 +64,7 @@ fn a_flat_arc_whose_centre_rounding_moves_too_far_becomes_one_chord() {
     };
     let course = Course {
         start: Point::ZERO,
-        steps: vec![Step::Arc(arc)],
+        steps: vec![CourseStep::Arc(arc)],
         closed: false,
     };
     let lines = |room: f64| {
@@ -88,7 +88,7 @@ fn where_no_decimals_are_enough_all_digits_are_written() {
     let third = 1.0 / 3.0;
     let course = Course {
         start: Point::ZERO,
-        steps: vec![Step::Line(Point::new(third, 0.0))],
+        steps: vec![CourseStep::Line(Point::new(third, 0.0))],
         closed: false,
     };
     let options = Options {
@@ -115,9 +115,9 @@ fn a_course_of_several_steps_is_one_run() {
     let course = Course {
         start: Point::ZERO,
         steps: vec![
-            Step::Line(Point::new(1.0, 0.0)),
-            Step::Arc(turn),
-            Step::Line(Point::ZERO),
+            CourseStep::Line(Point::new(1.0, 0.0)),
+            CourseStep::Arc(turn),
+            CourseStep::Line(Point::ZERO),
         ],
         closed: true,
     };

@@ -4,7 +4,7 @@ use kurbo::{Line, PathSeg};
 use serde::Serialize;
 
 use crate::contour::{PathDrawing, Subpath};
-use crate::course::{Course, Step};
+use crate::course::{Course, CourseStep};
 use crate::path;
 use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
 
@@ -69,12 +69,12 @@ pub struct ArcDocument {
 
 fn course_segments(course: &Course) -> Vec<PathSegmentDocument> {
     let mut from = course.start;
-    let segment = |step: &Step| {
+    let segment = |step: &CourseStep| {
         let line = PathSeg::Line(Line::new(from, step.to()));
         from = step.to();
         match step {
-            Step::Line(_) => PathSegmentDocument::Points(segment_document(&line, None)),
-            Step::Arc(arc) => PathSegmentDocument::Arc {
+            CourseStep::Line(_) => PathSegmentDocument::Points(segment_document(&line, None)),
+            CourseStep::Arc(arc) => PathSegmentDocument::Arc {
                 arc: ArcDocument {
                     radii: [arc.radius; 2],
                     rotation: 0.0,
@@ -83,7 +83,7 @@ fn course_segments(course: &Course) -> Vec<PathSegmentDocument> {
                     to: [arc.to.x, arc.to.y],
                 },
             },
-            Step::Elliptical(arc) => PathSegmentDocument::Arc {
+            CourseStep::Elliptical(arc) => PathSegmentDocument::Arc {
                 arc: ArcDocument {
                     radii: [arc.radii.x, arc.radii.y],
                     rotation: arc.rotation.degrees(),

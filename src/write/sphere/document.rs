@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::path;
 use crate::picture::figure::{Figure, Hidden};
-use crate::sphere::{Part, Picture, SphereLine};
+use crate::sphere::{Part, SphereLine, SphereView};
 use crate::write::json::{ErrorDocument, SegmentDocument, segment_document};
 
 /// The JSON of a sphere.
@@ -82,7 +82,7 @@ pub struct PartDocument {
 impl SphereDocument {
     /// The document of a picture.
     #[must_use]
-    pub fn new(picture: &Picture, hidden: Hidden) -> Self {
+    pub fn new(picture: &SphereView, hidden: Hidden) -> Self {
         let parts = |parts: &[Part]| parts.iter().map(part_document).collect();
         let (sphere, transform) = (&picture.sphere, picture.options.transform);
         Self {

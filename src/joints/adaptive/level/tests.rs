@@ -34,7 +34,7 @@ fn a_step_solves_what_it_is_derived_from() {
     // Two pieces: e + 6 δ/l = L for the first and e - 6 δ/l = L for the second.
     let mut ways = vec![0.0, 1.05, 2.0];
     let peaks = sixth_powers(&ways);
-    let Step { change, level } = step(&mut ways, &peaks).unwrap();
+    let LevelStep { change, level } = step(&mut ways, &peaks).unwrap();
     let [a, b] = [1.05, 0.95].map(|l| 6.0 * libm::log(l));
     let moved = (b - a) / (6.0 / 1.05 + 6.0 / 0.95);
     assert!((ways[1] - (1.05 + moved)).abs() < 1e-15);

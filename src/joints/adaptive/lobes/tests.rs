@@ -41,7 +41,7 @@ fn truth(lobes: &Lobes, from: f64, size: f64, v: f64) -> (Vec2, f64) {
 fn a_lobe_knows_the_true_distance_and_how_it_changes() {
     for (method, short, from, size) in places() {
         let lobes = lobes(method, short);
-        let segment = Segment::new(&lobes, from, size).unwrap();
+        let segment = LobeSegment::new(&lobes, from, size).unwrap();
         for i in -9..=9 {
             let v = f64::from(i) * 0.097;
             let (p, distance) = truth(&lobes, from, size, v);
@@ -71,7 +71,7 @@ fn a_lobe_knows_the_true_distance_and_how_it_changes() {
 }
 
 /// Whether the step and the gain at v follow from the first two derivatives of the distance's logarithm, by differences.
-fn slopes_hold(segment: &Segment, v: f64, what: &str) {
+fn slopes_hold(segment: &LobeSegment, v: f64, what: &str) {
     let step = 1e-3;
     let [before, lobe, after] = [v - step, v, v + step].map(|v| segment.at(v));
     let log = |lobe: &Lobe<f64>| libm::log(lobe.distance);
@@ -202,7 +202,7 @@ fn a_crossing_lies_on_the_sharp_end() {
             for size in sizes {
                 // v where the curve passes the sharp end, and how large F is beside its largest.
                 let v = 2.0 * way / size - 1.0;
-                let segment = Segment::new(&lobes, from, size).unwrap();
+                let segment = LobeSegment::new(&lobes, from, size).unwrap();
                 let [h, g] = segment.excess;
                 let excess = |v: f64| {
                     let u = (1.0 - v * v) / 4.0;
@@ -247,7 +247,7 @@ fn sharp_ends_are_passed_where_they_lie() {
         (59.0, 30.0, None),
         (150.0, 150.0, Some(0.6)),
     ] {
-        let found = Segment::new(&lobes, from, size).unwrap().sharp;
+        let found = LobeSegment::new(&lobes, from, size).unwrap().sharp;
         let is_same = match (found, sharp) {
             (Some(found), Some(sharp)) => f64::abs(found - sharp) < 1e-12,
             (found, sharp) => found == sharp,

@@ -3,8 +3,8 @@
 use kurbo::Vec2;
 
 use super::{EPSILON, apart};
-use crate::measure::radial::part::Part;
-use crate::measure::radial::place::Place;
+use crate::measure::radial::part::CubicPart;
+use crate::measure::radial::place::NearestPoint;
 use crate::measure::radial::tangents::Tangents;
 use crate::numeric::double::Double;
 use crate::numeric::foot::foot_in_unit;
@@ -49,11 +49,11 @@ fn a_tangent_bounds_from_below_and_its_point_from_above() {
 fn a_place_knows_what_rounding_does_to_its_distance() {
     // On the long axis at 1.1, where the distance is 0.1 and s too.
     let (radii, alpha) = (Vec2::new(1.0, 0.5), [1.0, 4.0]);
-    let part = Part::new([0.0, 1.0], [0.21; 7], [[1.1; 4], [0.0; 4]], false);
+    let part = CubicPart::new([0.0, 1.0], [0.21; 7], [[1.1; 4], [0.0; 4]], false);
     let motion = part.motion_at(0.5, Vec2::ZERO);
     let foot = foot_in_unit(radii, alpha, Vec2::new(1.1, 0.0), motion.excess);
     let rounding = 1e-13;
-    let place = Place::new(alpha, &part, &motion, foot, rounding);
+    let place = NearestPoint::new(alpha, &part, &motion, foot, rounding);
     let (m, off) = (1.0 / 1.1, part.moved()[0] + EPSILON * 1.1);
     let along = m * 1.1 * off;
     let d = m * m * m * 1.21;
@@ -73,7 +73,7 @@ fn a_place_knows_what_rounding_does_to_its_distance() {
     assert!(place.is_exact(0.0) && place.is_exact(1e-30));
     let rough = |rounding: f64, last_place: f64| {
         let foot = foot_in_unit(radii, alpha, Vec2::new(1.1, 0.0), motion.excess);
-        Place::new(alpha, &part, &motion, foot, rounding).is_exact(last_place)
+        NearestPoint::new(alpha, &part, &motion, foot, rounding).is_exact(last_place)
     };
     assert!(rough(1e-11, 0.0) && !rough(2e-11, 0.0));
     assert!(rough(2e-11, 1e-11) && !rough(1e-10, 1e-11));

@@ -43,7 +43,7 @@ fn samples_know_their_excess_and_the_slope_of_it() {
         let truth = Truth::new(Point::new(3.0, -5.0), radii.into(), axis);
         let arm = Vec2::new(radii.0, -radii.1) * 0.5;
         let p = truth.center + arm.rotate_scale(axis);
-        let mut frame = Frame::new(&truth);
+        let mut frame = EllipseFrame::new(&truth);
         assert_eq!(frame.reach, 9.0);
         close(frame.rounding(), 32.0 * f64::EPSILON * 9.0 * 2.0);
         let samples = frame.samples(&CubicBez::new(p, p, p, p), &FEW_WEIGHTS);
@@ -84,8 +84,8 @@ fn points_that_turn_one_after_the_other_are_told() {
     assert!(turns(&[[5.0, 7.0], [4.0, 7.0], [3.0, 7.0], [2.0, 7.0]]));
 }
 
-fn samples(excess: f64, steepness: f64, long: [f64; 2]) -> Samples<FEW> {
-    let mut samples = Samples {
+fn samples(excess: f64, steepness: f64, long: [f64; 2]) -> SegmentSamples<FEW> {
+    let mut samples = SegmentSamples {
         excess: [excess; FEW],
         steepness: [steepness; FEW],
         long: [long[0]; FEW],
@@ -126,18 +126,18 @@ const BOUNDS: [(f64, f64, [f64; 2], f64); 7] = [
 
 #[test]
 fn the_bound_is_that_of_the_proof() {
-    let frame = Frame::new(&level((0.0, 0.0), (1.0, 0.5)));
+    let frame = EllipseFrame::new(&level((0.0, 0.0), (1.0, 0.5)));
     // By Python's mpmath from the formulas above, with 24 steps.
     for (excess, steepness, long, expected) in BOUNDS {
         let some = samples(excess, steepness, long);
         close(some.bound(&frame), expected);
-        let wide = Frame::new(&level((0.0, 0.0), (0.5, 1.0)));
+        let wide = EllipseFrame::new(&level((0.0, 0.0), (0.5, 1.0)));
         close(some.bound(&wide), expected);
     }
     let unknown = [
         samples(0.48, 1.0, [1.0; 2]),
         samples(-0.2, 4.0, [1.0; 2]),
-        Samples {
+        SegmentSamples {
             turns: false,
             ..samples(0.001, 0.5, [1.0; 2])
         },

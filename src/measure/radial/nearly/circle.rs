@@ -7,7 +7,7 @@ use core::f64::consts::PI;
 
 use kurbo::PathSeg;
 
-use super::{DEGREE, Frame, MANY, MANY_WEIGHTS, Weights, larger};
+use super::{DEGREE, EllipseFrame, MANY, MANY_WEIGHTS, SampleWeights, larger};
 use crate::numeric::functions::unit_vector;
 use crate::numeric::instructions::by_the_best;
 use crate::shape::Truth;
@@ -18,7 +18,7 @@ const LANES: usize = 4;
 /// `None` where samples do not tell.
 pub(crate) fn circle_decided(segments: &[PathSeg], truth: &Truth, tolerance: f64) -> Option<bool> {
     let radius = truth.larger_radius();
-    let mut frame = Frame::new(truth);
+    let mut frame = EllipseFrame::new(truth);
     let between = unit_vector(DEGREE * PI / (2.0 * (MANY - 1) as f64)).x;
     let weights = &*MANY_WEIGHTS;
     let mut is_within = true;
@@ -43,7 +43,7 @@ pub(crate) fn circle_decided(segments: &[PathSeg], truth: &Truth, tolerance: f64
 
 /// The largest sample of |F|, in lanes: the last sample is the end.
 #[inline(always)]
-fn largest_size(points: &[[f64; 2]; 4], weights: &Weights<MANY>) -> f64 {
+fn largest_size(points: &[[f64; 2]; 4], weights: &SampleWeights<MANY>) -> f64 {
     let size = |[x, y]: [f64; 2]| (x * x + y * y - 1.0).abs();
     let [p, q, r, s] = *points;
     let mut lanes = [0.0; LANES];

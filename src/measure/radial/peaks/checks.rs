@@ -8,7 +8,7 @@ use kurbo::{CubicBez, PathSeg, Point, QuadBez};
 
 use super::*;
 use crate::measure::radial::checks::{Dice, apart};
-use crate::measure::radial::quick::Course;
+use crate::measure::radial::quick::DistanceRun;
 use crate::shape::Truth;
 
 /// What was visited.
@@ -59,7 +59,7 @@ fn any() -> Profile {
 }
 
 /// A part that stands still at (0, 1.1) but for F, which is 0.21 + a (t - at)² + b (t - at)³: N is F'/2 there, 0.05 the distance.
-fn rising(a: f64, b: f64, at: f64) -> Part {
+fn rising(a: f64, b: f64, at: f64) -> CubicPart {
     let [c0, c1, c2, c3] = [
         0.21 + a * at * at - b * at * at * at,
         -2.0 * a * at + 3.0 * b * at * at,
@@ -71,11 +71,11 @@ fn rising(a: f64, b: f64, at: f64) -> Part {
         let (pairs, triples) = (i * (i - 1.0) / 30.0, i * (i - 1.0) * (i - 2.0) / 120.0);
         c0 + c1 * i / 6.0 + c2 * pairs + c3 * triples
     });
-    Part::new([0.0, 1.0], excess, [[0.0; 4], [1.1; 4]], false)
+    CubicPart::new([0.0, 1.0], excess, [[0.0; 4], [1.1; 4]], false)
 }
 
 /// What a search knows of a part before it bounds it by slopes.
-fn near<F: FnMut(f64, [f64; 2])>(search: &Search<'_, F>, part: &Part) -> Near {
+fn near<F: FnMut(f64, [f64; 2])>(search: &Search<'_, F>, part: &CubicPart) -> Near {
     let middle = part.motion_at(0.5, search.center);
     let rounded = part.rounded(&middle);
     let motion = part.spread(&rounded);
@@ -91,7 +91,7 @@ fn near<F: FnMut(f64, [f64; 2])>(search: &Search<'_, F>, part: &Part) -> Near {
 }
 
 /// What it makes of a part that is open on these sides.
-fn by_slopes(part: &Part, open: [bool; 2]) -> (Option<[f64; 2]>, Visits) {
+fn by_slopes(part: &CubicPart, open: [bool; 2]) -> (Option<[f64; 2]>, Visits) {
     searched(&any(), &mut Known::default(), |search| {
         let near = near(search, part);
         search.bound_by_slopes(part, &near, [9.0; 2], open)
@@ -100,7 +100,7 @@ fn by_slopes(part: &Part, open: [bool; 2]) -> (Option<[f64; 2]>, Visits) {
 
 #[test]
 fn gradients_are_the_least_and_the_largest_of_their_balls() {
-    let mut part = Part::new([0.0, 1.0], [0.0; 7], [[0.5; 4], [-0.25; 4]], false);
+    let mut part = CubicPart::new([0.0, 1.0], [0.0; 7], [[0.5; 4], [-0.25; 4]], false);
     let ((), _) = searched(&any(), &mut Known::default(), |search| {
         for (moved, expected) in [
             // αᵢ are 1 and 4.
@@ -129,7 +129,7 @@ fn gradients_are_the_least_and_the_largest_of_their_balls() {
 fn a_part_is_coarse_from_some_rounding_on() {
     let ((), _) = searched(&any(), &mut Known::default(), |search| {
         search.last_place = 1e-12;
-        let mut part = Part::new([0.0, 1.0], [0.0; 7], [[0.0; 4]; 2], false);
+        let mut part = CubicPart::new([0.0, 1.0], [0.0; 7], [[0.0; 4]; 2], false);
         let mut is_coarse = |rounding: f64, moved: [f64; 2], gradient: f64| {
             (part.rounding, part.moved) = (rounding, moved);
             search.is_coarse(&part, gradient)
@@ -155,7 +155,7 @@ fn a_part_is_coarse_from_some_rounding_on() {
         &truth,
     );
     let ((), _) = searched(&upright, &mut Known::default(), |search| {
-        let mut part = Part::new([0.0, 1.0], [0.0; 7], [[0.0; 4]; 2], false);
+        let mut part = CubicPart::new([0.0, 1.0], [0.0; 7], [[0.0; 4]; 2], false);
         for (moved, is_so) in [(0.49e-11, false), (0.51e-11, true)] {
             part.moved = [moved, 0.0];
             assert_eq!(search.is_coarse(&part, 1.0), is_so, "{moved}");
@@ -167,7 +167,7 @@ fn a_part_is_coarse_from_some_rounding_on() {
     known.learn(1, 0.5);
     let ((), _) = searched(&any(), &mut known, |search| {
         search.last_place = 0.0;
-        let mut part = Part::new([0.0, 1.0], [0.0; 7], [[0.0; 4]; 2], false);
+        let mut part = CubicPart::new([0.0, 1.0], [0.0; 7], [[0.0; 4]; 2], false);
         part.rounding = 0.24e-11;
         assert!(!search.is_coarse(&part, 1.0));
         part.rounding = 0.26e-11;
@@ -200,7 +200,7 @@ fn an_end_that_cannot_matter_is_not_looked_at() {
 
 #[test]
 fn an_extreme_is_settled_where_n_vanishes() {
-    let settled = |part: &Part, from: f64, curving: f64, last_place: f64| {
+    let settled = |part: &CubicPart, from: f64, curving: f64, last_place: f64| {
         searched(&any(), &mut Known::default(), |search| {
             search.last_place = last_place;
             search.settle(part, from, curving)
@@ -256,7 +256,7 @@ fn what_a_step_leaves_is_added_where_it_is_little() {
             let (done, visits) = searched(&any(), &mut Known::default(), |search| {
                 search.last_place = if open > 0.0 { 1.0 } else { 1e-9 };
                 let (steep, bounds) = (-1.0, [open; 2]);
-                let course = Course { steep, bend };
+                let course = DistanceRun { steep, bend };
                 search.leads_to_extreme(&part, &course, bounds, 0.4)
             });
             assert_eq!((done, visits.len()), (true, usize::from(open > 0.0)));

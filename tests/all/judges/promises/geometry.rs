@@ -1,6 +1,6 @@
 //! Arcs, path data, transforms, points, measures and differences.
 
-use curveto::contour::{Contour, Target, draw};
+use curveto::contour::{BezierTarget, Contour, draw};
 use curveto::curve::control_points;
 use curveto::diff::{Track, compare};
 use curveto::measure::{Reference, fit, report};
@@ -94,7 +94,7 @@ pub fn path_data(input: &[u8]) -> Check {
         return Ok(());
     };
     let options = Options::default();
-    for target in [Target::Beziers, Target::Quadratics] {
+    for target in [BezierTarget::Beziers, BezierTarget::Quadratics] {
         let Ok(drawing) = draw(&contours, target, &options) else {
             continue;
         };
@@ -104,7 +104,8 @@ pub fn path_data(input: &[u8]) -> Check {
         is_well_formed(&data)?;
         is_well_formed(&path::data(drawing.curves(), true))?;
         let again = path::contours(&data).map_err(|error| format!("{data}: {error}"))?;
-        let again = draw(&again, Target::Beziers, &options).map_err(|error| error.to_string())?;
+        let again =
+            draw(&again, BezierTarget::Beziers, &options).map_err(|error| error.to_string())?;
         let second = path::data(again.curves(), false);
         ensure(second == data, || format!("{data} becomes {second}"))?;
     }

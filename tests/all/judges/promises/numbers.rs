@@ -86,7 +86,7 @@ fn words(input: &str) -> Check {
     let (Ok(read), Ok(circle)) = (read, subject) else {
         return Ok(());
     };
-    let meant = curveto::batch::spec::Subject::Shape(curveto::Shape::Circle(circle));
+    let meant = curveto::batch::spec::LineContent::Shape(curveto::Shape::Circle(circle));
     ensure(read.subject == meant, || {
         format!("{:?}, not {meant:?}", read.subject)
     })

@@ -1,8 +1,8 @@
 //! Words of the command line and lines of `batch`.
 
-use curveto::batch::spec::{Spec, Subject};
+use curveto::batch::spec::{LineContent, Spec};
 use curveto::batch::{OnError, Options, run};
-use curveto::contour::{Target, draw};
+use curveto::contour::{BezierTarget, draw};
 use curveto::write::Format;
 use curveto::{Method, Tolerance};
 
@@ -87,13 +87,13 @@ pub fn words(input: &[u8]) -> Check {
             ..curveto::Options::default()
         };
         match &spec.subject {
-            Subject::Shape(shape) => {
+            LineContent::Shape(shape) => {
                 if let Ok(drawing) = curveto::approximate(shape, &options) {
                     is_drawn(&[&drawing.curve])?;
                 }
             }
-            Subject::Path(contours) => {
-                if let Ok(drawing) = draw(contours, Target::Quadratics, &options) {
+            LineContent::Path(contours) => {
+                if let Ok(drawing) = draw(contours, BezierTarget::Quadratics, &options) {
                     is_drawn(&drawing.curves().collect::<Vec<_>>())?;
                 }
             }
