@@ -13,7 +13,7 @@ use clap::{Arg, ValueHint};
 use called::Called;
 use curveto::path::shortened;
 use curveto::write::Image;
-use foreign::{COMMANDS, FLAGS};
+use foreign::ForeignFlags;
 
 use super::args::hint_of_number;
 use super::remedies::in_a_sentence;
@@ -116,8 +116,7 @@ fn of_command(word: &str, command: &str) -> Option<String> {
     if is_path_data(word) {
         return Some(format!("path data has a command: curveto path '{word}'"));
     }
-    let found = COMMANDS.iter().find(|(words, _)| words.contains(&word));
-    found.map(|(_, hint)| (*hint).to_owned())
+    foreign::command(word).map(str::to_owned)
 }
 
 /// What is told of a word that the command does not take.
@@ -145,13 +144,16 @@ pub(super) fn of_argument(argument: &str, words: &[String]) -> Option<String> {
 
 /// What is told of a flag that the command does not have.
 pub(super) fn of_flag(flag: &str, called: &Called) -> Option<String> {
-    let known = |(flags, commands, hint): &&(&[&str], &[&str], &str)| {
-        let is_for = commands.is_empty() || called.is_one_of(commands);
-        is_for && flags.contains(&flag) && called.fits(hint)
+    let known = |foreign: &ForeignFlags| {
+        let is_for = foreign
+            .commands()
+            .is_none_or(|commands| called.is_one_of(&commands));
+        is_for && foreign.flags().any(|known| known == flag) && called.fits(foreign.hint)
     };
     of_format(flag, called).or_else(|| {
-        let found = FLAGS.iter().find(known);
-        found.map(|(_, _, hint)| (*hint).to_owned())
+        ForeignFlags::all()
+            .find(known)
+            .map(|found| found.hint.to_owned())
     })
 }
 

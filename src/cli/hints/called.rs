@@ -100,7 +100,7 @@ fn flags_named(text: &str) -> Vec<(Option<&str>, &str)> {
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::super::foreign::FLAGS;
+    use super::super::foreign::ForeignFlags;
     use super::super::of_flag;
     use super::*;
     use clap::error::ErrorKind;
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn a_hint_names_flags_that_the_command_takes() {
         let formats = ["--svg", "--json", "--png", "--csv", "--html", "--type"];
-        let all = FLAGS.iter().flat_map(|(flags, ..)| flags.iter().copied());
+        let all = ForeignFlags::all().flat_map(ForeignFlags::flags);
         let all: BTreeSet<&str> = all.chain(formats).collect();
         let mut typed = BTreeSet::new();
         let mut hints = 0;
