@@ -5,7 +5,7 @@ use kurbo::{ParamCurve, PathSeg};
 use super::{ConicDrawing, ConicFrame};
 use crate::error::{Error, Result, UnmeasurableError};
 use crate::measure::samples::{SamplePoint, sampled};
-use crate::measure::{Quantity, curvature, profile};
+use crate::measure::{Quantity, profile};
 use crate::radial_error::RadialError;
 
 /// What rounding may leave of a place at the start.
@@ -92,23 +92,11 @@ impl ConicDrawing {
         }
         let bench = SampledConic::new(self);
         let of_segment = |segment: &PathSeg| {
-            let value = |t: f64| {
-                let k = curvature::at(segment, t);
-                Some(match quantity {
-                    Quantity::Error => bench.error(segment, t),
-                    Quantity::AngleLag | Quantity::Drawing => return None,
-                    Quantity::Curvature => k?.value * bench.sense,
-                    Quantity::CurvatureD1 => k?.d1 * bench.sense,
-                    Quantity::CurvatureD2 => k?.d2 * bench.sense,
-                })
+            let value = |t: f64| match quantity {
+                Quantity::Error => Some(bench.error(segment, t)),
+                _ => profile::curvature(segment, quantity, t, 1.0).map(|k| k * bench.sense),
             };
-            let times = (0..=steps).map(|step| f64::from(step) / f64::from(steps));
-            times
-                .filter_map(|t| {
-                    let value = value(t).filter(|v| v.is_finite())?;
-                    Some((bench.place(segment, t), value))
-                })
-                .collect()
+            profile::profile(steps, |t| bench.place(segment, t), value)
         };
         Ok(self.curve.segments.iter().map(of_segment).collect())
     }

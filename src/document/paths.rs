@@ -16,6 +16,7 @@ use self::tag::{Tag, entity_error};
 pub use self::unread::Unread;
 use super::style::property::{ElementKind, Properties};
 use super::style::reader::FactsReader;
+use super::style::rules::SelectorSubject;
 use super::xml::doctype::{MARKUP, UNDECLARED};
 use super::xml::encoding::SourceText;
 use super::xml::namespace::Namespace;
@@ -176,7 +177,8 @@ impl PartlyRead {
         let facts = self.facts.facts();
         let geometry = self.classes.iter().map(|(kind, i, class)| {
             let id = self.found[*i].id.as_deref();
-            facts.styled_geometry(*kind, class.as_deref(), id)
+            let subject = SelectorSubject::new(kind.name(), class.as_deref(), id);
+            facts.styled_geometry(*kind, subject)
         });
         let set = geometry.fold(facts.moving(), Properties::with);
         let unread = [

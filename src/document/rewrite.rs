@@ -272,7 +272,7 @@ impl<'a> Rewriter<'a, '_> {
             data.text,
             &mut self.output.splice,
         );
-        self.strayed = self.strayed.max(data.strayed);
+        self.strayed = self.strayed.max(data.facts.strayed);
         self.counts.count(kind, 1);
         true
     }

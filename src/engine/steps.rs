@@ -10,6 +10,7 @@ use crate::error::{Error, MethodError, Remedy, Result};
 use crate::joints::check_count;
 use crate::method::{Method, Rule, Span};
 use crate::number::digits::ROUNDING;
+use crate::numeric::functions::larger;
 
 /// (180/π)⁶ over 1.29263358e-5, the leading constant of `minimax`: its peak error falls to that times a⁶ as the angle a does.
 const DEGREES_6: f64 = 2_736_909_018_401_684.5;
@@ -120,12 +121,6 @@ impl Steps {
 #[inline(always)]
 pub(super) fn relative(tolerance: f64, radii: Vec2) -> f64 {
     larger(tolerance / larger(radii.x, radii.y), FINEST)
-}
-
-/// The larger of two numbers, with one instruction as neither is NaN.
-#[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
 
 /// The nearest whole number to one below 2^51.

@@ -122,28 +122,39 @@ pub fn along(
         .map(|(i, segment)| {
             let framed = bench.reference().framed(segment);
             let distance = Profile::new(segment, &bench.reference().truth);
-            let value = |t: f64| {
-                let k = curvature::at(segment, t);
-                Some(match quantity {
-                    Quantity::Error => distance.at(t) * unit,
-                    Quantity::Curvature => k?.value * sense / unit,
-                    Quantity::CurvatureD1 => k?.d1 * sense / power(unit, 2),
-                    Quantity::CurvatureD2 => k?.d2 * sense / power(unit, 3),
-                    Quantity::AngleLag => {
-                        (framed.lag(t) * sense * bench.reference().handedness()).to_degrees()
-                    }
-                    Quantity::Drawing => return None,
-                })
+            let value = |t: f64| match quantity {
+                Quantity::Error => Some(distance.at(t) * unit),
+                Quantity::AngleLag => {
+                    Some((framed.lag(t) * sense * bench.reference().handedness()).to_degrees())
+                }
+                _ => curvature(segment, quantity, t, unit).map(|k| k * sense),
             };
-            (0..=steps)
-                .map(|step| part(step, steps))
-                .filter_map(|t| {
-                    let angle = bench.angle(i) + framed.turned(t).to_degrees();
-                    value(t).filter(|v| v.is_finite()).map(|v| (angle, v))
-                })
-                .collect()
+            let angle = |t: f64| bench.angle(i) + framed.turned(t).to_degrees();
+            profile(steps, angle, value)
         })
         .collect()
+}
+
+/// A value along a segment beside where it lies, at equal steps of t; left out where it is not finite.
+pub(crate) fn profile(
+    steps: u32,
+    place: impl Fn(f64) -> f64,
+    value: impl Fn(f64) -> Option<f64>,
+) -> Vec<(f64, f64)> {
+    let times = (0..=steps).map(|step| part(step, steps));
+    let at = |t: f64| Some((place(t), value(t).filter(|v| v.is_finite())?));
+    times.filter_map(at).collect()
+}
+
+/// The curvature at t or its derivative by arc length, of a segment in this unit; `None` of any other quantity.
+pub(crate) fn curvature(segment: &PathSeg, quantity: Quantity, t: f64, unit: f64) -> Option<f64> {
+    let k = curvature::at(segment, t)?;
+    match quantity {
+        Quantity::Curvature => Some(k.value / unit),
+        Quantity::CurvatureD1 => Some(k.d1 / power(unit, 2)),
+        Quantity::CurvatureD2 => Some(k.d2 / power(unit, 3)),
+        Quantity::Error | Quantity::AngleLag | Quantity::Drawing => None,
+    }
 }
 
 #[cfg(test)]

@@ -19,24 +19,28 @@ pub(crate) fn skip(bytes: &[u8], at: usize) -> Option<usize> {
 /// The number at `bytes[at..]` and the index after it; infinite where it is beyond `f64`, `None` where none begins.
 #[inline]
 pub(crate) fn read(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
-    let whole = after_sign(bytes, at);
-    let Some(short) = Short::at(bytes, whole) else {
-        return read_long(bytes, at);
-    };
-    let sign = u64::from(bytes.get(at) == Some(&b'-')) << 63;
-    let value = f64::from_bits(short.value().to_bits() | sign);
-    Some((value, whole + short.length()))
+    match read_short(bytes, at) {
+        Some((value, end, _)) => Some((value, end)),
+        None => read_long(bytes, at),
+    }
 }
 
 /// [`read`], and with how many decimals the number is spelled; [`WITH_EXPONENT`] where it has an exponent.
 #[inline]
 pub(crate) fn read_counted(bytes: &[u8], at: usize) -> Option<(f64, usize, u8)> {
+    if let Some(read) = read_short(bytes, at) {
+        return Some(read);
+    }
+    let (value, end) = read_long(bytes, at)?;
+    let decimals = decimals_spelled(&bytes[at..end]).unwrap_or(WITH_EXPONENT);
+    Some((value, end, decimals))
+}
+
+/// The same of a number of few digits without an exponent.
+#[inline(always)]
+fn read_short(bytes: &[u8], at: usize) -> Option<(f64, usize, u8)> {
     let whole = after_sign(bytes, at);
-    let Some(short) = Short::at(bytes, whole) else {
-        let (value, end) = read_long(bytes, at)?;
-        let decimals = decimals_spelled(&bytes[at..end]).unwrap_or(WITH_EXPONENT);
-        return Some((value, end, decimals));
-    };
+    let short = Short::at(bytes, whole)?;
     let sign = u64::from(bytes.get(at) == Some(&b'-')) << 63;
     let value = f64::from_bits(short.value().to_bits() | sign);
     Some((value, whole + short.length(), short.decimals() as u8))

@@ -34,6 +34,12 @@ pub(crate) fn unit_vector(radians: f64) -> Vec2 {
     Vec2::new(cos, sin)
 }
 
+/// The larger of two numbers, with one instruction as neither is NaN.
+#[inline(always)]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -225,8 +225,7 @@ impl From<&Drawing> for Figure {
                 ..Layer::default()
             }],
             truths: Approximated::of_drawing(drawing).into_iter().collect(),
-            courses: Vec::new(),
-            closeness: None,
+            ..Self::default()
         }
     }
 }
@@ -309,9 +308,7 @@ impl Figure {
             description: describe_sphere(picture, &title),
             title,
             layers,
-            truths: Vec::new(),
-            courses: Vec::new(),
-            closeness: None,
+            ..Self::default()
         }
     }
 }
@@ -333,9 +330,7 @@ impl Figure {
                 curves: vec![curve],
                 ..Layer::default()
             }],
-            truths: Vec::new(),
-            courses: Vec::new(),
-            closeness: None,
+            ..Self::default()
         }
     }
 }

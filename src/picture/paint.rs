@@ -18,6 +18,17 @@ pub struct Color {
     pub alpha: u8,
 }
 
+impl Color {
+    const fn of([red, green, blue, alpha]: [u8; 4]) -> Self {
+        Self {
+            red,
+            green,
+            blue,
+            alpha,
+        }
+    }
+}
+
 /// A colour, or nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Paint {
@@ -39,12 +50,7 @@ impl Paint {
     /// An opaque colour.
     #[must_use]
     pub const fn rgb(red: u8, green: u8, blue: u8) -> Self {
-        Self::Color(Color {
-            red,
-            green,
-            blue,
-            alpha: 255,
-        })
+        Self::Color(Color::of([red, green, blue, 255]))
     }
 
     /// The colour, where there is one that can be seen.
@@ -54,12 +60,7 @@ impl Paint {
             Self::None => None,
             Self::Color(color) if color.alpha == 0 => None,
             Self::Color(color) => Some(color),
-            Self::Current => Some(Color {
-                red: 0,
-                green: 0,
-                blue: 0,
-                alpha: 255,
-            }),
+            Self::Current => Some(Color::of([0, 0, 0, 255])),
         }
     }
 }
@@ -110,14 +111,9 @@ const OF_SRGB: [&str; 3] = ["rgb", "hsl", "hwb"];
 /// crates. Colours relative to others are of CSS level 5, and csscolorparser takes some by functions of the platform.
 fn parse(text: &str) -> Option<Color> {
     if let Some(parts) = color_space::parse(text) {
-        let [red, green, blue, alpha] =
-            parts.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as u8);
-        return Some(Color {
-            red,
-            green,
-            blue,
-            alpha,
-        });
+        return Some(Color::of(
+            parts.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as u8),
+        ));
     }
     if let Some((name, rest)) = text.split_once('(') {
         let name = name.to_ascii_lowercase();
@@ -127,26 +123,10 @@ fn parse(text: &str) -> Option<Color> {
         }
     }
     if text.starts_with('#') || text.ends_with(')') {
-        let [red, green, blue, alpha] = csscolorparser::parse(text).ok()?.to_rgba8();
-        return Some(Color {
-            red,
-            green,
-            blue,
-            alpha,
-        });
+        return Some(Color::of(csscolorparser::parse(text).ok()?.to_rgba8()));
     }
-    let svgtypes::Color {
-        red,
-        green,
-        blue,
-        alpha,
-    } = text.parse().ok()?;
-    Some(Color {
-        red,
-        green,
-        blue,
-        alpha,
-    })
+    let named: svgtypes::Color = text.parse().ok()?;
+    Some(Color::of([named.red, named.green, named.blue, named.alpha]))
 }
 
 fn is_relative(arguments: &str) -> bool {

@@ -12,7 +12,8 @@ use kurbo::{Point, Vec2};
 
 use super::{bezier, collapse};
 use crate::Angle;
-use crate::document::path::curve_text::{absolute, relative, strayed};
+use crate::approximate::approximate_between;
+use crate::document::path::curve_text::{CurveFacts, absolute, relative};
 use crate::document::path::position::{Position, Trail, is_nearly_whole};
 use crate::document::path::scratch::Scratch;
 use crate::document::style::property::Markers;
@@ -128,7 +129,7 @@ impl<S: Sink> ArcWriter<'_, '_, S> {
         let memo = &self.scratch.memo;
         let known = segments.next_known(|key| {
             let index = memo.find(key)?;
-            Some((index, memo.curve(index).to?))
+            Some((index, memo.curve(index).facts.to?))
         });
         match known {
             Some((segment, index)) => Some((segment, Some(index))),
@@ -269,10 +270,10 @@ impl<S: Sink> ArcWriter<'_, '_, S> {
         }
         let Scratch { body, memo, .. } = &*self.scratch;
         let curve = known.map_or_else(|| body.curve(), |index| memo.curve(index));
-        if self.context.markers.middle && curve.segments > 1 {
+        if self.context.markers.middle && curve.facts.segments > 1 {
             Reason::MarkerOnVertices.stop(self.context.options.trust)?;
         }
-        let (letter, respell) = if curve.quadratic {
+        let (letter, respell) = if curve.facts.quadratic {
             (b'q', b't')
         } else {
             (b'c', b's')
@@ -281,8 +282,8 @@ impl<S: Sink> ArcWriter<'_, '_, S> {
         lettered(&mut self.end, out, segment, letter);
         self.end.after.part(out, curve.text);
         out.extend_from_slice(curve.text);
-        self.end.after = curve.after;
-        self.outcome.strayed = self.outcome.strayed.max(curve.strayed);
+        self.end.after = curve.facts.after;
+        self.outcome.strayed = self.outcome.strayed.max(curve.facts.strayed);
         self.respell = respell;
         Ok(())
     }
@@ -384,16 +385,15 @@ impl<S: Sink> ArcWriter<'_, '_, S> {
             beziers,
             memo,
         } = &mut *self.scratch;
-        bezier::arc(arc, self.context.options, memo, beziers)?;
+        let options = self.context.options;
+        bezier::arc(approximate_between, arc, options, memo, beziers)?;
         body.text.clear();
-        (body.quadratic, body.segments) = (beziers.is_quadratic(), beziers.segments.len());
-        body.to = Some([arc.to.x, arc.to.y]);
-        body.after = if segment.is_relative() {
+        let after = if segment.is_relative() {
             relative(self.text, segment, beziers, &mut body.text)?
         } else {
             absolute(self.text, segment, self.at.point, beziers, &mut body.text)?
         };
-        body.strayed = strayed(arc, self.context.options, beziers);
+        body.facts = CurveFacts::new(arc, options, beziers, after);
         Ok(())
     }
 }

@@ -8,7 +8,7 @@ use core::iter::repeat;
 use kurbo::{Point, Vec2};
 
 use crate::Angle;
-use crate::approximate::{self, Drawing, KnownCurve, approximate, approximate_between};
+use crate::approximate::{self, Drawing, KnownCurve, approximate};
 use crate::curve::map_points;
 use crate::document::path::beziers::Beziers;
 use crate::document::path::known::ArcTables;
@@ -26,29 +26,12 @@ use crate::shape::{Axes, Ellipse, Shape, Truth};
 const LAST_DIGITS: u32 = 12;
 
 /// What draws that which cannot be placed here.
-type Engine = fn(&Shape, &approximate::Options) -> crate::Result<Drawing>;
+pub(in crate::document) type Engine = fn(&Shape, &approximate::Options) -> crate::Result<Drawing>;
 
-/// Fills `out` with an arc of a path, whose ends stay as they are; points are counted from `arc.from`.
+/// Fills `out` with an arc, its points counted from `arc.from`. Where it cannot be placed here `engine` draws it: of a path, whose ends stay as they
+/// are, [`approximate_between`](crate::approximate::approximate_between); of the corner of a rectangle, whose ends are rounded as all others where a precision is asked for,
+/// [`approximate()`].
 pub(in crate::document) fn arc(
-    arc: &SvgArc,
-    options: &Options,
-    memo: &mut ArcTables,
-    out: &mut Beziers,
-) -> Result<(), Reason> {
-    arc_by(approximate_between, arc, options, memo, out)
-}
-
-/// As [`arc`] for the corner of a rectangle, whose ends are rounded as all others where a precision is asked for.
-pub(in crate::document) fn corner(
-    arc: &SvgArc,
-    options: &Options,
-    memo: &mut ArcTables,
-    out: &mut Beziers,
-) -> Result<(), Reason> {
-    arc_by(approximate, arc, options, memo, out)
-}
-
-fn arc_by(
     engine: Engine,
     arc: &SvgArc,
     options: &Options,
@@ -188,6 +171,7 @@ fn decimals(precision: Precision) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::approximate::approximate_between;
     use crate::curve::control_points;
     use kurbo::ParamCurve as _;
 
@@ -260,7 +244,7 @@ mod tests {
                     sweep: i % 5 < 2,
                     to: Point::new(n.cos() * 8.0, n / 50.0),
                 };
-                super::arc(&arc, &options, &mut memo, &mut drawn).unwrap();
+                super::arc(approximate_between, &arc, &options, &mut memo, &mut drawn).unwrap();
                 assert_agree(
                     &drawn,
                     arc.from,
@@ -314,7 +298,7 @@ mod tests {
             to: Point::new(1.0, 1.0),
         };
         assert_eq!(
-            super::arc(&arc, &free, &mut memo, &mut drawn)
+            super::arc(approximate_between, &arc, &free, &mut memo, &mut drawn)
                 .unwrap_err()
                 .code(),
             "method"
@@ -323,7 +307,7 @@ mod tests {
             cut: Cut::Tolerance(crate::Tolerance::Absolute(1e-7)),
             ..Options::default()
         };
-        super::arc(&arc, &close, &mut memo, &mut drawn).unwrap();
+        super::arc(approximate_between, &arc, &close, &mut memo, &mut drawn).unwrap();
         assert!(drawn.segments.len() > 1);
     }
 }

@@ -14,10 +14,9 @@ use crate::shape::endpoint::SvgArc;
 /// Coordinates beyond this are left alone.
 const FARTHEST: f64 = 1e15;
 
-/// The arguments of the curve commands for one arc, before they are joined to what stands before them.
-#[derive(Debug, Default)]
-pub(in crate::document) struct Body {
-    pub(in crate::document) text: Vec<u8>,
+/// What is known of the arguments of the curve commands for one arc.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::document) struct CurveFacts {
     /// What they end with.
     pub(in crate::document) after: After,
     pub(in crate::document) quadratic: bool,
@@ -26,31 +25,44 @@ pub(in crate::document) struct Body {
     pub(in crate::document) to: Option<[f64; 2]>,
     /// Their peak error, where it was measured.
     pub(in crate::document) strayed: f64,
+}
+
+impl CurveFacts {
+    pub(in crate::document) fn new(
+        arc: &SvgArc,
+        options: &Options,
+        drawn: &Beziers,
+        after: After,
+    ) -> Self {
+        Self {
+            after,
+            quadratic: drawn.is_quadratic(),
+            segments: drawn.segments.len(),
+            to: Some([arc.to.x, arc.to.y]),
+            strayed: strayed(arc, options, drawn),
+        }
+    }
+}
+
+/// The arguments of the curve commands for one arc, before they are joined to what stands before them.
+#[derive(Debug, Default)]
+pub(in crate::document) struct Body {
+    pub(in crate::document) text: Vec<u8>,
+    pub(in crate::document) facts: CurveFacts,
 }
 
 /// The arguments of curves, wherever they are kept.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::document) struct CurveArguments<'a> {
     pub(in crate::document) text: &'a [u8],
-    /// What they end with.
-    pub(in crate::document) after: After,
-    pub(in crate::document) quadratic: bool,
-    pub(in crate::document) segments: usize,
-    /// The end point of an arc, as its numbers give it.
-    pub(in crate::document) to: Option<[f64; 2]>,
-    /// Their peak error, where it was measured.
-    pub(in crate::document) strayed: f64,
+    pub(in crate::document) facts: CurveFacts,
 }
 
 impl Body {
     pub(in crate::document) fn curve(&self) -> CurveArguments<'_> {
         CurveArguments {
             text: &self.text,
-            after: self.after,
-            quadratic: self.quadratic,
-            segments: self.segments,
-            to: self.to,
-            strayed: self.strayed,
+            facts: self.facts,
         }
     }
 }
@@ -134,7 +146,7 @@ fn check_size(p: Point) -> Result<(), Reason> {
 }
 
 /// The peak error of the curve of an arc as it is printed, whose end is the arc's own, where it is to be measured.
-pub(in crate::document) fn strayed(arc: &SvgArc, options: &Options, drawn: &Beziers) -> f64 {
+fn strayed(arc: &SvgArc, options: &Options, drawn: &Beziers) -> f64 {
     if !options.measure {
         return 0.0;
     }

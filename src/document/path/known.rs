@@ -4,9 +4,8 @@
 //! gives again, so that nothing depends on what was converted before; they are emptied when the options change.
 
 use crate::document::Options;
-use crate::document::path::curve_text::CurveArguments;
+use crate::document::path::curve_text::{CurveArguments, CurveFacts};
 use crate::method::{Piece, Rule, Span};
-use crate::number::decimal::After;
 
 /// The places of each table, a power of two; it is emptied when three quarters of them are taken.
 const PLACES: usize = 1 << 15;
@@ -23,11 +22,7 @@ struct Written {
     key: u32,
     text: u32,
     end: u32,
-    after: After,
-    quadratic: bool,
-    segments: u32,
-    to: Option<[f64; 2]>,
-    strayed: f64,
+    facts: CurveFacts,
 }
 
 /// The tables.
@@ -86,11 +81,7 @@ impl ArcTables {
                 .texts
                 .get(written.text as usize..written.end as usize)
                 .unwrap_or_default(),
-            after: written.after,
-            quadratic: written.quadratic,
-            segments: written.segments as usize,
-            to: written.to,
-            strayed: written.strayed,
+            facts: written.facts,
         }
     }
 
@@ -119,11 +110,7 @@ impl ArcTables {
             key: start,
             text,
             end,
-            after: curve.after,
-            quadratic: curve.quadratic,
-            segments: curve.segments as u32,
-            to: curve.to,
-            strayed: curve.strayed,
+            facts: curve.facts,
         });
         if let Some(entry) = self.places.get_mut(place) {
             *entry = self.arcs.len() as u32;
@@ -189,15 +176,17 @@ mod tests {
                 &key(i),
                 &CurveArguments {
                     text: &text,
-                    segments: i,
-                    ..CurveArguments::default()
+                    facts: CurveFacts {
+                        segments: i,
+                        ..CurveFacts::default()
+                    },
                 },
             );
             assert!(memo.arcs.len() <= MOST_ENTRIES && memo.texts.len() <= MOST_BYTES);
             // This one, and one before it unless all were forgotten between.
             let index = memo.find(&key(i)).unwrap();
             assert_eq!(
-                (memo.curve(index).text, memo.curve(index).segments),
+                (memo.curve(index).text, memo.curve(index).facts.segments),
                 (&text[..], i)
             );
             let before = i / 2 + MOST_ENTRIES / 2;

@@ -4,6 +4,7 @@ use super::Rewriter;
 use crate::document::doubt::Doubt;
 use crate::document::reason::Reason;
 use crate::document::style::property::{ElementKind, Properties};
+use crate::document::style::rules::SelectorSubject;
 use crate::document::style::{of_document, on_element};
 use crate::document::xml::node::Element;
 use crate::document::xml::scan::Scanner;
@@ -19,8 +20,8 @@ impl Rewriter<'_, '_> {
         let trust = self.options.trust;
         let by_document = self.facts.and_then(|facts| {
             let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
-            let (class, id) = (class.as_deref(), id.as_deref());
-            facts.forbid(kind, element.start, class, id, trust)
+            let subject = SelectorSubject::new(kind.name(), class.as_deref(), id.as_deref());
+            facts.forbid(kind, element.start, subject, trust)
         });
         by_document
             .or_else(|| {
@@ -45,7 +46,11 @@ impl Rewriter<'_, '_> {
         }
         let by_sheet = self.facts.is_some_and(|facts| {
             let (class, id) = (scanner.attribute("class"), scanner.attribute("id"));
-            facts.may_round(class.as_deref(), id.as_deref())
+            facts.may_round(SelectorSubject::new(
+                "rect",
+                class.as_deref(),
+                id.as_deref(),
+            ))
         });
         let radii = Properties::named("rx").with(Properties::named("ry"));
         by_sheet

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use kurbo::{ParamCurve, Point, Vec2};
 
+use crate::approximate::approximate;
 use crate::document::path::bezier;
 use crate::document::path::collapse::is_too_small;
 use crate::document::path::scratch::Scratch;
@@ -239,7 +240,8 @@ fn rect(
             sweep: true,
             to: from + Vec2::from(to),
         };
-        bezier::corner(&arc, options, &mut scratch.memo, &mut scratch.beziers)?;
+        let (memo, beziers) = (&mut scratch.memo, &mut scratch.beziers);
+        bezier::arc(approximate, &arc, options, memo, beziers)?;
         if index == 0 {
             text.decimals = scratch.beziers.decimals;
             text.move_to([left_in, y]);

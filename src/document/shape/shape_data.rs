@@ -48,8 +48,8 @@ pub(in crate::document) fn find(
     let mut data = core::mem::take(&mut scratch.body.text);
     let drawn = element::path_data(&shape, options, scratch, &mut data);
     scratch.body.text = data;
-    scratch.body.strayed = drawn?;
-    scratch.body.to = None;
+    scratch.body.facts.strayed = drawn?;
+    scratch.body.facts.to = None;
     if spelled {
         scratch.memo.keep(key, &scratch.body.curve());
     }

@@ -161,20 +161,15 @@ impl Facts {
         &self,
         kind: ElementKind,
         start: usize,
-        class: Option<&str>,
-        id: Option<&str>,
+        subject: SelectorSubject<'_>,
         trust: Trust,
     ) -> Option<Reason> {
         let everywhere = self.everywhere.iter().find(|reason| reason.counts(trust));
         if let Some(reason) = everywhere {
             return Some(reason.clone());
         }
-        let selector = self.sheet.rules.selected_by_name(kind, class, id);
-        let subject = SelectorSubject {
-            name: kind.name(),
-            class,
-            id,
-        };
+        let selector = self.sheet.rules.selected_by_name(kind, subject);
+        let id = subject.id;
         let moves_along = id.is_some_and(|id| self.motion.follows(id));
         let animated = self.animated(start, id);
         let changed = animated.sets.and(kind.sensitive());
@@ -205,14 +200,8 @@ impl Facts {
     pub(in crate::document) fn styled_geometry(
         &self,
         kind: ElementKind,
-        class: Option<&str>,
-        id: Option<&str>,
+        subject: SelectorSubject<'_>,
     ) -> Properties {
-        let subject = SelectorSubject {
-            name: kind.name(),
-            class,
-            id,
-        };
         let sets = self.sheet.rules.effect(subject).sets;
         sets.with(self.sheet.keyframes.sets).and(kind.sensitive())
     }
@@ -236,12 +225,7 @@ impl Facts {
     }
 
     /// Whether a style rule may round the corners of a rectangle.
-    pub(in crate::document) fn may_round(&self, class: Option<&str>, id: Option<&str>) -> bool {
-        let subject = SelectorSubject {
-            name: "rect",
-            class,
-            id,
-        };
+    pub(in crate::document) fn may_round(&self, subject: SelectorSubject<'_>) -> bool {
         let radii = Properties::named("rx").with(Properties::named("ry"));
         self.sheet.rules.effect(subject).sets.meets(radii)
     }
@@ -260,11 +244,7 @@ impl Facts {
         let id = id.as_deref();
         let used = id.and_then(|id| self.used.get(id)).copied();
         let inherited = inherited.with(used.unwrap_or_default());
-        let subject = SelectorSubject {
-            name: element.local,
-            class: class.as_deref(),
-            id,
-        };
+        let subject = SelectorSubject::new(element.local, class.as_deref(), id);
         let styled = self.sheet.rules.effect(subject).sets.markers();
         on_element::markers(inherited, &scanner.attributes, &scanner.doctype).with(styled)
     }

@@ -20,6 +20,16 @@ pub(in crate::document) struct SelectorSubject<'a> {
     pub(in crate::document) id: Option<&'a str>,
 }
 
+impl<'a> SelectorSubject<'a> {
+    pub(in crate::document) const fn new(
+        name: &'a str,
+        class: Option<&'a str>,
+        id: Option<&'a str>,
+    ) -> Self {
+        Self { name, class, id }
+    }
+}
+
 /// What rules say, given their classes and ids.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct Said {
@@ -182,14 +192,8 @@ impl StyleRules {
     pub(in crate::document) fn selected_by_name(
         &self,
         kind: ElementKind,
-        class: Option<&str>,
-        id: Option<&str>,
+        subject: SelectorSubject<'_>,
     ) -> Option<&str> {
-        let subject = SelectorSubject {
-            name: kind.name(),
-            class,
-            id,
-        };
         self.met(subject)
             .find_map(|said| said.selected[kind as usize].as_deref())
     }
@@ -231,19 +235,16 @@ mod tests {
     }
 
     fn sets(rules: &StyleRules, class: &str, id: &str) -> Properties {
-        let subject = SelectorSubject {
-            name: "circle",
-            class: Some(class),
-            id: Some(id),
-        };
+        let subject = SelectorSubject::new("circle", Some(class), Some(id));
         rules.effect(subject).sets
     }
 
     #[test]
     fn classes_and_ids_narrow_a_selector() {
+        let subject = SelectorSubject::new("circle", Some("dot big"), Some("a"));
         let concerns = |text: &str| {
             rules(text)
-                .selected_by_name(ElementKind::Circle, Some("dot big"), Some("a"))
+                .selected_by_name(ElementKind::Circle, subject)
                 .is_some()
         };
         for text in [

@@ -2,6 +2,7 @@
 
 use kurbo::{CubicBez, Line, PathSeg, QuadBez, Vec2};
 
+use crate::curve::points_of;
 use crate::numeric::bernstein::Polynomial;
 use crate::numeric::double::{Double, Twice};
 use crate::numeric::instructions::by_the_best;
@@ -34,19 +35,8 @@ impl FramedPoints {
 
     #[inline(always)]
     fn new(segment: &PathSeg, exact: &Exact) -> Self {
-        let (points, count) = match *segment {
-            PathSeg::Line(l) => ([l.p0, l.p1, l.p1, l.p1], 2),
-            PathSeg::Quad(q) => ([q.p0, q.p1, q.p2, q.p2], 3),
-            PathSeg::Cubic(c) => ([c.p0, c.p1, c.p2, c.p3], 4),
-        };
-        let [a, b, c, d] = points;
-        let points = [
-            exact.point(a),
-            exact.point(b),
-            exact.point(c),
-            exact.point(d),
-        ];
-        Self::of(points, count, exact)
+        let (points, count) = points_of(segment);
+        Self::of(points.map(|p| exact.point(p)), count, exact)
     }
 
     /// The same as a cubic.

@@ -23,7 +23,7 @@ use kurbo::{CubicBez, PathSeg, Point, Vec2};
 
 use super::distance;
 use crate::numeric;
-use crate::numeric::functions::unit_vector;
+use crate::numeric::functions::{larger, unit_vector};
 use crate::numeric::instructions::by_the_best;
 use crate::shape::Truth;
 
@@ -318,11 +318,6 @@ impl<const N: usize> SegmentSamples<N> {
             f64::INFINITY
         }
     }
-}
-
-#[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
 
 /// The largest of these numbers, none of which is negative, in lanes.

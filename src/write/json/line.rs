@@ -74,22 +74,22 @@ impl LineWriter<'_> {
     }
 
     fn numbers(&mut self, numbers: &[f64]) {
-        for (i, &x) in numbers.iter().enumerate() {
-            self.out.push(if i == 0 { b'[' } else { b',' });
-            self.number(x);
-        }
-        self.out.push(b']');
+        self.list(numbers, |line, &x| line.number(x));
     }
 
     fn terms(&mut self, terms: &[Term]) {
-        for (i, &term) in terms.iter().enumerate() {
-            self.out.push(if i == 0 { b'[' } else { b',' });
-            match term {
-                Term::Decimal(decimal) => {
-                    decimal.write(self.out, After::Letter, BelowOne::Plain);
-                }
-                Term::Float(x) => self.number(x),
+        self.list(terms, |line, term| match *term {
+            Term::Decimal(decimal) => {
+                decimal.write(line.out, After::Letter, BelowOne::Plain);
             }
+            Term::Float(x) => line.number(x),
+        });
+    }
+
+    fn list<T>(&mut self, items: &[T], write: impl Fn(&mut Self, &T)) {
+        for (i, item) in items.iter().enumerate() {
+            self.out.push(if i == 0 { b'[' } else { b',' });
+            write(self, item);
         }
         self.out.push(b']');
     }
@@ -133,11 +133,7 @@ impl LineWriter<'_> {
         let (points, count) = points_of(segment);
         let points = &points[..count];
         self.text("{\"points\":");
-        for (i, p) in points.iter().enumerate() {
-            self.out.push(if i == 0 { b'[' } else { b',' });
-            self.numbers(&[p.x, p.y]);
-        }
-        self.out.push(b']');
+        self.list(points, |line, p| line.numbers(&[p.x, p.y]));
         if let Some(angles) = angles {
             self.text(",\"angles\":");
             self.numbers(angles);

@@ -10,11 +10,7 @@ fn sheet(text: &str) -> StyleSheets {
 
 /// What the sheet does to a circle of that class.
 fn effect(sheet: &StyleSheets, class: &str) -> Properties {
-    let subject = SelectorSubject {
-        name: "circle",
-        class: Some(class),
-        id: None,
-    };
+    let subject = SelectorSubject::new("circle", Some(class), None);
     sheet.rules.effect(subject).sets
 }
 
@@ -100,9 +96,10 @@ fn broken_sheets_end() {
         declarations(text);
     }
     let deep = sheet(&"a{".repeat(5000));
+    let subject = SelectorSubject::new("rect", None, None);
     assert!(
         deep.rules
-            .selected_by_name(ElementKind::Rect, None, None)
+            .selected_by_name(ElementKind::Rect, subject)
             .is_some()
     );
 }
