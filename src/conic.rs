@@ -9,6 +9,7 @@ mod bound;
 mod branch;
 mod error;
 mod frame;
+mod halving;
 mod report;
 mod samples;
 mod tolerance;

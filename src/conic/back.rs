@@ -5,16 +5,15 @@
 //! Bernstein coefficient, no point of the part is farther from the curve than E. Halves of such a part are such parts, of the weight
 //! √((1+w)/2).
 
-use std::collections::VecDeque;
-
 use kurbo::{Point, Rect, Vec2};
 
-use super::bound::{MOST_FOR_TOLERANCE, SLACK, at, floor, piece};
+use super::bound::{at, floor, piece};
 use super::branch::{Branch, Cubic, arm};
+use super::halving::{Bounds, Halving};
 use crate::measure::hausdorff::{away, distance_slope, product};
 use crate::numeric::double::{Double, Twice};
 
-/// How often a part is halved at most, and how many parts are, beside some for each segment: what is left is bounded roughly.
+/// How often a part is halved at most, and how many parts are, beside some for each segment.
 const MOST_CUTS: u32 = 64;
 const MOST_PARTS: usize = 16_000;
 
@@ -38,7 +37,6 @@ struct ArcPart {
     points: [Twice; 3],
     weight: Double,
     feet: [CurveFoot; 2],
-    cuts: u32,
 }
 
 /// Bounds how far the arc of a conic of this weight lies from segments, by no less than what is known; beyond a limit it may be any that is beyond.
@@ -53,71 +51,36 @@ pub(super) fn bound(
     let search = ArcSearch {
         cubics: &cubics,
         boxes: cubics.iter().map(box_of).collect(),
-        floor: floor(segments) / branch.unit,
-        limit: limit.map_or(f64::INFINITY, |limit| limit / branch.unit),
     };
     let least = branch.noise();
+    let bounds = Bounds {
+        least,
+        floor: floor(segments) / branch.unit,
+        limit: limit.map_or(f64::INFINITY, |limit| limit / branch.unit),
+        most_cuts: MOST_CUTS,
+        most_parts: MOST_PARTS,
+    };
+    let [from, to] = branch.arms;
+    let whole = ArcPart {
+        points: [from, [Double::of(0.0); 2], to],
+        weight: Double::of(weight),
+        feet: [from, to].map(|q| search.nearest(&q, 0)),
+    };
     let start = limit.unwrap_or(known) / branch.unit - least;
-    (search.bound(branch, weight, start.max(least)) + least) * branch.unit
+    let bound = bounds.bound(&search, [whole], cubics.len(), start.max(least));
+    (bound + least) * branch.unit
 }
 
 struct ArcSearch<'a> {
     cubics: &'a [Cubic],
     boxes: Vec<Rect>,
-    limit: f64,
-    /// Below it no distance that is one is stated.
-    floor: f64,
 }
 
-impl ArcSearch<'_> {
-    fn bound(&self, branch: &Branch, weight: f64, mut bound: f64) -> f64 {
-        let least = branch.noise();
-        let [from, to] = branch.arms;
-        let whole = ArcPart {
-            points: [from, [Double::of(0.0); 2], to],
-            weight: Double::of(weight),
-            feet: [from, to].map(|q| self.nearest(&q, 0)),
-            cuts: MOST_CUTS,
-        };
-        let mut pending = VecDeque::from([whole]);
-        let most = if self.limit.is_finite() {
-            MOST_FOR_TOLERANCE
-        } else {
-            MOST_PARTS
-        };
-        let mut left = most + 64 * self.cubics.len();
-        while let Some(part) = pending.pop_front() {
-            let halves = self.halves(&part);
-            let middle = halves[0].feet[1];
-            for foot in [part.feet[0], middle, part.feet[1]] {
-                if foot.distance > least {
-                    bound = bound.max(self.floor).max(foot.distance * (1.0 + SLACK));
-                }
-            }
-            if bound > self.limit {
-                return bound;
-            }
-            if self.is_within(&part, middle, bound) {
-                continue;
-            }
-            if part.cuts == 0 || left == 0 {
-                bound = bound.max(self.roughly(&part, middle));
-                continue;
-            }
-            left -= 1;
-            pending.extend(halves);
-        }
-        bound
-    }
+impl Halving for ArcSearch<'_> {
+    type Part = ArcPart;
+    type Place = CurveFoot;
 
-    /// A bound by a single point of the curve.
-    fn roughly(&self, part: &ArcPart, middle: CurveFoot) -> f64 {
-        let near = at(&self.cubics[middle.cubic], middle.t);
-        let far = part.points.iter().map(|p| arm(p, &near).hypot());
-        far.fold(0.0, f64::max) * (1.0 + ROUNDING)
-    }
-
-    fn halves(&self, part: &ArcPart) -> [ArcPart; 2] {
+    fn halves(&self, part: &ArcPart) -> ([ArcPart; 2], [CurveFoot; 3]) {
         let [a, b, c] = part.points;
         let w = part.weight;
         let whole = w.plus(Double::of(1.0));
@@ -130,14 +93,47 @@ impl ArcSearch<'_> {
             points,
             weight: whole.scaled(0.5).sqrt(),
             feet,
-            cuts: part.cuts - 1,
         };
-        [
+        let halves = [
             half([a, first, middle], [from, foot]),
             half([middle, second, c], [foot, to]),
-        ]
+        ];
+        (halves, [from, foot, to])
     }
 
+    fn distance(&self, foot: &CurveFoot) -> f64 {
+        foot.distance
+    }
+
+    /// Whether no point of a part is farther than that, by what runs beside it.
+    fn is_within(&self, part: &ArcPart, &[from, middle, to]: &[CurveFoot; 3], most: f64) -> bool {
+        let lets = |cubic: usize, ends: [f64; 2]| {
+            let own = piece(&self.cubics[cubic], ends);
+            is_beside(
+                part,
+                &own,
+                [slope(part, &own, 0), slope(part, &own, 1)],
+                most,
+            )
+        };
+        if from.cubic == to.cubic {
+            return lets(from.cubic, [from.t, to.t]) || lets(middle.cubic, [middle.t; 2]);
+        }
+        let forth = f64::from(from.cubic < to.cubic);
+        lets(from.cubic, [from.t, forth])
+            || lets(to.cubic, [1.0 - forth, to.t])
+            || lets(middle.cubic, [middle.t; 2])
+    }
+
+    /// A bound by a single point of the curve.
+    fn roughly(&self, part: &ArcPart, [_, middle, _]: &[CurveFoot; 3]) -> f64 {
+        let near = at(&self.cubics[middle.cubic], middle.t);
+        let far = part.points.iter().map(|p| arm(p, &near).hypot());
+        far.fold(0.0, f64::max) * (1.0 + ROUNDING)
+    }
+}
+
+impl ArcSearch<'_> {
     /// The nearest point of the curve, looked for on the cubic of this number first.
     fn nearest(&self, q: &Twice, first: usize) -> CurveFoot {
         let mut best = self.foot(first, q);
@@ -188,27 +184,6 @@ impl ArcSearch<'_> {
         };
         let nearer = |a: CurveFoot, b: CurveFoot| if b.distance < a.distance { b } else { a };
         inner.iter().map(at).fold(nearer(at(0.0), at(1.0)), nearer)
-    }
-
-    /// Whether no point of a part is farther than that, by what runs beside it.
-    fn is_within(&self, part: &ArcPart, middle: CurveFoot, most: f64) -> bool {
-        let [from, to] = part.feet;
-        let lets = |cubic: usize, ends: [f64; 2]| {
-            let own = piece(&self.cubics[cubic], ends);
-            is_beside(
-                part,
-                &own,
-                [slope(part, &own, 0), slope(part, &own, 1)],
-                most,
-            )
-        };
-        if from.cubic == to.cubic {
-            return lets(from.cubic, [from.t, to.t]) || lets(middle.cubic, [middle.t; 2]);
-        }
-        let forth = f64::from(from.cubic < to.cubic);
-        lets(from.cubic, [from.t, forth])
-            || lets(to.cubic, [1.0 - forth, to.t])
-            || lets(middle.cubic, [middle.t; 2])
     }
 }
 

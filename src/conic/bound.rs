@@ -5,24 +5,18 @@
 //! points of both ends and of the middle, as a quadratic, is such a vector. What lies where is told by Bernstein coefficients, formed in
 //! numbers of 106 bits, so that it does not matter how the normals were found: bad ones prove nothing.
 
-use std::collections::VecDeque;
-
 use kurbo::{PathSeg, Vec2};
 
 use super::branch::{Branch, BranchPlace, Cubic, arm};
 use super::frame::ConicFrame;
+use super::halving::{Bounds, Halving};
 use crate::curve::largest_coordinate;
 use crate::numeric::double::{Double, Twice};
 use crate::radial_error::RadialError;
 
-/// How far above the largest distance that is found its bound may lie, as a part of it.
-pub(super) const SLACK: f64 = 0.9e-9;
-
-/// How often a part is halved at most, and how many parts of a side are, beside some for each segment, for a statement and for a tolerance:
-/// what is left is bounded roughly.
+/// How often a part is halved at most, and how many parts of a side are, beside some for each segment.
 const MOST_CUTS: u32 = 56;
 const MOST_PARTS: usize = 2_000;
-pub(super) const MOST_FOR_TOLERANCE: usize = 200;
 
 /// How many places of a segment are looked at first.
 const FIRST: u32 = 12;
@@ -31,7 +25,6 @@ const FIRST: u32 = 12;
 struct CurvePart {
     points: Cubic,
     ends: [BranchPlace; 2],
-    cuts: u32,
 }
 
 /// Bounds the largest distances of these segments outside and inside; beyond a limit it may be any that is beyond.
@@ -42,20 +35,33 @@ pub(super) fn bound(
     limit: Option<f64>,
 ) -> RadialError {
     let unit = branch.unit;
-    let search = CurveSearch {
-        branch,
-        frame,
-        limit: limit.map_or(f64::INFINITY, |limit| limit / unit),
-        floor: floor(segments) / unit,
-    };
     let cubics: Vec<Cubic> = segments.iter().map(|s| branch.cubic(s)).collect();
     let least = branch.noise();
+    let bounds = Bounds {
+        least,
+        floor: floor(segments) / unit,
+        limit: limit.map_or(f64::INFINITY, |limit| limit / unit),
+        most_cuts: MOST_CUTS,
+        most_parts: MOST_PARTS,
+    };
     let side = |sign: f64| {
-        let bound = search.side(
-            &cubics,
+        let search = CurveSearch {
+            branch,
+            frame,
             sign,
-            limit.map_or(0.0, |limit| limit / unit - least).max(least),
-        );
+        };
+        let mut start = limit.map_or(0.0, |limit| limit / unit - least).max(least);
+        if bounds.limit.is_infinite() {
+            let farthest = cubics.iter().map(|cubic| search.farthest(cubic));
+            for distance in farthest.filter(|&distance| distance > least) {
+                start = start.max(bounds.floor).max(distance);
+            }
+        }
+        let parts = cubics.iter().map(|cubic| CurvePart {
+            points: *cubic,
+            ends: [cubic[0], cubic[3]].map(|q| search.place(&q)),
+        });
+        let bound = bounds.bound(&search, parts, cubics.len(), start);
         if bound > least {
             (bound + least) * unit
         } else {
@@ -74,12 +80,11 @@ pub(super) fn floor(segments: &[PathSeg]) -> f64 {
     largest.next_up() - largest
 }
 
+/// The distances on one side: 1 is outside, -1 inside.
 struct CurveSearch<'a> {
     branch: &'a Branch,
     frame: &'a ConicFrame,
-    limit: f64,
-    /// Below it no distance that is one is stated.
-    floor: f64,
+    sign: f64,
 }
 
 impl CurveSearch<'_> {
@@ -87,79 +92,72 @@ impl CurveSearch<'_> {
         self.branch.place(self.frame, q)
     }
 
-    /// Beginning with a bound that need not hold.
-    fn side(&self, cubics: &[Cubic], sign: f64, mut bound: f64) -> f64 {
-        let least = self.branch.noise();
-        let mut pending = VecDeque::new();
-        for cubic in cubics {
-            let ends = [cubic[0], cubic[3]].map(|q| self.place(&q));
-            if self.limit.is_infinite() {
-                let distance = self.farthest(cubic, sign);
-                if distance > least {
-                    bound = bound.max(self.floor).max(distance);
-                }
-            }
-            pending.push_back(CurvePart {
-                points: *cubic,
-                ends,
-                cuts: MOST_CUTS,
-            });
-        }
-        let most = if self.limit.is_finite() {
-            MOST_FOR_TOLERANCE
-        } else {
-            MOST_PARTS
-        };
-        let mut left = most + 64 * cubics.len();
-        while let Some(part) = pending.pop_front() {
-            let [first, second] = halves(&part.points);
-            let middle = self.place(&second[0]);
-            let [from, to] = part.ends;
-            let places = [from, middle, to];
-            for place in places {
-                let distance = sign * place.distance;
-                if distance > least {
-                    bound = bound.max(self.floor).max(distance * (1.0 + SLACK));
-                }
-            }
-            if bound > self.limit {
-                return bound;
-            }
-            if self.is_within(&part.points, &places, sign, bound) {
-                continue;
-            }
-            if part.cuts == 0 || left == 0 {
-                bound = bound.max(self.roughly(&part.points, &places, sign));
-                continue;
-            }
-            left -= 1;
-            let cuts = part.cuts - 1;
-            let half = |points, ends| CurvePart { points, ends, cuts };
-            pending.push_back(half(first, [from, middle]));
-            pending.push_back(half(second, [middle, to]));
-        }
-        bound
-    }
-
     /// The farthest of some places.
-    fn farthest(&self, cubic: &Cubic, sign: f64) -> f64 {
+    fn farthest(&self, cubic: &Cubic) -> f64 {
         let distance = |i: u32| {
             let q = at(cubic, f64::from(i) / f64::from(FIRST));
-            sign * self.place(&q).distance
+            self.distance(&self.place(&q))
         };
         (1..FIRST).map(distance).fold(0.0, f64::max)
     }
 
-    /// Whether no point of a part is farther than that on a side, as far as a few vectors tell.
-    fn is_within(&self, points: &Cubic, places: &[BranchPlace; 3], sign: f64, most: f64) -> bool {
+    /// The same by a quadratic vector with these values at the ends and in the middle, each 1 where it is the longest that it may be.
+    fn lets(&self, points: &Cubic, [from, middle, to]: [Vec2; 3], most: f64) -> bool {
+        let inner = 2.0 * middle - (from + to) / 2.0;
+        let squares = [
+            from.hypot2(),
+            from.dot(inner),
+            (from.dot(to) + 2.0 * inner.hypot2()) / 3.0,
+            inner.dot(to),
+            to.hypot2(),
+        ];
+        let largest = squares.into_iter().fold(1.0, f64::max).sqrt();
+        let scale = -self.sign * most / largest * (1.0 - 16.0 * f64::EPSILON);
+        let steps = [
+            from,
+            (from + 2.0 * inner) / 3.0,
+            (2.0 * inner + to) / 3.0,
+            to,
+        ];
+        let mut moved = *points;
+        for (q, step) in moved.iter_mut().zip(steps) {
+            let step = step * scale;
+            *q = [q[0].plus(Double::of(step.x)), q[1].plus(Double::of(step.y))];
+        }
+        self.branch.lies(&moved, self.sign > 0.0)
+    }
+}
+
+impl Halving for CurveSearch<'_> {
+    type Part = CurvePart;
+    type Place = BranchPlace;
+
+    fn halves(&self, part: &CurvePart) -> ([CurvePart; 2], [BranchPlace; 3]) {
+        let [first, second] = halves(&part.points);
+        let middle = self.place(&second[0]);
+        let [from, to] = part.ends;
+        let half = |points, ends| CurvePart { points, ends };
+        (
+            [half(first, [from, middle]), half(second, [middle, to])],
+            [from, middle, to],
+        )
+    }
+
+    fn distance(&self, place: &BranchPlace) -> f64 {
+        self.sign * place.distance
+    }
+
+    /// Whether no point of a part is farther than that on the side, as far as a few vectors tell.
+    fn is_within(&self, part: &CurvePart, places: &[BranchPlace; 3], most: f64) -> bool {
+        let (points, sign) = (&part.points, self.sign);
         if sign > 0.0 && reached(points, places) <= most {
             return true;
         }
         let [from, middle, to] = places.map(|place| place.normal);
-        if self.lets(points, [from, middle, to], sign, most) {
+        if self.lets(points, [from, middle, to], most) {
             return true;
         }
-        if from.dot(to) < 0.5 && self.lets(points, [middle; 3], sign, most) {
+        if from.dot(to) < 0.5 && self.lets(points, [middle; 3], most) {
             return true;
         }
         // Not farther than is needed, nor than the middle of the region.
@@ -172,45 +170,19 @@ impl CurveSearch<'_> {
             }
             place.normal * (depth / most)
         });
-        self.lets(points, steps, sign, most)
-            || (sign < 0.0 && self.roughly(points, places, sign) <= most)
-    }
-
-    /// The same by a quadratic vector with these values at the ends and in the middle, each 1 where it is the longest that it may be.
-    fn lets(&self, points: &Cubic, [from, middle, to]: [Vec2; 3], sign: f64, most: f64) -> bool {
-        let inner = 2.0 * middle - (from + to) / 2.0;
-        let squares = [
-            from.hypot2(),
-            from.dot(inner),
-            (from.dot(to) + 2.0 * inner.hypot2()) / 3.0,
-            inner.dot(to),
-            to.hypot2(),
-        ];
-        let largest = squares.into_iter().fold(1.0, f64::max).sqrt();
-        let scale = -sign * most / largest * (1.0 - 16.0 * f64::EPSILON);
-        let steps = [
-            from,
-            (from + 2.0 * inner) / 3.0,
-            (2.0 * inner + to) / 3.0,
-            to,
-        ];
-        let mut moved = *points;
-        for (q, step) in moved.iter_mut().zip(steps) {
-            let step = step * scale;
-            *q = [q[0].plus(Double::of(step.x)), q[1].plus(Double::of(step.y))];
-        }
-        self.branch.lies(&moved, sign > 0.0)
+        self.lets(points, steps, most) || (sign < 0.0 && self.roughly(part, places) <= most)
     }
 
     /// A bound that is larger by as little as a part is long, or so.
-    fn roughly(&self, points: &Cubic, places: &[BranchPlace; 3], sign: f64) -> f64 {
+    fn roughly(&self, part: &CurvePart, places: &[BranchPlace; 3]) -> f64 {
+        let points = &part.points;
         let from = |p: Twice| {
             points
                 .iter()
                 .map(|q| arm(&p, q).hypot())
                 .fold(0.0, f64::max)
         };
-        let rough = if sign > 0.0 {
+        let rough = if self.sign > 0.0 {
             reached(points, places)
         } else {
             let rim = places.iter().filter_map(|place| self.branch.outside(place));

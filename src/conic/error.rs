@@ -3,9 +3,9 @@
 use kurbo::{Affine, ParamCurve, PathSeg};
 
 use super::Conic;
-use super::bound::SLACK;
 use super::branch::Branch;
 use super::frame::ConicFrame;
+use super::halving::SLACK;
 use super::{back, bound};
 use crate::curve::largest_coordinate;
 use crate::radial_error::RadialError;
