@@ -5,12 +5,7 @@
 //! thread, which has met none. `one-file` is one document of both sets, gone over again from the first icon on until it holds
 //! as many icons as some collections on the web.
 
-#![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::panic,
-    clippy::format_collect
-)]
+#![allow(clippy::unwrap_used, clippy::format_collect)]
 
 use std::hint::black_box;
 use std::path::Path;

@@ -70,15 +70,6 @@ impl Precision {
         }
     }
 
-    /// Appends `x` to `out`, by [`push_shortest`] or [`push_fixed`].
-    #[inline]
-    pub fn push(self, out: &mut Vec<u8>, x: f64) {
-        match self {
-            Self::Full => push_shortest(out, x),
-            Self::Fixed(decimals) => push_fixed(out, x, decimals),
-        }
-    }
-
     /// The float that a reader of the printed number gets: `x` itself or [`round`] of it.
     #[must_use]
     #[inline]

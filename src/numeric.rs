@@ -64,19 +64,13 @@ pub(crate) fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     f64::midpoint(low, high)
 }
 
-/// The root of `f` near `guess`, bracketed by steps that double from `step`, which is not 0, and stay within `[least, most]`.
-pub(crate) fn root_near(
-    f: impl Fn(f64) -> f64,
-    guess: f64,
-    step: f64,
-    least: f64,
-    most: f64,
-) -> f64 {
+/// The root of `f` near `guess`, bracketed by steps that double from `step`, which is not 0, and stay within `[0, most]`.
+pub(crate) fn root_near(f: impl Fn(f64) -> f64, guess: f64, step: f64, most: f64) -> f64 {
     debug_assert!(step > 0.0, "a step of 0 never grows");
     let mut reach = step;
     loop {
-        let (low, high) = ((guess - reach).max(least), (guess + reach).min(most));
-        if (f(low) > 0.0) != (f(high) > 0.0) || (low == least && high == most) {
+        let (low, high) = ((guess - reach).max(0.0), (guess + reach).min(most));
+        if (f(low) > 0.0) != (f(high) > 0.0) || (low == 0.0 && high == most) {
             return root(f, low, high);
         }
         reach *= 2.0;

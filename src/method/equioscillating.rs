@@ -67,10 +67,7 @@ impl Solution {
             (s.y1 + s.y3) * span.ch - (s.x0 + s.x2) * span.sh
         };
         let guess = span.a / 8.0;
-        Self::new(
-            root_near(miss, guess, guess / 8.0, 0.0, 0.5),
-            ends_on_circle,
-        )
+        Self::new(root_near(miss, guess, guess / 8.0, 0.5), ends_on_circle)
     }
 
     fn piece(&self, span: &Span, end_radius: f64) -> Piece {

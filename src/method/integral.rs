@@ -98,7 +98,7 @@ impl<'a> Member<'a> {
 
 /// The root in w0 of a condition on the family's member.
 fn zero(span: &Span, condition: impl Fn(&Member) -> f64) -> f64 {
-    root_near(|w0| condition(&Member::new(span, w0)), 0.9, 0.02, 0.0, 1.0)
+    root_near(|w0| condition(&Member::new(span, w0)), 0.9, 0.02, 1.0)
 }
 
 pub(super) fn area(span: &Span) -> f64 {

@@ -103,10 +103,7 @@ impl Balanced {
             s.y1 * span.ch - (s.x0 + s.x2) * span.sh
         };
         let guess = span.a / 32.0_f64.sqrt();
-        Self::new(
-            root_near(miss, guess, guess / 8.0, 0.0, 0.8),
-            ends_on_circle,
-        )
+        Self::new(root_near(miss, guess, guess / 8.0, 0.8), ends_on_circle)
     }
 }
 
