@@ -16,7 +16,7 @@ use super::splice::Splice;
 use super::style::of_document::{self, Facts};
 use super::style::on_element;
 use super::style::property::{ElementKind, Markers};
-use super::xml::attributes::Attribute;
+use super::xml::attributes::{Attribute, named};
 use super::xml::encoding::SourceText;
 use super::xml::fault::{XmlFault, XmlResult};
 use super::xml::namespace::Namespace;
@@ -196,10 +196,7 @@ impl<'a> Rewriter<'a, '_> {
         markers: Markers,
         tolerance: Option<Tolerance>,
     ) -> Option<ElementKind> {
-        let d = scanner
-            .attributes
-            .iter()
-            .find(|attribute| attribute.name == "d")?;
+        let d = named(&scanner.attributes, "d")?;
         let path = back::Candidate::new(element, &scanner.attributes, d, tolerance)?;
         let kind = path.whole.kind;
         if !self.options.only.contains(kind) {
@@ -233,12 +230,7 @@ impl<'a> Rewriter<'a, '_> {
         scanner: &Scanner<'a>,
         markers: Markers,
     ) -> bool {
-        let has = |name: &str| {
-            scanner
-                .attributes
-                .iter()
-                .any(|attribute| attribute.name == name)
-        };
+        let has = |name: &str| named(&scanner.attributes, name).is_some();
         let rounded = kind != ElementKind::Rect || has("rx") || has("ry");
         if !rounded && !self.may_be_rounded(scanner) {
             return false;
@@ -278,8 +270,7 @@ impl<'a> Rewriter<'a, '_> {
     }
 
     fn path(&mut self, element: &Element<'_>, scanner: &Scanner<'a>, markers: Markers) {
-        let mut attributes = scanner.attributes.iter();
-        let Some(d) = attributes.find(|attribute| attribute.name == "d") else {
+        let Some(d) = named(&scanner.attributes, "d") else {
             return;
         };
         let forbidden = |this: &Self| this.forbidden(ElementKind::Path, element, scanner);

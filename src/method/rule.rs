@@ -84,6 +84,14 @@ impl Rule {
             .map_or(RuleName::Handle, |method| RuleName::Method(method.id()))
     }
 
+    /// The literal handle.
+    pub(crate) const fn handle(self) -> Option<f64> {
+        match self {
+            Self::Handle(k) => Some(k),
+            _ => None,
+        }
+    }
+
     /// The method of the catalogue that it is, if any.
     #[must_use]
     pub const fn method(self) -> Option<Method> {

@@ -14,7 +14,7 @@ use crate::approximate::Drawing;
 use crate::continuity::Continuity;
 use crate::curve::control_points;
 use crate::error::{Error, Result};
-use crate::method::{Quadrature, Rule};
+use crate::method::Quadrature;
 use crate::number::push_shortest;
 use crate::path;
 use crate::radial_error::RadialError;
@@ -158,23 +158,15 @@ impl From<&Drawing> for DrawingDocument {
             .iter()
             .enumerate()
             .map(|(i, segment)| {
-                let angles = drawing
-                    .angles
-                    .get(i)
-                    .zip(drawing.angles.get(i + 1))
-                    .map(|(&from, &to)| [from, to]);
-                segment_document(segment, angles)
+                let angles = drawing.angles.get(i..).and_then(<[f64]>::first_chunk);
+                segment_document(segment, angles.copied())
             });
         let (iteration, lengths) = (drawing.rule.iteration(), drawing.lengths());
         Self {
             version: 1,
             shape: shape_document(&drawing.shape, drawing.transform),
             method: drawing.rule.id().to_owned(),
-            handle: if let Rule::Handle(k) = drawing.rule {
-                Some(k)
-            } else {
-                None
-            },
+            handle: drawing.rule.handle(),
             quadrature: iteration
                 .is_some_and(|iteration| iteration.quadrature == Quadrature::Gauss2)
                 .then(|| "gauss2".to_owned()),

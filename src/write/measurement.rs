@@ -8,7 +8,6 @@ use crate::approximate::Drawing;
 use crate::error::Result;
 use crate::measure::samples::Sample;
 use crate::measure::{Reference, Report, report};
-use crate::method::Rule;
 use crate::number::{counted, text};
 use crate::picture::words::describe;
 
@@ -63,11 +62,7 @@ impl Measurement {
             &Reference::from(outline),
             coordinate_tolerance,
         )?;
-        let handle = if let Rule::Handle(k) = drawing.rule {
-            Some(k)
-        } else {
-            None
-        };
+        let handle = drawing.rule.handle();
         Ok(Some(Self {
             version: 1,
             subject: Subject {

@@ -5,7 +5,7 @@ use crate::document::reason::Reason;
 use crate::document::shape::tag;
 use crate::document::shape::whole::{self, Whole};
 use crate::document::style::property::ElementKind;
-use crate::document::xml::attributes::Attribute;
+use crate::document::xml::attributes::{Attribute, named};
 use crate::document::xml::node::Element;
 use crate::joints::Tolerance;
 
@@ -39,11 +39,7 @@ impl<'r, 'a> Candidate<'r, 'a> {
 
     /// Why it stays a path, as far as it says itself. `lower` is the text of the document as [`super::xml::value::words`].
     pub(in crate::document) fn stays(&self, lower: &str) -> Option<Reason> {
-        let has = |name: &str| {
-            self.attributes
-                .iter()
-                .any(|attribute| attribute.name == name)
-        };
+        let has = |name: &str| named(self.attributes, name).is_some();
         let stays = if has("pathLength") {
             "renderers of SVG 1.1 know pathLength on paths only"
         } else if self.whole.kind.geometry().iter().any(|name| has(name)) {

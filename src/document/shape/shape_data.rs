@@ -5,6 +5,7 @@ use crate::document::path::scratch::Scratch;
 use crate::document::reason::Reason;
 use crate::document::shape::element::{self, UsedShape};
 use crate::document::style::property::ElementKind;
+use crate::document::xml::attributes::named;
 use crate::document::xml::scan::Scanner;
 
 /// Where the path data of a shape are.
@@ -30,10 +31,7 @@ pub(in crate::document) fn find(
     let mut spelled = true;
     for name in kind.geometry() {
         // Bytes that no text has part the values.
-        let found = scanner
-            .attributes
-            .iter()
-            .find(|attribute| attribute.name == *name);
+        let found = named(&scanner.attributes, name);
         spelled &= found.is_none_or(|attribute| !attribute.has_references);
         key.push(if found.is_some() { 0xff } else { 0xfe });
         key.extend_from_slice(found.map_or(&[], |attribute| attribute.value.as_bytes()));

@@ -2,7 +2,7 @@
 
 use crate::document::splice::Splice;
 use crate::document::style::property::ElementKind;
-use crate::document::xml::attributes::Attribute;
+use crate::document::xml::attributes::{Attribute, named};
 use crate::document::xml::node::Element;
 use crate::document::xml::scan::Scanner;
 
@@ -35,7 +35,7 @@ pub(in crate::document) fn replace(
     splice: &mut Splice<'_>,
 ) {
     splice.replace(element.local_span.clone(), b"path");
-    let stray = attributes.iter().any(|a| a.name == "d");
+    let stray = named(attributes, "d").is_some();
     let mut written = stray;
     for attribute in attributes {
         if attribute.name == "d" {

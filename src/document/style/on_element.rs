@@ -2,7 +2,7 @@
 
 use super::css;
 use super::property::{Effect, Markers, Properties};
-use crate::document::xml::attributes::Attribute;
+use crate::document::xml::attributes::{Attribute, named};
 use crate::document::xml::doctype::Doctype;
 use crate::document::xml::value;
 
@@ -83,10 +83,7 @@ fn may_read(attribute: &Attribute<'_>) -> bool {
 
 /// What a style attribute does.
 fn declared(attributes: &[Attribute<'_>], doctype: &Doctype) -> Effect {
-    let Some(style) = attributes
-        .iter()
-        .find(|attribute| attribute.name == "style")
-    else {
+    let Some(style) = named(attributes, "style") else {
         return Effect::default();
     };
     match value::text(style.value, doctype) {

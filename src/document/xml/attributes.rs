@@ -22,6 +22,14 @@ pub(in crate::document) struct Attribute<'a> {
     pub(in crate::document) value_span: Range<usize>,
 }
 
+/// The attribute of this name.
+pub(in crate::document) fn named<'s, 'a>(
+    attributes: &'s [Attribute<'a>],
+    name: &str,
+) -> Option<&'s Attribute<'a>> {
+    attributes.iter().find(|attribute| attribute.name == name)
+}
+
 /// Up to this many attributes are compared pair by pair.
 const FEW: usize = 12;
 

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
-use super::attributes::{self, Attribute, after_space};
+use super::attributes::{self, Attribute, after_space, named};
 use super::characters::{self, BYTE_ORDER_MARK, first_forbidden};
 use super::doctype::{Doctype, Resolved};
 use super::encoding::{SourceText, folded};
@@ -86,10 +86,7 @@ impl<'a> Scanner<'a> {
     /// The resolved value of an attribute of the last start tag, as names are compared; a value with an unknown entity reads as the
     /// entity.
     pub(in crate::document) fn attribute(&self, name: &str) -> Option<Cow<'a, str>> {
-        let found = self
-            .attributes
-            .iter()
-            .find(|attribute| attribute.name == name)?;
+        let found = named(&self.attributes, name)?;
         let text = value::text(found.value, &self.doctype).unwrap_or(Cow::Borrowed(found.value));
         Some(self.comparable(text))
     }
@@ -345,10 +342,7 @@ impl<'a> Scanner<'a> {
             ));
         }
         if !self.is_widened
-            && let Some(encoding) = self
-                .attributes
-                .iter()
-                .find(|attribute| attribute.name == "encoding")
+            && let Some(encoding) = named(&self.attributes, "encoding")
             && !["utf-8", "utf8", "us-ascii", "ascii"]
                 .iter()
                 .any(|known| known.eq_ignore_ascii_case(encoding.value))
