@@ -4,7 +4,7 @@ use super::*;
 use crate::{Angle, Arc, Shape};
 
 /// A method on an arc of an ellipse, in degrees.
-fn balance(method: Method, flatness: f64, start: f64, sweep: f64) -> Balance {
+pub(super) fn balance(method: Method, flatness: f64, start: f64, sweep: f64) -> Balance {
     on(method, &arc(flatness, start, sweep))
 }
 

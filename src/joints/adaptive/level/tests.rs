@@ -1,21 +1,8 @@
 //! Equal errors by known answers, and the least count by trial.
 
 use super::*;
-use crate::{Angle, Arc, Method, Rule, Shape};
-
-fn balance(rule: Method, flatness: f64, start: f64, sweep: f64) -> Balance {
-    let degrees = Angle::from_degrees;
-    let radii = (100.0, 100.0 * flatness);
-    let arc = Arc::new(
-        (0.0, 0.0),
-        radii,
-        degrees(0.0),
-        degrees(start),
-        degrees(sweep),
-    );
-    let outline = Shape::Arc(arc.unwrap()).outline().unwrap();
-    Balance::new(&outline, Rule::Method(rule)).unwrap()
-}
+use crate::joints::adaptive::costs::balance;
+use crate::{Angle, Method, Rule, Shape};
 
 /// Pieces whose errors are the sixth power of their lengths.
 fn sixth_powers(ways: &[f64]) -> Vec<Peak> {

@@ -1,9 +1,10 @@
 //! Marching by known answers and by trial.
 
 use super::*;
+use crate::joints::adaptive::costs::balance;
 use core::cell::Cell;
 
-use crate::{Arc, Ellipse, Method, Rule, Shape};
+use crate::{Ellipse, Method, Rule, Shape};
 
 #[test]
 fn a_settled_segment_errs_as_much_as_is_allowed() {
@@ -17,19 +18,6 @@ fn a_settled_segment_errs_as_much_as_is_allowed() {
         assert!((error / allowed - 1.0).abs() < 1e-10, "{way}");
     }
 }
-fn balance(rule: Method, flatness: f64, start: f64, sweep: f64) -> Balance {
-    let degrees = Angle::from_degrees;
-    let arc = Arc::new(
-        (0.0, 0.0),
-        (100.0, 100.0 * flatness),
-        degrees(0.0),
-        degrees(start),
-        degrees(sweep),
-    );
-    let outline = Shape::Arc(arc.unwrap()).outline().unwrap();
-    Balance::new(&outline, Rule::Method(rule)).unwrap()
-}
-
 #[test]
 fn a_bracket_narrows_to_the_longest_within() {
     for edge in [1.01, 1.4, 1.99] {
