@@ -5,7 +5,10 @@ use kurbo::PathSeg;
 use crate::curve::largest_coordinate;
 use crate::joints::adaptive;
 use crate::joints::cutting::Cutting;
-use crate::measure::radial::{self, nearly::decided};
+use crate::measure::radial::{
+    self,
+    nearly::{agreed, decided},
+};
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::shape::{Axes, Truth};
@@ -48,19 +51,27 @@ impl<C: Cutting> KnownCurve<'_, C> {
         if let Some(peak) = self.peak {
             return for_peak(peak);
         }
-        let decided = decided(self.by_lobes(largest), &segments, truth, for_peak);
+        let roughly = self.by_lobes(largest, adaptive::roughly);
+        let decided = roughly
+            .and_then(|between| agreed(between, for_peak))
+            .or_else(|| {
+                let nearly = self.by_lobes(largest, adaptive::nearly);
+                decided(nearly, &segments, truth, for_peak)
+            });
         decided.unwrap_or_else(|| {
             let segments: Vec<PathSeg> = segments().collect();
-            let [low, high] = radial::peak_nearly(&segments, truth, most).map(for_peak);
-            if low == high {
-                return low;
-            }
-            for_peak(radial::error_within(&segments, truth, most).peak())
+            let between = radial::peak_nearly(&segments, truth, most);
+            agreed(between, for_peak)
+                .unwrap_or_else(|| for_peak(radial::error_within(&segments, truth, most).peak()))
         })
     }
 
-    /// Between what the peak error on an ellipse lies by the lobes of the pieces.
-    fn by_lobes(&self, largest: f64) -> Option<[f64; 2]> {
+    /// Between what the peak error on an ellipse lies by the lobes of the pieces, looked at in this way where they told nothing before.
+    fn by_lobes(
+        &self,
+        largest: f64,
+        look: impl Fn(Rule, Axes, [f64; 2], &C) -> Option<[f64; 2]>,
+    ) -> Option<[f64; 2]> {
         if self.truth.is_circle() {
             return None;
         }
@@ -68,7 +79,7 @@ impl<C: Cutting> KnownCurve<'_, C> {
         let sizes = [larger, larger + largest];
         match self.told {
             Some(peak) => adaptive::around(self.rule, sizes, peak),
-            None => adaptive::nearly(self.rule, self.axes, sizes, self.cutting),
+            None => look(self.rule, self.axes, sizes, self.cutting),
         }
     }
 }
@@ -94,7 +105,7 @@ mod tests {
                 peak: None,
                 told,
             };
-            known.by_lobes(largest).is_some()
+            known.by_lobes(largest, adaptive::nearly).is_some()
         };
         // However the pieces are kept.
         let joints = Joints::equal(&outline.unit, 12).unwrap();
@@ -174,5 +185,48 @@ mod tests {
             bounded += usize::from(most > 1.000_1 * peak);
         }
         assert!(bounded > 40, "{bounded}");
+    }
+
+    #[test]
+    fn the_largest_excess_and_the_least_weight_enclose_the_peak() {
+        let methods = [
+            Method::Midpoint,
+            Method::Minimax,
+            Method::Goldapp,
+            Method::Area,
+        ];
+        let (mut told, mut widest) = (0, 0.0_f64);
+        for i in 0..2000_usize {
+            let at = |k: usize| (i * k % 2003) as f64 / 2003.0;
+            let degrees = Angle::from_degrees;
+            let radii = (300.0, 300.0 * libm::pow(0.02, at(7)));
+            let sweep = 720.0 * at(17) - 360.0;
+            let arc = Arc::new(
+                (300.0, -200.0),
+                radii,
+                degrees(180.0 * at(23)),
+                degrees(360.0 * at(11)),
+                degrees(sweep),
+            );
+            let shape = Shape::Arc(arc.unwrap());
+            let rule = methods[i % 4].into();
+            let count = 1 + i / 4 % 12;
+            let options = Options {
+                rule,
+                cut: Cut::Count(count),
+                precision: Some(Precision::Full),
+                ..Options::default()
+            };
+            let outline = shape.outline().unwrap();
+            let cutting = EqualPieces::new(outline.unit, count).unwrap();
+            let sizes = [300.0, 1000.0];
+            let Some([low, high]) = adaptive::roughly(rule, outline.axes(), sizes, &cutting) else {
+                continue;
+            };
+            let peak = approximate(&shape, &options).unwrap().error.peak();
+            assert!(low <= peak && peak <= high, "{i}: {low} {peak} {high}");
+            (told, widest) = (told + 1, widest.max(high / low));
+        }
+        assert!(told > 1200 && widest > 5.0, "{told} {widest}");
     }
 }

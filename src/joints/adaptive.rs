@@ -19,11 +19,12 @@ mod level;
 mod lobes;
 mod march;
 mod paths;
+mod touching;
 
 use super::Joints;
 use crate::method::{Ends, Method, Rule};
 use crate::shape::{Outline, UnitArc};
-pub(crate) use by_lobes::{around, nearly};
+pub(crate) use by_lobes::{around, nearly, roughly};
 use errors::Errors;
 #[cfg(test)]
 pub(crate) use errors::LOOKS;

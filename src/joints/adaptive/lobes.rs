@@ -1,13 +1,7 @@
 //! The peak distance of a segment from an ellipse, where cubics touch it at both ends: from the extremes of their excess, without a search.
 //!
-//! Seen from the middle of its angle a = 2h, with v = 2t - 1 and u = t(1-t) = (1-v²)/4, such a cubic of the unit circle is
-//!
-//! ```text
-//! x = cos h + 3u k sin h,   y = v (sin h + u (2 sin h - 3k cos h)),   F = x² + y² - 1 = -u² (H + G u)
-//! ```
-//!
-//! and F is extreme in the middle and where u = -2H/(3G), at most three lobes. On the ellipse of half axes b and 1 the distance is, with
-//! Q = (x/b)² + y² along the axes and K = ((x/b²)² + y²)/Q the bend of F along the normal,
+//! On the ellipse of half axes b and 1 a place where the excess is F (see [`TouchingCubic`]) has the distance, with Q = (x/b)² + y² along the axes
+//! and K = ((x/b²)² + y²)/Q the bend of F along the normal,
 //!
 //! ```text
 //! D = F/(2√Q) (1 + F K/(4Q)),   (log D)' ≈ F'/F - Q'/(2Q)
@@ -18,8 +12,9 @@
 
 use kurbo::Vec2;
 
-use crate::angle::{Angle, first_direction};
-use crate::method::{Rule, Span};
+use super::touching::TouchingCubic;
+use crate::angle::Angle;
+use crate::method::Rule;
 use crate::numeric::foot::foot;
 use crate::numeric::instructions::by_the_best;
 use crate::numeric::lanes::{Lanes, Real};
@@ -151,7 +146,8 @@ impl Lobes {
         let way = 180.0 - after_sharp_end(from);
         // F vanishes at v² = 1 + 4H/G, which hardly varies with the size.
         let segment = LobeSegment::new(self, from, 45.0);
-        let place = segment.map(|segment| 1.0 + 4.0 * segment.excess[0] / segment.excess[1]);
+        let excess = segment.map(|segment| segment.cubic.excess);
+        let place = excess.map(|[h, g]| 1.0 + 4.0 * h / g);
         let place = place.filter(|&square| square > 0.0).map(f64::sqrt);
         let sizes = place.map(|v| [1.0, -1.0].map(|side| 2.0 * way / (1.0 + side * v)));
         sizes.into_iter().flatten()
@@ -188,7 +184,7 @@ impl Lobes {
 }
 
 /// How many degrees after a sharp end this angle lies, the last one before it.
-fn after_sharp_end(from: f64) -> f64 {
+pub(super) fn after_sharp_end(from: f64) -> f64 {
     // Beside the first turn nothing is rounded either way.
     match from - 90.0 {
         after @ 0.0..180.0 => after,
@@ -199,13 +195,7 @@ fn after_sharp_end(from: f64) -> f64 {
 
 /// A segment, seen from the middle of its angle.
 struct LobeSegment {
-    /// x = `cos` + 3u `bulge`, y = v (`sin` + u `lean`).
-    cos: f64,
-    sin: f64,
-    bulge: f64,
-    lean: f64,
-    /// H and G.
-    excess: [f64; 2],
+    cubic: TouchingCubic,
     /// The direction of the middle from the short axis, and where the sharp end lies that it passes.
     middle: Vec2,
     sharp: Option<f64>,
@@ -215,20 +205,9 @@ struct LobeSegment {
 
 impl LobeSegment {
     fn new(lobes: &Lobes, from: f64, size: f64) -> Option<Self> {
-        let span = if size <= 180.0 {
-            Span::of_quarter(size / 4.0, first_direction(size / 4.0))
-        } else {
-            Span::from_degrees(size)
-        };
-        let piece = lobes.rule.piece(&span).ok()?;
-        let (sin, cos, k) = (span.sh, span.ch, piece.handle.y);
         let sharp = 2.0 * (180.0 - after_sharp_end(from)) / size - 1.0;
         Some(Self {
-            cos,
-            sin,
-            bulge: k * sin,
-            lean: 2.0 * sin - 3.0 * k * cos,
-            excess: piece.excess(&span)?,
+            cubic: TouchingCubic::new(lobes.rule, size)?,
             middle: Angle::from_degrees(from + size / 2.0).direction(),
             sharp: Some(sharp).filter(|&sharp| sharp < 1.0),
             short: lobes.short,
@@ -238,11 +217,8 @@ impl LobeSegment {
 
     /// The extremes of the excess, and the sharp end; and how many they are.
     fn starts(&self) -> ([f64; MOST_LOBES], usize) {
-        let [h, g] = self.excess;
-        let outer = (1.0 + 8.0 * h / (3.0 * g)).max(0.0).sqrt();
         let (mut starts, mut count) = ([0.0; MOST_LOBES], 1);
-        // Curves that stay on one side have one lobe.
-        if outer < 1.0 {
+        if let Some(outer) = self.cubic.outer() {
             (starts, count) = ([-outer, 0.0, outer, 0.0], 3);
         }
         if let Some(sharp) = self.sharp {
@@ -294,7 +270,10 @@ impl LobeSegment {
     fn at<S: Real>(&self, v: S) -> Lobe<S> {
         #[cfg(test)]
         super::errors::LOOKS.set(super::errors::LOOKS.get() + 1);
-        let ([h, g], middle) = (self.excess, self.middle);
+        let TouchingCubic {
+            sin, bulge, lean, ..
+        } = self.cubic;
+        let ([h, g], middle) = (self.cubic.excess, self.middle);
         let [none, one, half] = [0.0, 1.0, 0.5].map(S::exact);
         let turned = |x: S, y: S| {
             [
@@ -303,15 +282,14 @@ impl LobeSegment {
             ]
         };
         let square = v * v;
-        let u = (one - square).scaled(0.25);
-        let y = v * (S::exact(self.sin) + u.scaled(self.lean));
-        let [x, y] = turned(S::exact(self.cos) + u.scaled(3.0 * self.bulge), y);
-        let rising = S::exact(self.sin) + (u - square.scaled(0.5)).scaled(self.lean);
-        let along = turned(v.scaled(-1.5 * self.bulge), rising);
+        let u = TouchingCubic::u(v);
+        let [x, y] = self.cubic.point(v, u);
+        let [x, y] = turned(x, y);
+        let rising = S::exact(sin) + (u - square.scaled(0.5)).scaled(lean);
+        let along = turned(v.scaled(-1.5 * bulge), rising);
         let steep = x.scaled(self.flat);
         let weight = steep * x + y * y;
-        let level = S::exact(h) + u.scaled(g);
-        let excess = none - u * u * level;
+        let excess = self.cubic.excess(u);
         // Two quotients for all: they cost most here.
         let (once, part) = (weight.reciprocal(), excess.reciprocal());
         let (root, twice) = (weight.sqrt() * once, once * once);

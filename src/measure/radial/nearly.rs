@@ -72,6 +72,12 @@ pub(crate) fn nearly(
     tells.then_some([attained * BELOW, peak * ABOVE])
 }
 
+/// What is decided alike by both of these.
+pub(crate) fn agreed<T: PartialEq>(between: [f64; 2], decide: impl Fn(f64) -> T) -> Option<T> {
+    let [low, high] = between.map(decide);
+    (low == high).then_some(low)
+}
+
 /// What is decided by the peak distance of these segments from an ellipse, where it is the same for all that the peak may be: by what
 /// is told of it, or by few samples, and then by many. `None` where only the peak itself decides.
 pub(crate) fn decided<T: PartialEq, S: IntoIterator<Item = PathSeg>>(
@@ -80,10 +86,7 @@ pub(crate) fn decided<T: PartialEq, S: IntoIterator<Item = PathSeg>>(
     truth: &Truth,
     decide: impl Fn(f64) -> T,
 ) -> Option<T> {
-    let same = |between: [f64; 2]| {
-        let [low, high] = between.map(&decide);
-        (low == high).then_some(low)
-    };
+    let same = |between| agreed(between, &decide);
     let between = told.or_else(|| nearly(segments(), truth));
     between
         .and_then(same)

@@ -4,6 +4,7 @@ use kurbo::ParamCurve;
 
 use super::*;
 use crate::method::Method;
+use crate::method::Span;
 use crate::numeric::foot::foot;
 
 const METHODS: [Method; 5] = [
@@ -203,7 +204,7 @@ fn a_crossing_lies_on_the_sharp_end() {
                 // v where the curve passes the sharp end, and how large F is beside its largest.
                 let v = 2.0 * way / size - 1.0;
                 let segment = LobeSegment::new(&lobes, from, size).unwrap();
-                let [h, g] = segment.excess;
+                let [h, g] = segment.cubic.excess;
                 let excess = |v: f64| {
                     let u = (1.0 - v * v) / 4.0;
                     (u * u * (h + g * u)).abs()
