@@ -8,7 +8,7 @@ mod svg_arc;
 
 pub(crate) use frame::{Exact, conic_placement};
 pub(crate) use outline::Axes;
-pub use outline::{Outline, Truth, UnitArc};
+pub use outline::{Outline, Truth, UnitArc, flattens};
 
 use kurbo::{Point, Vec2};
 

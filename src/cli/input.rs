@@ -7,7 +7,8 @@ use std::path::Path;
 
 use anyhow::Context;
 use curveto::contour::Contour;
-use curveto::document::{self, Unread};
+use curveto::document::{self, SvgPath, Unread};
+use curveto::error::{ShapeError, TextError};
 use flate2::bufread::GzDecoder;
 use kurbo::Affine;
 
@@ -151,7 +152,7 @@ pub(crate) fn is_svg(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"<") || bytes.starts_with("\u{feff}<".as_bytes())
 }
 
-/// The paths and basic shapes of an SVG file that messages call so, each with its map; notes say what of it is not read.
+/// The paths and basic shapes of an SVG file that messages call so, each with its map; notes say what of it is not read or not drawn.
 pub(crate) fn shapes(
     svg: &[u8],
     name: &str,
@@ -167,11 +168,35 @@ pub(crate) fn shapes(
         }
         notes.note(&format!("{name}: {unread}"));
     }
-    let shapes = drawing.paths.into_iter().map(|shape| {
-        let at = |error| Failure::request(format!("{name}:{}: {error}", shape.line));
-        shape.contours.map_err(at)
-    });
-    shapes.collect()
+    let mut shapes = Vec::new();
+    for shape in drawing.paths {
+        let place = place(name, &shape);
+        match shape.contours {
+            Ok(placed) => shapes.push(placed),
+            Err(error) if is_left_out(&error) => {
+                notes.note(&format!("{place}: left out: {error}"));
+            }
+            Err(error) => return Err(Failure::request(format!("{place}: {error}"))),
+        }
+    }
+    Ok(shapes)
+}
+
+/// What messages call an element of a file that they call so.
+pub(crate) fn place(name: &str, path: &SvgPath) -> String {
+    let id = path.id.as_ref().map(|id| format!("#{id}"));
+    format!("{name}:{}{}", path.line, id.unwrap_or_default())
+}
+
+/// Whether a shape is left out for this: SVG does not render it, or where it lies or how large it is depends on what is not known here.
+fn is_left_out(error: &curveto::Error) -> bool {
+    matches!(
+        error,
+        curveto::Error::Shape(ShapeError::Flattened)
+            | curveto::Error::Text(
+                TextError::NoViewport | TextError::Property { .. } | TextError::NoProperty(_)
+            )
+    )
 }
 
 /// What a word on the command line holds itself, which messages call so.

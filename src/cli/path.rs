@@ -25,7 +25,8 @@ fn read(source: &OsStr, notes: QuietArgs) -> Result<Vec<PlacedContours>, Failure
     if input::is_svg(&bytes) {
         let parts = together(input::shapes(&bytes, &name, notes)?);
         if parts.is_empty() {
-            return Err(Failure::request(format!("{name} has no path and no shape")));
+            let why = "has no path and no shape that is drawn";
+            return Err(Failure::request(format!("{name} {why}")));
         }
         return Ok(parts);
     }

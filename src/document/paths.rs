@@ -23,7 +23,7 @@ use super::xml::namespace::Namespace;
 use super::xml::node::{Element, Node};
 use super::xml::scan::Scanner;
 use super::{Error, read_bytes};
-use crate::contour::Contour;
+use crate::contour::{Contour, Step};
 use crate::error::TextError;
 
 /// The elements in which no other one draws a path: character data, what is said of the drawing, and a `style` that is no sheet.
@@ -196,7 +196,13 @@ impl PartlyRead {
 
 fn contours(tag: &Tag<'_>, place: &Coordinates) -> crate::Result<(Vec<Contour>, Affine)> {
     let map = place.map.clone()?;
-    Ok((shapes::contours(tag, place)?, map))
+    let contours = shapes::contours(tag, place)?;
+    for step in contours.iter().flat_map(|contour| &contour.steps) {
+        if let Step::Arc(arc) = step {
+            arc.outline().transformed(map)?;
+        }
+    }
+    Ok((contours, map))
 }
 
 #[cfg(test)]

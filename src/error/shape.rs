@@ -55,8 +55,8 @@ pub enum ShapeError {
         /// How many times one may be the other.
         most: f64,
     },
-    /// A transform that leaves a line of the plane.
-    #[error("the transform flattens the shape to a line: nothing is left to draw")]
+    /// A transform that leaves a line or a point of the plane.
+    #[error("the transform flattens everything to a line or a point: nothing is left to draw")]
     Flattened,
     /// The weight of a conic.
     #[error("the weight of a conic is above 0 and at most {most:e}, not {}: below 1 an ellipse, 1 a parabola, above 1 a hyperbola", plain(*weight))]

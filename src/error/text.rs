@@ -44,6 +44,9 @@ pub enum TextError {
         /// Its value.
         value: String,
     },
+    /// An element within an `svg` of which the width, the height or the `viewBox` is zero.
+    #[error("a viewport around it has no size: nothing in it is drawn")]
+    NoViewport,
     /// A property that an element lacks, and that has no default.
     #[error("{0} is not known")]
     NoProperty(&'static str),
@@ -59,9 +62,6 @@ pub enum TextError {
         /// What is wrong with it.
         why: &'static str,
     },
-    /// An element of which no shape can be made.
-    #[error("{0}")]
-    Element(String),
     /// A PostScript drawing.
     #[error("line {line}: {why}")]
     PostScript {

@@ -139,6 +139,9 @@ impl Truth {
         ] {
             finite(what, value)?;
         }
+        if flattens(placement) {
+            return Err(Error::Shape(ShapeError::Flattened));
+        }
         let center = Point::new(e, f);
         if (a == d && b == -c) || (a == -d && b == c) {
             let radius = positive("transformed radius", libm::hypot(a, b))?;
@@ -148,9 +151,6 @@ impl Truth {
         let larger = positive("transformed radius", radii.x.max(radii.y))?;
         // By the area, because the singular values' own formula cancels for flat ellipses.
         let smaller = placement.determinant().abs() / larger;
-        if smaller <= f64::EPSILON * larger {
-            return Err(Error::Shape(ShapeError::Flattened));
-        }
         let radii = positive_radii(Vec2::new(larger, smaller))?;
         // The larger singular value's direction; kurbo has the same formula, but asks the platform.
         let axis =
@@ -258,6 +258,17 @@ fn mapped(map: Affine, p: Point) -> Point {
 
 /// How many times one radius may be the other: beyond, an ellipse in double precision is a line.
 const FLATTEST: f64 = 1e12;
+
+/// Whether nothing but a line or a point is left of the plane under a map, to double precision: it has no inverse there, and SVG
+/// renders nothing.
+#[must_use]
+pub fn flattens(map: Affine) -> bool {
+    let [a, b, c, d, ..] = map.as_coeffs();
+    // Neither squares nor the determinant leave the range of `f64` then.
+    let size = [b, c, d].iter().fold(a.abs(), |size, x| size.max(x.abs()));
+    let [a, b, c, d] = [a, b, c, d].map(|x| x / size);
+    size == 0.0 || FLATTEST * (a * d - b * c).abs() < a * a + b * b + c * c + d * d
+}
 
 #[inline]
 pub(crate) fn positive_radii(radii: Vec2) -> Result<Vec2> {

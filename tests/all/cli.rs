@@ -233,7 +233,7 @@ fn impossible_requests_say_why_and_what_would_do() {
         (&["arc", "5"], "--end or --sweep"),
         (
             &["circle", "5", "--transform", "scale(0)"],
-            "transformed radius",
+            "a line or a point: nothing is left to draw",
         ),
         (&["circle", "5", "--transform", "scale(1 0)"], "flattens"),
         (&["circle", "5", "--transform", "turn(5)"], "transform"),

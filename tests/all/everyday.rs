@@ -640,3 +640,100 @@ fn extremes_begin_at_the_start() {
             .starts_with("M50 0C")
     );
 }
+
+#[test]
+fn what_svg_does_not_render_is_left_out_and_the_rest_is_drawn() {
+    let circle = "<circle id='c' r='5'/>";
+    let drawn = printed(&["circle", "5"]);
+    let flat = "the transform flattens everything to a line or a point: nothing is left to draw";
+    let placed = |transform: &str| format!("<g transform='{transform}'>{circle}</g>");
+    for (gone, why) in [
+        (placed("scale(0)"), flat),
+        (placed("scale(1 0)"), flat),
+        (placed("skewX(90)"), flat),
+        (placed("rotate(30)scale(1 1e-13)"), flat),
+        (
+            placed("scale(0)").replace(
+                "<circle id='c' r='5'/>",
+                "<path id='c' d='M0 0C1 1 2 2 3 0'/>",
+            ),
+            flat,
+        ),
+        (
+            "<ellipse id='c' transform='scale(1 1e-9)' rx='5' ry='1e-5'/>".to_owned(),
+            flat,
+        ),
+        (
+            format!("<svg width='0'>{circle}</svg>"),
+            "a viewport around it has no size: nothing in it is drawn",
+        ),
+        (
+            format!("<svg viewBox='0 0 0 5' width='9' height='9'>{circle}</svg>"),
+            "a viewport around it has no size: nothing in it is drawn",
+        ),
+        (
+            "<circle id='c' r='2em'/>".to_owned(),
+            "its r '2em' is not read here",
+        ),
+        (
+            "<path id='c' style='transform:scale(2);transform-box:fill-box' d='M0 0L1 1'/>"
+                .to_owned(),
+            "its transform-box 'fill-box' is not read here",
+        ),
+    ] {
+        let svg = format!("<svg>{}\n{gone}</svg>", circle.replace(" id='c'", ""));
+        let note = format!("note: <stdin>:2#c: left out: {why}\n");
+        assert_eq!(
+            piped(&["path", "-"], svg.as_bytes()),
+            [drawn.clone(), note.clone()]
+        );
+        let output = program::piped(&["diff", drawn.trim(), "-", "-t", "0.01"], svg.as_bytes());
+        assert_eq!(output.status.code(), Some(0), "{svg}");
+        assert_eq!(String::from_utf8(output.stderr).unwrap(), note);
+    }
+    // Negative sizes are errors, which count as if they were not there.
+    let svg = "<svg viewBox='0 0 -3 5'><circle r='5'/></svg>";
+    assert_eq!(
+        piped(&["path", "-"], svg.as_bytes()),
+        [drawn, String::new()]
+    );
+    let [nothing, said] = piped(&["path", "-"], placed("scale(0)").as_bytes());
+    assert!(
+        nothing.is_empty()
+            && said.ends_with("error: <stdin> has no path and no shape that is drawn\n"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_radius_in_percent_is_one_of_the_diagonal() {
+    for size in ["viewBox='0 0 70 10'", "width='70' height='10'"] {
+        let svg = format!("<svg {size}><circle r='10%'/></svg>");
+        let drawn = [printed(&["circle", "5"]), String::new()];
+        assert_eq!(piped(&["path", "-"], svg.as_bytes()), drawn);
+    }
+}
+
+#[test]
+fn a_transform_that_leaves_nothing_is_refused_for_every_shape() {
+    for shape in [
+        "circle 5",
+        "arc 5 --sweep 90",
+        "conic --from 0,0 --control 1,1 --to 2,0 --weight 1",
+        "path M0_0L1_1",
+        "path M0_0C1_1_2_2_3_0",
+        "spline --points 0,0_1,2_3,1",
+        "sphere 5",
+        "measure circle 5",
+    ] {
+        for transform in ["scale(0)", "scale(1_0)", "rotate(30)scale(1_1e-13)"] {
+            let output = program::run_words(&format!("{shape} --transform {transform}"));
+            let said = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(output.status.code(), Some(2), "{shape}");
+            assert!(
+                said.contains("flattens everything to a line or a point"),
+                "{said}"
+            );
+        }
+    }
+}

@@ -7,9 +7,11 @@ use std::str::FromStr;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Command, ValueEnum};
 use curveto::compare::Criterion;
+use curveto::error::{Error, ShapeError};
 use curveto::measure::Quantity;
 use curveto::number::Precision;
 use curveto::picture::style::Shown;
+use curveto::shape::flattens;
 use curveto::spline::SplineEnds;
 use curveto::write::Format;
 use curveto::{Angle, Method, Tolerance};
@@ -21,7 +23,7 @@ use crate::cli::remedies;
 type Read<T> = Result<T, String>;
 
 /// The message of a library error, with its hint.
-fn told(error: &curveto::Error) -> String {
+fn told(error: &Error) -> String {
     let message = remedies::message(error);
     match remedies::hint(error) {
         Some(hint) => format!("{message}\nhint: {hint}"),
@@ -30,7 +32,7 @@ fn told(error: &curveto::Error) -> String {
 }
 
 /// Reads what the library reads, with its message.
-fn parsed<T: FromStr<Err = curveto::Error>>(text: &str) -> Read<T> {
+fn parsed<T: FromStr<Err = Error>>(text: &str) -> Read<T> {
     text.parse().map_err(|error| told(&error))
 }
 
@@ -304,5 +306,9 @@ pub(super) fn precision(text: &str) -> Read<PrecisionWord> {
 }
 
 pub(super) fn transform(text: &str) -> Read<Affine> {
-    curveto::path::transform(text).map_err(|error| error.to_string())
+    let map = curveto::path::transform(text).map_err(|error| error.to_string())?;
+    if flattens(map) {
+        return Err(Error::Shape(ShapeError::Flattened).to_string());
+    }
+    Ok(map)
 }

@@ -106,12 +106,9 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Forei
     for unread in &drawing.unread {
         report.quiet.note(&format!("{name}: {unread}"));
     }
-    let source = |path: document::SvgPath| {
-        let id = path.id.map(|id| format!("#{id}")).unwrap_or_default();
-        ForeignPath {
-            name: format!("{name}:{}{id}", path.line),
-            contours: path.contours,
-        }
+    let source = |path: document::SvgPath| ForeignPath {
+        name: input::place(&name, &path),
+        contours: path.contours,
     };
     let sources = drawing.paths.into_iter().map(source).collect();
     Ok((name, sources))

@@ -7,7 +7,6 @@ use super::placing::Coordinates;
 use super::tag::Tag;
 use crate::angle::Angle;
 use crate::contour::{Contour, ContourPen};
-use crate::document::reason::Reason;
 use crate::document::shape::element::{UsedShape, shape};
 use crate::document::shape::length::Length;
 use crate::document::style::property::ElementKind;
@@ -78,8 +77,11 @@ fn lines(pen: &mut ContourPen, points: &[Point]) -> Result<()> {
 fn used(kind: ElementKind, tag: &Tag<'_>, place: &Coordinates, pen: &mut ContourPen) -> Result<()> {
     let given = |name| place.length(tag, name, Some(0.0));
     let values = |lengths: [Length; 2]| lengths.map(|length| length.value);
-    let get = |name| Ok(place.optional_length(tag, name)?.map(Length::computed));
-    match shape(kind, get) {
+    let lengths: Vec<(&str, Option<f64>)> = (kind.geometry().iter())
+        .map(|&name| Ok((name, place.optional_length(tag, name)?)))
+        .collect::<Result<_>>()?;
+    let get = |name: &str| lengths.iter().find(|(known, _)| *known == name)?.1;
+    match shape(kind, |name| Ok(get(name).map(Length::computed))) {
         Ok(UsedShape::Ellipse(center, radii)) => ellipse(pen, values(center), values(radii)),
         Ok(UsedShape::Rect(corner, size, radii)) => {
             rect(pen, values(corner), values(size), values(radii))
@@ -91,8 +93,8 @@ fn used(kind: ElementKind, tag: &Tag<'_>, place: &Coordinates, pen: &mut Contour
             }
             Ok(())
         }
-        Err(Reason::NotDrawn(_)) => Ok(()),
-        Err(why) => Err(Error::Text(TextError::Element(why.to_string()))),
+        // With all lengths read, that is that nothing is drawn.
+        Err(_) => Ok(()),
     }
 }
 

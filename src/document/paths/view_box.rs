@@ -15,16 +15,17 @@ pub(super) struct ViewBox {
 impl ViewBox {
     /// That of an element. What is no list of four numbers, or has no positive size, counts as missing.
     pub(super) fn of(tag: &Tag<'_>) -> Result<Option<Self>> {
-        let text = tag.attribute("viewBox")?;
-        let numbers = text.and_then(|text| numbers::list(&text).ok());
-        let Some(&[left, top, w, h]) = numbers.as_deref() else {
-            return Ok(None);
-        };
-        let is_finite = [left, top, w, h].into_iter().all(f64::is_finite);
-        Ok((is_finite && w > 0.0 && h > 0.0).then_some(Self {
+        let found = numbers_of(tag)?.filter(|[_, _, w, h]| *w > 0.0 && *h > 0.0);
+        Ok(found.map(|[left, top, w, h]| Self {
             corner: Vec2::new(left, top),
             size: [w, h],
         }))
+    }
+
+    /// Whether that of an element is there and has no size, so that nothing is rendered.
+    pub(super) fn is_empty(tag: &Tag<'_>) -> bool {
+        let is_empty = |[_, _, w, h]: [f64; 4]| w.min(h) == 0.0;
+        numbers_of(tag).is_ok_and(|numbers| numbers.is_some_and(is_empty))
     }
 
     /// The map to a viewport of this size, as `preserveAspectRatio` has it.
@@ -45,6 +46,14 @@ impl ViewBox {
         );
         Ok(Affine::translate(moved) * Affine::scale(scale) * Affine::translate(-self.corner))
     }
+}
+
+/// The numbers of a `viewBox`; `None` where these are no list of four.
+fn numbers_of(tag: &Tag<'_>) -> Result<Option<[f64; 4]>> {
+    let text = tag.attribute("viewBox")?;
+    let numbers = text.and_then(|text| numbers::list(&text).ok());
+    let four = numbers.and_then(|numbers| numbers.try_into().ok());
+    Ok(four.filter(|four: &[f64; 4]| four.iter().all(|number| number.is_finite())))
 }
 
 /// How a `viewBox` fills a viewport: how much of what is left over stands before it, by axis.
