@@ -14,7 +14,7 @@ use kurbo::{Point, Vec2};
 
 use crate::angle::Angle;
 use crate::error::{Error, Result, ShapeError, finite, positive};
-pub(crate) use outline::positive_radii;
+pub(crate) use outline::{check_flatness, positive_radii};
 
 /// A shape that can be drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -66,7 +66,7 @@ fn fill_svg_arcs(courses: &mut Courses, arcs: &[SvgArc], tolerance: Tolerance) {
         }
         set(&mut from, i, arc.from.to_vec2());
         set(&mut to, i, arc.to.to_vec2());
-        set(&mut given, i, arc.radii);
+        set(&mut given, i, arc.near_chord().radii);
         rotation[i] = arc.rotation.within_turn();
         large[i] = f64::from(arc.large_arc);
         positive[i] = f64::from(arc.sweep);
@@ -107,7 +107,7 @@ fn fill_svg_arcs(courses: &mut Courses, arcs: &[SvgArc], tolerance: Tolerance) {
         set(&mut radii, i, chord.radii);
     }
     for (i, is_drawn) in courses.is_drawn.iter_mut().enumerate() {
-        *is_drawn &= positive_radii(pair(&radii, i)).is_ok();
+        *is_drawn &= positive_radii(pair(&radii, i)).is_ok() && size[i] > 0.0;
     }
     courses.count_steps(&sweep, &radii, tolerance);
 }

@@ -286,7 +286,7 @@ impl Profile {
     /// Visits places with what the distance there lies between for certain; the whole segment lies between the largest and the least, those
     /// included that were `known` before.
     pub(crate) fn visit_bounds(&self, known: &mut Known, mut visit: impl FnMut(f64, [f64; 2])) {
-        let noise = NOISE * self.larger_radius();
+        let noise = NOISE * self.larger_radius().min(self.reach());
         let mut visit = |t: f64, [low, high]: [f64; 2]| {
             let beyond = |bound: f64| if bound > 0.0 { bound + noise } else { bound };
             visit(t, [-beyond(-low), beyond(high)]);
@@ -296,6 +296,17 @@ impl Profile {
         } else {
             peaks::visit(self, known, visit);
         }
+    }
+
+    /// How far the sums of which the excess is made reach, in all: about the end of a short chord of a circle nothing grows with the radius.
+    fn reach(&self) -> f64 {
+        if !self.is_circle() || self.exact.is_about_center() || self.exact.is_mapped() {
+            return f64::INFINITY;
+        }
+        let sizes = control_points(&self.own)
+            .into_iter()
+            .map(|p| p.to_vec2().hypot());
+        sizes.fold(self.exact.chord_size(), f64::max) * 2.0
     }
 
     fn visit_on_circle(&self, mut visit: impl FnMut(f64, f64)) {

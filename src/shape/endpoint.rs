@@ -3,6 +3,7 @@
 use kurbo::{Point, Vec2};
 
 use super::frame::{circle_between, cotangent_between, products_about};
+use super::svg_arc::FLAT;
 pub use super::svg_arc::SvgArc;
 pub(crate) use super::svg_arc::{Chord, Half};
 use super::{Arc, Given, Line, Shape, finite_point};
@@ -101,10 +102,12 @@ pub(super) fn inscribed(ends: [Point; 2], given: Given, forth: bool) -> Result<S
     let Some(cotangent) = cotangent_between(ends, given) else {
         return line;
     };
-    let (center, radius) = circle_between(ends, cotangent);
-    if !radius.is_finite() {
+    // The cotangent of half the sweep, which is that of no more than half a turn where it is positive.
+    let along = if forth { 1.0 } else { -1.0 } * cotangent.value();
+    if along * FLAT >= 1.0 || along.is_nan() {
         return line;
     }
+    let (center, radius) = circle_between(ends, cotangent);
     let center = finite_point("centre", center)?;
     let (start, size) = (from - center, cotangent.value());
     let sweep = match given {
@@ -115,7 +118,7 @@ pub(super) fn inscribed(ends: [Point; 2], given: Given, forth: bool) -> Result<S
     };
     Ok(Shape::Arc(Arc {
         center,
-        radii: Vec2::new(finite("radius", radius)?, radius),
+        radii: Vec2::new(positive("radius", radius)?, radius),
         rotation: Angle::ZERO,
         start: Angle::from_radians(libm::atan2(start.y, start.x)),
         sweep: Angle::from_radians(sweep),

@@ -278,12 +278,19 @@ pub(crate) fn positive_radii(radii: Vec2) -> Result<Vec2> {
         "radii"
     };
     let radii = Vec2::new(positive(what, radii.x)?, positive(what, radii.y)?);
+    check_flatness(radii)?;
+    Ok(radii)
+}
+
+/// Refuses radii of which one is too small beside the other.
+#[inline]
+pub(crate) fn check_flatness(radii: Vec2) -> Result<()> {
     let (small, large) = (radii.x.min(radii.y), radii.x.max(radii.y));
     if large > FLATTEST * small {
         let (radii, most) = ([radii.x, radii.y], FLATTEST);
         return Err(Error::Shape(ShapeError::TooFlat { radii, most }));
     }
-    Ok(radii)
+    Ok(())
 }
 
 #[cfg(test)]

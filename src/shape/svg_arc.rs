@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Vec2};
 
-use super::{Arc, Given, Line, Shape, Truth, finite_point, positive_radii};
+use super::{Arc, Given, Line, Shape, Truth, check_flatness, finite_point, positive_radii};
 use crate::angle::{Angle, quadrant_degrees};
 use crate::error::{Result, finite};
 use crate::number::decimal_sum;
@@ -80,10 +80,42 @@ impl SvgArc {
         if self.is_straight() {
             return Ok(None);
         }
-        let half = Half::new(self, self.rotation.direction()).with_all_digits(self);
-        let chord = half.chord(self);
+        check_flatness(self.positive_radii())?;
+        let near = self.near_chord();
+        let half = Half::new(&near, self.rotation.direction()).with_all_digits(&near);
+        let half = half.with_size_of_trace();
+        if half.size == 0.0 {
+            return Ok(None);
+        }
+        let chord = half.chord(&near);
         positive_radii(chord.radii)?;
         Ok(Some(chord))
+    }
+
+    /// The same arc: radii far too small for the chord, of which only the quotient counts, are multiplied by a power of two, so that nothing
+    /// leaves the range of `f64`.
+    #[inline]
+    pub(crate) fn near_chord(&self) -> Self {
+        let (chord, radius) = (
+            self.chord_size(),
+            self.radii.x.abs().max(self.radii.y.abs()),
+        );
+        if radius >= TOO_SMALL * chord {
+            return *self;
+        }
+        let by = libm::ilogb(TOO_SMALL * chord) - libm::ilogb(radius);
+        let radii = Vec2::new(
+            libm::scalbn(self.radii.x, by),
+            libm::scalbn(self.radii.y, by),
+        );
+        Self { radii, ..*self }
+    }
+
+    /// The larger difference of the coordinates of the ends.
+    #[inline(always)]
+    fn chord_size(&self) -> f64 {
+        let chord = self.to - self.from;
+        chord.x.abs().max(chord.y.abs())
     }
 
     /// Refuses numbers that are not finite, or too large.
@@ -102,12 +134,22 @@ impl SvgArc {
         Vec2::new(self.radii.x.abs(), self.radii.y.abs())
     }
 
-    /// Whether it is a line or nothing.
+    /// Whether it is a line or nothing, to the last digit: with c the chord, r the smaller radius and R the larger one, the shorter arc
+    /// leaves the chord by at most R (c/r)² / 8.
     #[inline]
     pub(crate) fn is_straight(&self) -> bool {
-        self.from == self.to || self.radii.x == 0.0 || self.radii.y == 0.0
+        let radii = self.positive_radii();
+        let (short, long) = (radii.x.min(radii.y), radii.x.max(radii.y));
+        let is_flat = || (self.chord_size() / short) * (long / short) <= FLAT;
+        self.from == self.to || short == 0.0 || !self.large_arc && is_flat()
     }
 }
+
+/// The part of a chord below which radii are scaled before anything is computed from them.
+const TOO_SMALL: f64 = 1e-9;
+
+/// What an arc leaves its chord by at most where it is a line, in eighths of the chord: 2^-93, far below the last digit of its ends.
+pub(super) const FLAT: f64 = 1e-28;
 
 /// Half the chord of an arc in the frame where its ellipse is the unit circle.
 #[derive(Debug, Clone, Copy)]
@@ -130,7 +172,8 @@ impl Half {
             (axis.x * half.x + axis.y * half.y) / arc.radii.x.abs(),
             (axis.x * half.y - axis.y * half.x) / arc.radii.y.abs(),
         );
-        let size = along.hypot();
+        // Where the arc is all of the ellipse but a trace, squares of the trace would vanish.
+        let size = (along * UP).hypot() / UP;
         let square = (1.0 - size) * (1.0 + size);
         Self {
             axis,
@@ -151,6 +194,15 @@ impl Half {
         } else {
             self
         }
+    }
+
+    /// With the size of a chord so small that even scaled squares vanish.
+    fn with_size_of_trace(self) -> Self {
+        if self.size > 0.0 {
+            return self;
+        }
+        let size = (self.along * UP * UP).hypot() / UP / UP;
+        Self { size, ..self }
     }
 
     #[inline(always)]
@@ -186,6 +238,9 @@ impl Half {
     }
 }
 
+/// 2^400, which takes part in no rounding.
+const UP: f64 = f64::from_bits((1023 + 400) << 52);
+
 /// The part of the diameter from which on 1 - size² loses digits; as much beyond a diameter it is negative for certain.
 const NEARLY_SEMICIRCLE: f64 = 0.99;
 
@@ -201,6 +256,9 @@ fn depth_of(from: Point, to: Point, rotation: Angle, radii: Vec2) -> f64 {
     let rest = Double::difference(1.0, 0.0).plus(square.scaled(-1.0));
     rest.value().max(0.0).sqrt()
 }
+
+/// The square of half a chord on the unit circle from which on the arc is all of the ellipse, and its centre tells more.
+const TRACE: f64 = 1e-200;
 
 /// An elliptical arc by its chord.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -236,7 +294,9 @@ impl Chord {
     /// What gives an arc this chord.
     fn given(&self, arc: &SvgArc) -> Given {
         if self.across == Vec2::ZERO {
-            Given::Enlarged(arc.positive_radii())
+            Given::Enlarged(arc.near_chord().positive_radii())
+        } else if self.along.hypot2() < TRACE {
+            Given::Sweep
         } else {
             Given::Radii {
                 large: arc.large_arc,

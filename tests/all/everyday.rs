@@ -737,3 +737,66 @@ fn a_transform_that_leaves_nothing_is_refused_for_every_shape() {
         }
     }
 }
+
+#[test]
+fn radii_far_too_small_are_scaled_up() {
+    for rotation in ["0", "30"] {
+        let arc = |radii: &str| printed(&["path", &format!("M0 0A{radii} {rotation} 0 1 1 0")]);
+        assert_eq!(arc("1e-160 2e-160"), arc("1e-3 2e-3"), "{rotation}");
+        assert_eq!(arc("1e-310 1e-310"), arc("1e-3 1e-3"), "{rotation}");
+    }
+    let said = refused(&["path", "M0 0A1e-160 1 0 0 1 1 0"]);
+    assert!(said.contains("is too flat"), "{said}");
+}
+
+#[test]
+fn an_arc_that_is_its_chord_to_the_last_digit_is_a_line() {
+    let tiny = format!("0.{}1", "0".repeat(199));
+    let line = format!("M0 0L{tiny} 0L9 9\n");
+    assert_eq!(printed(&["path", "M0 0A5 5 0 0 1 1e-200 0L9 9"]), line);
+    assert_eq!(printed(&["path", "M0 0A5 3 20 0 0 1e-200 0L9 9"]), line);
+    let svg = |data: &str| format!("<svg><path d='{data}'/></svg>");
+    let [converted, said] = piped(
+        &["convert", "-"],
+        svg("M0 0A5 5 0 0 1 1e-200 0L9 9").as_bytes(),
+    );
+    assert_eq!([converted, said], [svg("M0 0L1e-200 0L9 9"), String::new()]);
+    for arc in [
+        &["arc", "--svg", "M0 0A1e40 1e40 0 0 1 1 0", "-t", "1e-20"][..],
+        &["arc", "--from", "0,0", "--to", "1,0", "--bulge", "-1e-200"],
+        &["arc", "--through", "0,0", "0.5,1e-40", "1,0"],
+    ] {
+        assert_eq!(printed(arc), "M0 0L1 0\n", "{arc:?}");
+    }
+    // The longer arc between such ends is all of the circle.
+    for (end, zeros) in [("1e-200", 199), ("1e-300", 299)] {
+        let drawn = printed(&["path", &format!("M0 0A5 5 0 1 1 {end} 0")]);
+        let last = format!("0 0.{}1 0\n", "0".repeat(zeros));
+        assert!(
+            drawn.starts_with("M0 0C-2.7596 0-5-2.2404-5-5C-5-7.7596") && drawn.ends_with(&last),
+            "{drawn}"
+        );
+    }
+    let [_, said] = piped(&["batch"], b"polyline 0 0 1 1e-200 0 0 1 1 0");
+    assert!(
+        said.contains("the radius 5e-201 is too small: lengths must be at least 1e-100"),
+        "{said}"
+    );
+}
+
+#[test]
+fn the_error_of_an_arc_of_huge_radius_is_that_of_its_chord() {
+    // The line is what is drawn, and the arc leaves it by a quarter of the chord over the diameter.
+    for radius in ["1e18", "1e20", "1e25"] {
+        let arc = format!("M0 0A{radius} {radius} 0 0 1 1 0");
+        let found = json(&["arc", "--svg", &arc])["error"]["peak"]
+            .as_f64()
+            .unwrap();
+        let sagitta = 0.125 / radius.parse::<f64>().unwrap();
+        assert!(
+            found >= 0.99 * sagitta && found < 1e-15,
+            "{radius}: {found}"
+        );
+        assert!(printed(&["arc", "--svg", &arc, "-t", "1e-12"]).ends_with("1 0\n"));
+    }
+}

@@ -253,7 +253,7 @@ impl<S: Sink> ArcWriter<'_, '_, S> {
             if arc.to == arc.from {
                 return self.nothing(segment, after);
             }
-            if arc.radii.x == 0.0 || arc.radii.y == 0.0 {
+            if arc.is_straight() {
                 self.line(segment);
                 return Ok(());
             }
@@ -369,7 +369,7 @@ impl<S: Sink> ArcWriter<'_, '_, S> {
             .map(|segment| segment.kind())
     }
 
-    /// A zero radius: a straight line to the end point as the file spells it.
+    /// A zero radius, or one beside which the chord is next to nothing: a straight line to the end point as the file spells it.
     fn line(&mut self, segment: &Segment) {
         let out = self.sink.edit(self.text_start(segment)..segment.end);
         lettered(&mut self.end, out, segment, b'l');

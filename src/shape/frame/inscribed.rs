@@ -2,9 +2,19 @@
 
 use kurbo::Point;
 
-use super::{cross, differences, dot};
+use super::{DotOffset, Exact, cross, differences, dot};
 use crate::numeric::double::Double;
 use crate::shape::Given;
+
+impl Exact {
+    /// The length of the chord that the frame is about, in it; 0 where there is none.
+    pub(crate) fn chord_size(&self) -> f64 {
+        match self.level {
+            DotOffset::Radius(_) => 0.0,
+            DotOffset::Pencil { chord, .. } => dot(chord, chord).sqrt().value(),
+        }
+    }
+}
 
 /// The cotangent of half the sweep of a circular arc between two ends, where what gives the arc says it by itself.
 pub(in crate::shape) fn cotangent_between([from, to]: [Point; 2], given: Given) -> Option<Double> {
@@ -43,5 +53,13 @@ pub(in crate::shape) fn circle_between([from, to]: [Point; 2], cotangent: Double
         x.plus(Double::of(from.x)).value(),
         y.plus(Double::of(from.y)).value(),
     );
-    (center, dot([x, y], [x, y]).sqrt().value())
+    // By a power of two, so that squares of no radius vanish.
+    let size = x.value().abs().max(y.value().abs());
+    let by = if size.is_normal() {
+        libm::scalbn(1.0, -libm::ilogb(size))
+    } else {
+        1.0
+    };
+    let scaled = [x, y].map(|x| x.scaled(by));
+    (center, dot(scaled, scaled).sqrt().value() / by)
 }
