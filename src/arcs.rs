@@ -238,6 +238,11 @@ impl Plan {
         let bounds = pieces.iter().map(StepCurve::bounding_box);
         let bounds = bounds.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
         let size = bounds.width().max(bounds.height()) / 2.0;
+        // A path of lines alone has nothing to fit.
+        let curved = pieces.iter().any(|piece| !piece.is_line());
+        if curved && size > 0.0 {
+            positive("size of the path", 2.0 * size)?;
+        }
         let corners = [bounds.x0, bounds.y0, bounds.x1, bounds.y1];
         let largest = corners
             .into_iter()
@@ -254,8 +259,6 @@ impl Plan {
         let precision = options.precision.unwrap_or(automatic);
         let rounding = precision.farthest_moved();
         let room = tolerance - rounding;
-        // A path of lines alone has nothing to fit.
-        let curved = pieces.iter().any(|piece| !piece.is_line());
         let finest = FINEST * largest;
         if curved && tolerance <= finest && size > 0.0 {
             return Err(Error::TooFine {

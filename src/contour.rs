@@ -6,11 +6,11 @@ mod quadratics;
 
 use core::ops::Range;
 
-use kurbo::{Line, PathSeg, Point, Rect};
+use kurbo::{CubicBez, Line, PathSeg, Point, Rect};
 
 use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
-use crate::curve::{Curve, largest_move};
+use crate::curve::{Curve, check_size, largest_move};
 use crate::error::{Error, Result};
 use crate::joints::{Cut, MOST_IN_ALL, MOST_SEGMENTS, Tolerance};
 use crate::measure::radial;
@@ -243,13 +243,22 @@ pub fn draw(
     Ok(drawing)
 }
 
-/// Refuses a contour whose cubics would become more quadratics than a curve may have segments.
+/// Refuses a contour that is too small, or whose cubics would become more quadratics than a curve may have segments.
 fn check_quadratics(contour: &Contour, options: &approximate::Options) -> Result<()> {
-    let cubics = contour.steps.iter().filter_map(|step| match step {
-        Step::Given(PathSeg::Cubic(cubic)) => Some(options.transform * *cubic),
+    let given = contour.steps.iter().filter_map(|step| match step {
+        Step::Given(segment) => Some(options.transform * *segment),
+        Step::Arc(_) => None,
+    });
+    let given: Vec<PathSeg> = given.collect();
+    let cubics = given.iter().filter_map(|segment| match segment {
+        PathSeg::Cubic(cubic) => Some(*cubic),
         _ => None,
     });
-    check_count(&cubics.collect::<Vec<_>>(), &options.cut)
+    let cubics: Vec<CubicBez> = cubics.collect();
+    if !cubics.is_empty() {
+        check_size(&given)?;
+    }
+    check_count(&cubics, &options.cut)
 }
 
 /// The sketches of a contour's arcs; `count` is how many segments those before it have; refused where it has more

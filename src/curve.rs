@@ -4,7 +4,7 @@ use core::borrow::Borrow;
 
 use kurbo::{Affine, CubicBez, ParamCurve, PathSeg, Point, QuadBez, Rect, Vec2};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, positive};
 use crate::number::{Precision, round};
 
 /// A closing line shorter than this part of the curve's extent is the gap of a joint, not a segment; an open curve whose ends
@@ -97,7 +97,8 @@ impl Curve {
         let mut kept: Vec<PathSeg> = Vec::with_capacity(self.segments.len());
         for &segment in &self.segments {
             let points = control_points(&segment);
-            if points.iter().all(|p| p.distance(points[0]) <= near) {
+            let is_near = |p: &Point| libm::hypot(p.x - points[0].x, p.y - points[0].y) <= near;
+            if points.iter().all(is_near) {
                 continue;
             }
             // What a segment left out was long is added to the next.
@@ -213,6 +214,18 @@ pub(crate) fn first_direction(segment: &PathSeg) -> Vec2 {
 pub(crate) fn gap(curve: &Curve) -> f64 {
     let ends = curve.segments.first().zip(curve.segments.last());
     ends.map_or(0.0, |(first, last)| first.start().distance(last.end()))
+}
+
+/// Refuses what is so small, and no point, that squares of its lengths vanish.
+pub(crate) fn check_size<'a>(segments: impl IntoIterator<Item = &'a PathSeg>) -> Result<()> {
+    let points = segments.into_iter().flat_map(control_points);
+    let boxes = points.map(|p| Rect::from_points(p, p));
+    let bounds = boxes.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
+    let size = bounds.width().max(bounds.height());
+    if size > 0.0 {
+        positive("size of the path", size)?;
+    }
+    Ok(())
 }
 
 /// The diagonal of the curve's bounding box.

@@ -8,7 +8,7 @@ use kurbo::{Affine, PathSeg, Point, Rect};
 
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step};
-use crate::curve::{control_points, largest_coordinate};
+use crate::curve::{check_size, control_points, largest_coordinate};
 use crate::error::{Result, finite, positive};
 use crate::joints::Cut;
 use crate::number::Precision;
@@ -63,6 +63,7 @@ impl Track {
             finite("coordinate", p.x)?;
             finite("coordinate", p.y)?;
         }
+        check_size(&track.segments)?;
         Ok(track)
     }
 

@@ -800,3 +800,34 @@ fn the_error_of_an_arc_of_huge_radius_is_that_of_its_chord() {
         assert!(printed(&["arc", "--svg", &arc, "-t", "1e-12"]).ends_with("1 0\n"));
     }
 }
+
+#[test]
+fn curves_so_small_that_squares_vanish_are_refused_as_circles_are() {
+    let curve = |size: &str| format!("M0 0C{size} 0 {size} {size} 0 {size}");
+    let small = curve("1e-160");
+    let (plain, other) = (curve("1e-99"), curve("2e-99"));
+    for words in [
+        &["path", &small, "--to", "quadratics"][..],
+        &["path", &small, "--to", "lines"],
+        &["path", &small, "--to", "arcs"],
+        &["diff", &small, &small],
+    ] {
+        let said = refused(words);
+        let why = "the size of the path 1e-160 is too small: lengths must be at least 1e-100";
+        assert!(said.contains(why), "{words:?}: {said}");
+    }
+    // Just above, as many segments as at any size.
+    for (kind, count) in [("quadratics", 6), ("lines", 39)] {
+        let drawn = json(&["path", &plain, "--to", kind, "-f", "json"]);
+        let segments = drawn["subpaths"][0]["segments"].as_array().unwrap();
+        assert_eq!(segments.len(), count, "{kind}");
+        assert!(drawn["error"]["peak"].as_f64().unwrap() > 0.0, "{kind}");
+    }
+    assert_eq!(run(&["diff", &plain, &other]).status.code(), Some(1));
+    // What is measured is measured in a unit of its own.
+    let error = |size: &str| {
+        let found = json(&["measure", "--path", &curve(size)]);
+        found["error"]["outward"].as_f64().unwrap() / size.parse::<f64>().unwrap()
+    };
+    assert!((error("1e-200") / error("1") - 1.0).abs() < 1e-9);
+}
