@@ -169,12 +169,17 @@ impl Half {
         // (5.1) in the frame of the ellipse's axes, (6.1) divided by the radii.
         let half = (arc.from - arc.to) / 2.0;
         let along = Vec2::new(
-            (axis.x * half.x + axis.y * half.y) / arc.radii.x.abs(),
-            (axis.x * half.y - axis.y * half.x) / arc.radii.y.abs(),
+            whole_half((axis.x * half.x + axis.y * half.y) / arc.radii.x.abs()),
+            whole_half((axis.x * half.y - axis.y * half.x) / arc.radii.y.abs()),
         );
         // Where the arc is all of the ellipse but a trace, squares of the trace would vanish.
         let size = (along * UP).hypot() / UP;
-        let square = (1.0 - size) * (1.0 + size);
+        // The chord of a quarter is as long as it is deep, to the last digit.
+        let square = if along.hypot2() == 0.5 {
+            0.5
+        } else {
+            (1.0 - size) * (1.0 + size)
+        };
         Self {
             axis,
             along,
@@ -226,15 +231,25 @@ impl Half {
         } else {
             1.0
         };
-        let direction = self.along / self.size;
+        let (along, across) = (within / self.size, side * self.depth / self.size);
         Chord {
             middle: arc.from.midpoint(arc.to),
             radii: arc.positive_radii() * scale,
             axis: self.axis,
-            along: direction * within,
-            across: Vec2::new(direction.y, -direction.x) * (side * self.depth),
+            along: self.along * along,
+            across: Vec2::new(self.along.y, -self.along.x) * across,
             sweep: if arc.sweep { size } else { -size },
         }
+    }
+}
+
+/// 1/2 in place of what rounding makes of it: the chord of a quarter between ends on the axes, which so is one to the last digit.
+#[inline(always)]
+fn whole_half(x: f64) -> f64 {
+    if (x.abs() - 0.5).abs() <= 2.0 * f64::EPSILON {
+        0.5_f64.copysign(x)
+    } else {
+        x
     }
 }
 

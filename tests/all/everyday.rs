@@ -831,3 +831,37 @@ fn curves_so_small_that_squares_vanish_are_refused_as_circles_are() {
     };
     assert!((error("1e-200") / error("1") - 1.0).abs() < 1e-9);
 }
+
+#[test]
+fn shapes_of_a_file_have_the_digits_that_the_commands_give_them() {
+    let path = |svg: &str| piped(&["path", "-", "-p", "17"], svg.as_bytes())[0].clone();
+    for (shape, command) in [
+        ("<circle r='5'/>", "circle 5"),
+        ("<circle r='50' cx='3' cy='-4'/>", "circle 50 --center 3,-4"),
+        ("<ellipse rx='30' ry='20.7'/>", "ellipse 30 20.7"),
+        (
+            "<rect x='-7' y='-7' width='14' height='14' rx='7'/>",
+            "circle 7 --start -90",
+        ),
+    ] {
+        let words = format!("{command} -p 17");
+        assert_eq!(
+            path(&format!("<svg>{shape}</svg>")),
+            program::drawn_text(&words),
+            "{shape}"
+        );
+    }
+    // No handle lies outside, and what is symmetric is drawn so.
+    let drawn = path("<svg><circle cx='.1' cy='.2' r='.3'/></svg>");
+    assert!(
+        drawn.starts_with("M0.4 0.2C0.4 ") && drawn.contains(" 0.5 0.1 0.5C"),
+        "{drawn}"
+    );
+    let quarter = printed(&["path", "M5 0A5 5 0 0 1 0 5", "-p", "17"]);
+    assert_eq!(quarter, printed(&["arc", "5", "--sweep", "90", "-p", "17"]));
+    let other = printed(&["path", "M0 5A5 5 0 0 1-5 0", "-p", "17"]);
+    assert_eq!(
+        other,
+        printed(&["arc", "5", "--start", "90", "--sweep", "90", "-p", "17"])
+    );
+}
