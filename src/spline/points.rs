@@ -1,10 +1,13 @@
 //! Points as text: one pair a line, or one after the other.
 
+mod names;
+
 use std::io::{self, BufRead};
 
 use kurbo::Point;
 use thiserror::Error;
 
+use self::names::{NO_NAME, is_mistyped, is_unit, names_column, unquoted};
 use crate::error::{Error as Refusal, finite};
 
 /// Points, and the line of each where they came in lines.
@@ -37,18 +40,16 @@ pub enum ReadError {
     },
 }
 
-/// What is said of a word in the first line that is neither number nor name.
-const NO_NAME: &str = "no name of a column: a letter, then letters, digits, _ and -, perhaps a unit in brackets; a # begins a comment";
-
 /// The longest line: two numbers take no more.
-const LONGEST_LINE: u64 = 1 << 16;
+const LONGEST_LINE: usize = 1 << 16;
 
 impl Points {
     /// Reads one pair a line: two numbers, quoted or not, with a comma, a semicolon, spaces or tabs between them.
     ///
     /// Blank lines and what follows a `#` are skipped, and so is a first line of names: words of letters, digits, `_` and `-` that begin
-    /// with a letter, and units in brackets, quoted or not. A word such as `l0` or `O5` is a number with a typing error. Line ends are LF
-    /// or CR LF.
+    /// with a letter, and units in brackets, quoted or not; a name may have more of them, as `Column 1`, where it ends at a comma, a
+    /// semicolon or a tab. A word such as `l0` or `O5` is a number with a typing error. A separator may end every line. Line ends are
+    /// LF, CR LF or CR.
     ///
     /// # Errors
     ///
@@ -66,13 +67,13 @@ impl Points {
     pub fn read(mut reader: impl BufRead) -> Result<Self, ReadError> {
         let mut read = Self::default();
         let mut bytes = Vec::new();
-        let mut header_may_come = true;
+        // Whether the lines end with a separator, as the first one that counts does.
+        let mut separated = None;
         for line in 1.. {
-            bytes.clear();
-            if std::io::Read::take(&mut reader, LONGEST_LINE).read_until(b'\n', &mut bytes)? == 0 {
+            if !read_line(&mut reader, &mut bytes)? {
                 break;
             }
-            if bytes.len() as u64 == LONGEST_LINE {
+            if bytes.len() + 1 >= LONGEST_LINE {
                 let why = format!("the line is longer than {} KiB", LONGEST_LINE >> 10);
                 return Err(Flaw::of("", 1, why).at(line));
             }
@@ -83,16 +84,20 @@ impl Points {
                 &text
             };
             let fields = Fields::new(text);
-            match fields.pair() {
-                Ok(Some(point)) => {
+            let at = |flaw: Flaw| flaw.at(line);
+            let is_separated = match fields.pair() {
+                Ok(Some((point, is_separated))) => {
                     read.points.push(point);
                     read.lines.push(line);
+                    is_separated
                 }
                 Ok(None) => continue,
-                Err(flaw) if header_may_come => fields.names(flaw).map_err(|flaw| flaw.at(line))?,
-                Err(flaw) => return Err(flaw.at(line)),
+                Err(flaw) if separated.is_none() => fields.names(flaw).map_err(at)?,
+                Err(flaw) => return Err(at(flaw)),
+            };
+            if *separated.get_or_insert(is_separated) != is_separated {
+                return Err(at(fields.wrongly_separated(is_separated)));
             }
-            header_may_come = false;
         }
         Ok(read)
     }
@@ -119,6 +124,32 @@ impl Points {
     }
 }
 
+/// Reads a line without its end, or so much of one that it is too long; whether there is one.
+fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
+    line.clear();
+    while line.len() < LONGEST_LINE {
+        let bytes = match reader.fill_buf() {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            bytes => bytes?,
+        };
+        if bytes.is_empty() {
+            return Ok(!line.is_empty());
+        }
+        let end = bytes.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        let length = end.unwrap_or(bytes.len());
+        line.extend_from_slice(&bytes[..length]);
+        let may_go_on = end.is_some_and(|end| bytes[end] == b'\r');
+        reader.consume(length + usize::from(end.is_some()));
+        if may_go_on && reader.fill_buf()?.first() == Some(&b'\n') {
+            reader.consume(1);
+        }
+        if end.is_some() {
+            break;
+        }
+    }
+    Ok(true)
+}
+
 /// What is wrong in a line.
 struct Flaw {
     column: usize,
@@ -132,6 +163,14 @@ impl Flaw {
         Self { column, text, why }
     }
 
+    /// The same of a first line that is no line of names either.
+    fn of_first_line(mut self) -> Self {
+        if self.why.ends_with("is not a number") || self.why.ends_with("is missing") {
+            self.why += ", and the first line is neither two numbers nor the names of two columns";
+        }
+        self
+    }
+
     fn at(self, line: usize) -> ReadError {
         let Self { column, text, why } = self;
         ReadError::Syntax {
@@ -141,53 +180,6 @@ impl Flaw {
             why,
         }
     }
-}
-
-/// A field without the quotes around it.
-fn unquoted(field: &str) -> &str {
-    let inner = field.strip_prefix('"');
-    let inner = inner.and_then(|rest| rest.strip_suffix('"'));
-    inner.map_or(field, str::trim)
-}
-
-/// A name without quotes of either kind.
-fn bare(field: &str) -> &str {
-    let inner = field.strip_prefix('\'');
-    let inner = inner.and_then(|rest| rest.strip_suffix('\''));
-    inner.unwrap_or_else(|| unquoted(field))
-}
-
-/// What names are made of; accents may follow their letters.
-fn is_made_of(c: char) -> bool {
-    c.is_alphanumeric() || c == '_' || ('\u{300}'..='\u{36f}').contains(&c)
-}
-
-/// Whether it has digits and is a number but for letters that look like some.
-fn is_mistyped(name: &str) -> bool {
-    let meant = name.replace(['O', 'o'], "0").replace(['l', 'I'], "1");
-    name.contains(|c: char| c.is_ascii_digit()) && meant.parse::<f64>().is_ok()
-}
-
-/// Whether a word, perhaps with a unit after it, names a column.
-fn is_name(word: &str) -> bool {
-    let end = word.find(['(', '[']).unwrap_or(word.len());
-    let (name, unit) = word.split_at(end);
-    let is_number = is_mistyped(name) || name.parse::<f64>().is_ok();
-    let is_word =
-        name.starts_with(char::is_alphabetic) && name.chars().all(|c| is_made_of(c) || c == '-');
-    !is_number && is_word && (unit.is_empty() || is_unit(unit))
-}
-
-/// Whether a word is a unit in brackets.
-fn is_unit(word: &str) -> bool {
-    let round = word
-        .strip_prefix('(')
-        .and_then(|rest| rest.strip_suffix(')'));
-    let square = || word.strip_prefix('[')?.strip_suffix(']');
-    let begins_well = |c: char| c.is_alphabetic() || "°%".contains(c);
-    round
-        .or_else(square)
-        .is_some_and(|unit| unit.starts_with(begins_well))
 }
 
 /// The numbers of a text, which commas, semicolons or white space separate.
@@ -200,10 +192,9 @@ struct Fields<'a> {
 
 impl<'a> Fields<'a> {
     fn new(text: &'a str) -> Self {
-        let whole = text.trim_end_matches(['\n', '\r']);
-        let content = whole.split('#').next().unwrap_or_default();
+        let content = text.split('#').next().unwrap_or_default();
         Self {
-            whole,
+            whole: text,
             rest: content.trim(),
             first: true,
         }
@@ -250,8 +241,8 @@ impl<'a> Fields<'a> {
             })
     }
 
-    /// The two numbers of a line, or none where it has no content.
-    fn pair(mut self) -> Result<Option<Point>, Flaw> {
+    /// The two numbers of a line and whether a separator follows them, or none where it has no content.
+    fn pair(mut self) -> Result<Option<(Point, bool)>, Flaw> {
         let Some(x) = self.number()? else {
             return Ok(None);
         };
@@ -262,7 +253,8 @@ impl<'a> Fields<'a> {
             ));
         };
         match self.next() {
-            None => Ok(Some(Point::new(x, y))),
+            None => Ok(Some((Point::new(x, y), false))),
+            Some("") if self.rest.is_empty() => Ok(Some((Point::new(x, y), true))),
             Some("") => Err(self.flaw(self.rest, "no number after a separator".to_owned())),
             Some(third) => Err(self.flaw(
                 third,
@@ -272,22 +264,51 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Whether this is a line of names; `flaw` is what is wrong with it as a point.
-    fn names(mut self, flaw: Flaw) -> Result<(), Flaw> {
+    /// The fields between commas and semicolons, else between tabs, those within quotes left out; and whether one of them is the last.
+    fn columns(&self) -> (Vec<&'a str>, bool) {
+        let split = |separators: &[char]| -> Vec<&'a str> {
+            let mut quoted = false;
+            let separates = |c: char| {
+                quoted ^= c == '"';
+                !quoted && separators.contains(&c)
+            };
+            self.rest.split(separates).map(str::trim).collect()
+        };
+        let mut columns = split(&[',', ';']);
+        if columns.len() == 1 {
+            columns = split(&['\t']);
+        }
+        let is_separated = columns.len() > 1 && columns.last() == Some(&"");
+        if is_separated {
+            columns.pop();
+        }
+        (columns, is_separated)
+    }
+
+    /// Whether this is a line of names, and one that a separator ends; `flaw` is what is wrong with it as a point.
+    fn names(mut self, flaw: Flaw) -> Result<bool, Flaw> {
+        let (columns, is_separated) = self.columns();
+        let is_empty = |field: &str| unquoted(field).is_empty();
+        let named = columns.iter().filter(|field| names_column(field)).count();
+        let unnamed = columns.iter().filter(|field| is_empty(field)).count();
+        if columns.len() == 2 && named == 2 {
+            return Ok(is_separated);
+        }
+        if columns.len() > 2 && named > 0 && named + unnamed == columns.len() {
+            return Err(self.too_many(&columns));
+        }
         let mut first = true;
         while let Some(field) = self.next() {
-            // Within quotes more words may follow, with commas too.
-            let mut words = bare(field).split([' ', '\t', ',', ';']);
-            let begins_well = |word: &str| is_name(word) || !first && is_unit(word);
-            let goes_on = |word: &str| word.chars().all(is_made_of) || is_unit(word);
-            if words.next().is_some_and(begins_well) && words.all(goes_on) {
+            if names_column(field) || !first && is_unit(field) {
                 first = false;
                 continue;
             }
             let begins_a_number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
             return Err(match unquoted(field) {
                 // Of the numbers themselves the point says more.
-                number if number.is_empty() || number.parse::<f64>().is_ok() => flaw,
+                number if number.is_empty() || number.parse::<f64>().is_ok() => {
+                    flaw.of_first_line()
+                }
                 number if number.starts_with(begins_a_number) => self.no_number(field),
                 name if is_mistyped(name) => self.flaw(
                     field,
@@ -296,7 +317,35 @@ impl<'a> Fields<'a> {
                 _ => self.flaw(field, format!("'{field}' is not a number, and {NO_NAME}")),
             });
         }
-        Ok(())
+        Ok(is_separated)
+    }
+
+    /// What is said of more than two columns, as where one of row numbers has no name.
+    fn too_many(&self, columns: &[&str]) -> Flaw {
+        let delimiter = [(';', " -d ';'"), (',', " -d,")];
+        let delimiter = delimiter.iter().find(|(c, _)| self.rest.contains(*c));
+        let delimiter = delimiter.map_or("", |(_, option)| option);
+        let first = if unquoted(columns[0]).is_empty() {
+            2
+        } else {
+            1
+        };
+        let why = format!(
+            "the first line has {} columns, and a point is two numbers: keep two of them, as cut{delimiter} -f{first},{} does",
+            columns.len(),
+            first + 1
+        );
+        self.flaw(self.rest, why)
+    }
+
+    fn wrongly_separated(&self, is_separated: bool) -> Flaw {
+        let why = if is_separated {
+            "no number after a separator"
+        } else {
+            "the lines before end with a separator, and this one does not"
+        };
+        let end = &self.rest[self.rest.len()..];
+        self.flaw(end, why.to_owned())
     }
 
     fn no_number(&self, field: &str) -> Flaw {

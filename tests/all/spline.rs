@@ -387,6 +387,12 @@ fn points_come_in_many_forms() {
         "pos_x0 [mm], 'y-axis' (mm)\n0;0\n1;2\n3;1\n4;4\n",
         "gro\u{308}\u{df}e,x-1\n0;0\n1;2\n3;1\n4;4\n",
         "l\u{e4}nge,h\u{f6}he\n0;0\n1;2\n3;1\n4;4\n",
+        "Column 1,Column 2\n0,0\n1,2\n3,1\n4,4\n",
+        "Column 1\tColumn 2 [mm]\n0\t0\n1\t2\n3\t1\n4\t4\n",
+        "x,y,\n0,0,\n1,2,\n3,1,\n4,4,\n",
+        "0;0;\n1;2;\n3;1;\n4;4;\n",
+        "x,y\r0,0\r1,2\r\r3,1\r4,4",
+        "x [1/mm],y [1/mm]\n0,0\n1,2\n3,1\n4,4\n",
     ] {
         assert_eq!(
             printed(&["--points-file", "-"], input),
@@ -463,6 +469,33 @@ fn bad_points_are_named_by_line_and_column() {
             "0,0\n# a\n1,1\n1,1\n",
             "<stdin>:4: point 3 is the same as point 2 (lines 3 and 4)",
         ),
+        (
+            "\"\",\"x\",\"y\"\n1,0,0\n2,1,1\n",
+            "<stdin>:1:1: the first line has 3 columns, and a point is two numbers: keep two of them, as cut -d, -f2,3 does",
+        ),
+        (
+            ";x;y\n1;0;0\n",
+            "1:1: the first line has 3 columns, and a point is two numbers: keep two of them, as cut -d ';' -f2,3 does",
+        ),
+        ("x\ty\tz\n1\t0\t0\n", "keep two of them, as cut -f1,2 does"),
+        (
+            "Column 1 Column 2\n0 0\n1 1\n",
+            "<stdin>:1:1: 'Column' is not a number, and the first line is neither two numbers nor the names of two columns",
+        ),
+        (
+            ",x\n0,0\n",
+            "1:1: a number is missing, and the first line is neither two numbers nor the names of two columns",
+        ),
+        (
+            "x,y\n0,0,\n1,1\n",
+            "<stdin>:2:5: no number after a separator",
+        ),
+        (
+            "0,0,\n1,1\n",
+            "<stdin>:2:4: the lines before end with a separator, and this one does not",
+        ),
+        ("0,0,,\n1,1\n", "<stdin>:1:5: no number after a separator"),
+        ("x,y\r0,0\r1,a\r", "<stdin>:3:3: 'a' is not a number\n"),
         ("0,0\n", "runs through at least 2 points, but there is 1"),
         ("", "runs through at least 2 points, but there are 0"),
     ] {

@@ -34,7 +34,7 @@ pub(crate) struct SplineSource {
     /// A file of points: CSV or one pair a line; - is standard input
     ///
     /// Blank lines, what follows a # and a first line of names are skipped. Names are words of letters, digits, _ and - that begin with a
-    /// letter, quoted or not, and units in brackets beside them: x [mm],y [mm]. A word such as l0 is a mistyped number.
+    /// letter, quoted or not, and units in brackets beside them: x [mm],y [mm]; where commas end them, also Column 1,Column 2. A word such as l0 is a mistyped number.
     #[arg(long, value_name = "FILE")]
     pub(crate) points_file: Option<PathBuf>,
 }
