@@ -183,10 +183,13 @@ fn graph(equation: &CubicCoefficients) -> Result<Vec<Point>> {
             * coefficients
                 .iter()
                 .fold(0.0, |most: f64, x| most.max(x.abs()));
-        points
-            .into_iter()
-            .map(|x| decimal(x, decimals, slack))
-            .collect()
+        // What is level with an end but for rounding is, as a handle of a quarter.
+        let ends = [d, cubic[3]].map(|x| decimal(x, decimals, slack));
+        let level = |x: f64| {
+            let near = ends.into_iter().find(|end| (x - end).abs() <= slack);
+            near.unwrap_or_else(|| decimal(x, decimals, slack))
+        };
+        points.into_iter().map(level).collect()
     };
     let (x, y): (Vec<f64>, Vec<f64>) = (axis(&equation.x), axis(&equation.y));
     Ok(x.into_iter().zip(y).map(Point::from).collect())

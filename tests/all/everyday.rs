@@ -865,3 +865,19 @@ fn shapes_of_a_file_have_the_digits_that_the_commands_give_them() {
         printed(&["arc", "5", "--start", "90", "--sweep", "90", "-p", "17"])
     );
 }
+
+#[test]
+fn handles_that_are_level_with_an_end_are_so_by_their_coefficients_too() {
+    for radius in ["50", "7.3", "1e-20"] {
+        let drawn = printed(&["circle", radius, "-f", "json"]);
+        let back = printed(&["path", "--power", &drawn, "-f", "json"]);
+        let back: serde_json::Value = serde_json::from_str(&back).unwrap();
+        let points = &back["subpaths"][0]["segments"][0]["points"];
+        let number = |i: usize, axis: usize| points[i][axis].as_f64().unwrap();
+        assert_eq!(
+            [number(1, 0), number(2, 1)],
+            [number(0, 0), number(3, 1)],
+            "{radius}"
+        );
+    }
+}
