@@ -16,6 +16,7 @@ use crate::approximate::{self, Drawing, approximate, automatic_precision};
 use crate::curve::{Curve, control_points, largest_move};
 use crate::error::{Error, Result, ShapeError, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS};
+use crate::measure::radial;
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::radial_error::RadialError;
@@ -96,8 +97,8 @@ pub struct SphereView {
     pub back: Vec<Part>,
     /// The outline.
     pub outline: Part,
-    /// Bounds of how far any of the curves lies from its true circle in space, before it is mapped; a precision that is asked for may move it
-    /// as seen, and that counts too.
+    /// Bounds of how far any of the curves, mapped and rounded, lies from its true circle as it is seen: of the outline its own error, of what
+    /// else is drawn the error in space, which is never less than what is seen of it, and how far rounding moves it.
     pub error: RadialError,
 }
 
@@ -216,12 +217,20 @@ impl Sphere {
 }
 
 impl SphereView {
+    /// The larger error over the radius as it is seen.
+    #[must_use]
+    pub fn relative_peak(&self) -> f64 {
+        let [_, largest] = scales(self.options.transform);
+        self.error.peak() / (self.sphere.radius * largest)
+    }
+
     /// The picture mapped and rounded.
     fn finished(mut self) -> Result<Self> {
         let transform = self.options.transform;
         for part in self.parts_mut() {
             part.curve = part.curve.transformed(transform);
         }
+        let noise = self.noise();
         for p in self
             .parts()
             .flat_map(|part| &part.curve.segments)
@@ -230,28 +239,54 @@ impl SphereView {
             finite("coordinate of a control point", p.x)?;
             finite("coordinate of a control point", p.y)?;
         }
+        let [smallest, largest] = scales(transform);
         let precision = self.options.precision.unwrap_or_else(|| {
-            let scales = kurbo::Ellipse::from_affine(transform).radii();
-            let smallest_scale = scales.x.min(scales.y);
             automatic_precision(
-                self.error.peak() * smallest_scale,
+                self.error.peak() * smallest,
                 self.parts().flat_map(|part| &part.curve.segments),
             )
         });
-        let asked = self.options.precision.is_some();
         let outline = &self.outline.curve;
         outline.check_left(&outline.rounded(precision, &[]), self.options.precision)?;
-        let mut moved = 0.0_f64;
+        let (mut moved, mut of_outline) = (None::<f64>, 0.0);
         for part in self.parts_mut() {
             let rounded = part.curve.rounded(precision, &[]);
-            if asked {
-                moved = moved.max(largest_move(&part.curve, &rounded));
+            let off = noise + largest_move(&part.curve, &rounded);
+            match part.line {
+                SphereLine::Outline => of_outline = off,
+                _ => moved = Some(moved.unwrap_or_default().max(off)),
             }
             part.curve = rounded;
         }
-        // As seen, which in space is at least as far.
-        self.error = self.error.with_more(moved);
+        let mapped = self.error.times(largest);
+        let outline = self
+            .outline_error()
+            .unwrap_or_else(|| mapped.with_more(of_outline));
+        self.error = moved.map_or(outline, |moved| outline.with(mapped.with_more(moved)));
         Ok(self)
+    }
+
+    /// The error of the outline as it is drawn; `None` where the map leaves it no area.
+    fn outline_error(&self) -> Option<RadialError> {
+        let circle = Circle::new(self.sphere.center, self.sphere.radius).ok()?;
+        let outline = Shape::Circle(circle).outline()?;
+        let outline = outline.transformed(self.options.transform).ok()?;
+        let segments = &self.outline.curve.segments;
+        Some(radial::error(segments, &outline.truth))
+    }
+
+    /// How far the arithmetic may have moved a point by the time it is mapped: a few units in the last place, before the map and after it.
+    fn noise(&self) -> f64 {
+        let [_, largest] = scales(self.options.transform);
+        let farthest = |p: Point| p.x.abs().max(p.y.abs());
+        let Sphere { center, radius, .. } = self.sphere;
+        let before = (farthest(center) + 2.0 * radius) * largest;
+        let points = self.parts().flat_map(|part| &part.curve.segments);
+        let after = points
+            .flat_map(control_points)
+            .map(farthest)
+            .fold(0.0, f64::max);
+        8.0 * f64::EPSILON * (before + after)
     }
 
     /// All parts.
@@ -270,6 +305,12 @@ impl SphereView {
             .chain(front)
             .chain(iter::once(&mut self.outline))
     }
+}
+
+/// How much a map stretches lengths, the least and the most.
+fn scales(map: Affine) -> [f64; 2] {
+    let radii = kurbo::Ellipse::from_affine(map).radii();
+    [radii.x.min(radii.y), radii.x.max(radii.y)]
 }
 
 /// The most meridians, and the most parallels.

@@ -137,17 +137,14 @@ pub fn describe(shape: &Shape) -> String {
 
 pub(super) fn describe_sphere(picture: &SphereView, title: &str) -> String {
     format!(
-        "{title} seen from longitude {longitude}, latitude {latitude} degrees; {meridians} meridians and {parallels} parallels by {method}; in space within {peak} of the true circles ({relative} of the radius)",
+        "{title} seen from longitude {longitude}, latitude {latitude} degrees; {meridians} meridians and {parallels} parallels by {method}; within {peak} of the true circles as they are seen ({relative} of the radius)",
         longitude = text(picture.view.longitude.degrees()),
         latitude = text(picture.view.latitude.degrees()),
         meridians = picture.sphere.meridians,
         parallels = picture.sphere.parallels,
         method = picture.options.rule.id(),
         peak = significant(rounded_up(picture.error.peak(), 3), 3),
-        relative = significant(
-            rounded_up(picture.error.peak() / picture.sphere.radius, 3),
-            3
-        ),
+        relative = significant(rounded_up(picture.relative_peak(), 3), 3),
     )
 }
 

@@ -371,3 +371,89 @@ fn joints_too_far_apart_are_refused_with_joints_that_do() {
          hint: take nearer joints, as --joints 0,30,90,120,240\n"
     );
 }
+
+/// How far points of the outline and of the parallels, evaluated here, lie from the true circles as they are seen: a lower bound of the error.
+fn strays(found: &serde_json::Value, radius: f64, latitude_of_view: f64) -> f64 {
+    let view = latitude_of_view.to_radians();
+    let mut worst = 0.0_f64;
+    let parts = |side: &str| found[side].as_array().unwrap().clone();
+    let all = [
+        parts("front"),
+        parts("back"),
+        vec![found["outline"].clone()],
+    ]
+    .concat();
+    for part in all.iter().filter(|part| part["line"] != "meridian") {
+        let latitude = part["latitude"].as_f64().map(f64::to_radians);
+        let (ring, squeeze, up) = latitude.map_or((radius, 1.0, 0.0), |latitude| {
+            let up = radius * latitude.sin() * view.cos();
+            (radius * latitude.cos(), view.sin().abs(), -up)
+        });
+        // How near an ellipse comes: its points sampled around that of the direction.
+        let off = |p: Point| {
+            let around = f64::atan2((p.y - up) / squeeze.max(1e-9), p.x);
+            let at = |i: i32| {
+                let angle = around + f64::from(i) * 1e-3;
+                Point::new(ring * angle.cos(), up + ring * squeeze * angle.sin()).distance(p)
+            };
+            // Between samples the true curve may be nearer by this.
+            (-300..=300).map(at).fold(f64::INFINITY, f64::min) - ring * 1e-6
+        };
+        for segment in part["segments"].as_array().unwrap() {
+            let points: Vec<[f64; 2]> = serde_json::from_value(segment["points"].clone()).unwrap();
+            let [a, b, c, d] = [0, 1, 2, 3].map(|i| Point::from((points[i][0], points[i][1])));
+            let cubic = kurbo::CubicBez::new(a, b, c, d);
+            for i in 0..=24 {
+                let p = cubic.eval(f64::from(i) / 24.0);
+                if part["line"] == "outline" {
+                    worst = worst.max((p.to_vec2().hypot() - radius).abs());
+                } else if squeeze > 0.2 {
+                    worst = worst.max(off(p));
+                }
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn what_a_sphere_states_bounds_the_points_as_printed() {
+    use crate::judges::random::Dice;
+    let mut dice = Dice(7);
+    for i in 0..40 {
+        let radius = dice.logarithmic(0.1, 1e4);
+        let view = [dice.within(-180.0, 180.0), dice.within(-90.0, 90.0)];
+        let view_words = format!("--view={},{}", view[0], view[1]);
+        let (r, n) = (radius.to_string(), (3 + i % 4).to_string());
+        let method = ["minimax", "midpoint", "chen-3"][i % 3];
+        let lines = ["0", "4"][i % 2];
+        let (meridians, parallels) = (["--meridians", lines], ["--parallels", lines]);
+        let words: [&str; 7] = ["sphere", &r, &view_words, "-n", &n, "-m", method];
+        let words = [&words[..], &meridians, &parallels].concat();
+        let found = program::json(&[&words[..], &["-p", "auto"]].concat());
+        let peak = found["error"]["peak"].as_f64().unwrap();
+        let truth = strays(&found, radius, view[1]);
+        assert!(truth <= peak * (1.0 + 1e-12), "{words:?}: {truth} {peak}");
+        assert!(truth > 0.8 * peak, "{words:?}: {truth} {peak}");
+        // Every other place says so too, rounded up.
+        let svg = printed(&[&words[1..], &["-f", "svg"]].concat());
+        let stated = svg.split_once("; within ").unwrap().1;
+        let stated: f64 = stated.split(' ').next().unwrap().parse().unwrap();
+        assert!(stated >= peak && stated < 1.02 * peak, "{words:?}: {svg}");
+    }
+}
+
+#[test]
+fn a_sphere_of_no_lines_states_what_its_circle_does() {
+    for map in ["", "scale(2)", "scale(3)rotate(20)", "skewX(20)"] {
+        let peak = |shape: &[&str]| {
+            let found = program::json(&[shape, &["-p", "auto", "--transform", map]].concat());
+            [&found["error"]["peak"], &found["error"]["relative_peak"]].map(|x| x.as_f64().unwrap())
+        };
+        let sphere = peak(&["sphere", "50", "--meridians", "0", "--parallels", "0"]);
+        let circle = peak(&["circle", "50"]);
+        for (a, b) in sphere.into_iter().zip(circle) {
+            assert!((a / b - 1.0).abs() < 1e-9, "{map}: {sphere:?} {circle:?}");
+        }
+    }
+}

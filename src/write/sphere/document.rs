@@ -26,7 +26,7 @@ pub struct SphereDocument {
     pub back: Vec<PartDocument>,
     /// The outline.
     pub outline: PartDocument,
-    /// The largest distances of the curves from their true circles, in space and before control points are rounded or mapped.
+    /// Bounds of the distances of the points as printed from the true circles as they are seen; relative to the radius as it is seen.
     pub error: ErrorDocument,
     /// SVG path data of everything, in the order in which it is drawn.
     pub path: String,
@@ -107,7 +107,7 @@ impl SphereDocument {
                 parts(&picture.back)
             },
             outline: part_document(&picture.outline),
-            error: ErrorDocument::new(picture.error, picture.error.peak() / sphere.radius),
+            error: ErrorDocument::new(picture.error, picture.relative_peak()),
             path: path::data(Figure::of_sphere(picture, hidden).curves(), false),
         }
     }
