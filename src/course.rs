@@ -2,8 +2,6 @@
 
 mod rounding;
 
-use core::f64::consts::FRAC_PI_2;
-
 use kurbo::{Affine, PathSeg, Point, Vec2};
 
 use crate::angle::Angle;
@@ -101,25 +99,6 @@ impl CircularArc {
     #[must_use]
     pub fn is_circle(&self) -> bool {
         self.sweep.degrees().abs() >= 360.0
-    }
-
-    /// How far an arc lies from what it was before its points were rounded, besides what its ends have moved. The radius is that from the rounded
-    /// centre to its start, and a machine makes up for another one at its end.
-    ///
-    /// Let the centre have moved by d. Seen from it, in the direction u, the new arc lies d·(u - n) farther from the old centre than at its
-    /// start, in the direction n, to first order: next to nothing where it hardly turns. The second order is that of the sagitta.
-    pub(crate) fn bent(&self, new: &Self, from: Point) -> f64 {
-        let (radius, moved) = (from.distance(new.center), self.center.distance(new.center));
-        let unlike = (new.to.distance(new.center) - radius).abs();
-        let rough = moved + (radius - self.radius).abs();
-        let least = radius.min(self.radius) - 2.0 * rough;
-        let turned = 0.5 * self.sweep.radians().abs() + 2.0 * rough / least;
-        let fine = if least > 0.0 && turned < FRAC_PI_2 {
-            2.0 * moved * libm::sin(turned) + 2.0 * rough * (rough / least)
-        } else {
-            f64::INFINITY
-        };
-        rough.min(fine) + unlike
     }
 
     /// The arc with its end and its centre rounded.

@@ -280,8 +280,9 @@ impl Builder<'_> {
         }
         let (precision, tolerance) = (self.plan.precision, self.plan.tolerance);
         let room = (MOVED_AGAIN * precision.farthest_moved()).min(AGAIN_PART * tolerance);
-        let moves =
-            circular(given, arc).map_or(0.0, |arc| arc.bent(&arc.rounded(precision), given.from));
+        let moves = circular(given, arc).map_or(0.0, |arc| {
+            arc.strayed(&arc.rounded(precision), given.from, 0.0)
+        });
         off + room <= tolerance && moves <= room
     }
 }

@@ -150,8 +150,8 @@ impl Program {
                     .fold(0.0, f64::max);
                 let (mut kind, mut off) = (0, shift);
                 if let (CourseStep::Arc(old), CourseStep::Arc(arc)) = (old, new) {
-                    (kind, off) = (1, shift + old.bent(arc, from));
-                    if off > rooms[1] {
+                    (kind, off) = (1, old.strayed(arc, from, shift));
+                    if off > rooms[1] || off == f64::INFINITY {
                         let room = rooms[1] - shift;
                         off = shift + chords(old, old_from, precision, room, most, &mut steps)?;
                     } else {

@@ -316,3 +316,93 @@ fn gcode_of_what_has_no_arcs_is_refused() {
         assert_eq!(run_words(arguments).status.code(), Some(2), "{arguments}");
     }
 }
+
+/// How far points are at most from the chords between other points.
+fn apart(points: &[Point], others: &[Point]) -> f64 {
+    let off = |p: &Point| {
+        let to_chord = |ends: &[Point]| {
+            let (along, at) = (ends[1] - ends[0], *p - ends[0]);
+            let part = (at.dot(along) / along.hypot2()).clamp(0.0, 1.0);
+            (at - along * part).hypot()
+        };
+        others
+            .windows(2)
+            .map(to_chord)
+            .fold(f64::INFINITY, f64::min)
+    };
+    points.iter().map(off).fold(0.0, f64::max)
+}
+
+#[test]
+fn gcode_states_how_far_rounding_moves_an_arc() {
+    use crate::judges::random::Dice;
+    const COUNT: i32 = 250;
+    let mut dice = Dice(11);
+    let samples = |center: Point, start: f64, turn: f64, radii: [f64; 2]| -> Vec<Point> {
+        let at = |i: i32| {
+            let part = f64::from(i) / f64::from(COUNT);
+            let radius = radii[0] + part * (radii[1] - radii[0]);
+            center + Angle::from_degrees(start + part * turn).direction() * radius
+        };
+        (0..=COUNT).map(at).collect()
+    };
+    let (mut needless, mut cases) = (0.0, 0.0);
+    for i in 0..90 {
+        let radius = dice.logarithmic(1.0, 40.0);
+        let (center, start) = (dice.point(9.0), dice.within(0.0, 360.0));
+        let turn = match i % 3 {
+            0 => 360.0,
+            1 => dice.within(-350.0, 350.0),
+            _ => dice.within(5.0, 60.0),
+        };
+        let shape = if i % 3 == 0 {
+            format!("circle {radius} --start={start}")
+        } else {
+            format!("arc {radius} --start={start} --sweep={turn}")
+        };
+        let words = format!("{shape} --center={},{} -f gcode -p 1", center.x, center.y);
+        let text = printed(&words);
+        let stated = text.split_once("moves it by up to ");
+        let stated = stated.unwrap().1.split_once(')').unwrap().0;
+        let stated: f64 = stated.parse().unwrap();
+        let [
+            Move::Rapid,
+            Move::Arc {
+                from,
+                to,
+                center: c,
+                clockwise,
+            },
+        ] = gcode(&text)[..]
+        else {
+            panic!("{text}")
+        };
+        let radii = [from, to].map(|end| end.distance(c));
+        let turned = sweep(from, to, c, clockwise);
+        let begin = (from - c).atan2().to_degrees();
+        let drawn = samples(c, begin, turned, radii);
+        let truth = samples(center, start, turn, [radius; 2]);
+        let off = apart(&drawn, &truth).max(apart(&truth, &drawn));
+        // By this the chords between samples are off.
+        let step = radius * turn.abs().to_radians() / f64::from(COUNT);
+        let sagitta = step * step / (8.0 * radius);
+        assert!(off <= stated + 1.01 * sagitta, "{words}: {off} {stated}");
+        (needless, cases) = (needless + stated / off, cases + 1.0);
+    }
+    assert!(needless / cases < 1.25, "{}", needless / cases);
+}
+
+#[test]
+fn gcode_of_a_circle_is_within_what_rounding_really_does() {
+    for (words, stated) in [
+        ("circle 0.1875 -p 3 -t 0.001", "0.0005"),
+        ("circle 6.35 -p 1 -t 0.06", "0.05"),
+        ("circle 2.228 -p 1 -t 0.03", "0.028"),
+    ] {
+        let text = printed(&format!("{words} -f gcode"));
+        let all = text.split_once("moves it by up to ").unwrap().1;
+        let found: f64 = all.split_once(')').unwrap().0.parse().unwrap();
+        let stated: f64 = stated.parse().unwrap();
+        assert!(found >= stated && found < 1.01 * stated + 1e-9, "{text}");
+    }
+}
