@@ -26,7 +26,7 @@ const HARMLESS: [&str; 12] = [
 ];
 
 /// The contours of PostScript path operators, one for each subpath that draws something, with `translate`, `scale`, `rotate`,
-/// `concat`, `gsave` and `grestore` obeyed: of the paths that are painted, once where one is filled and stroked, and of the one that is left
+/// `concat`, `dup`, `neg`, `gsave` and `grestore` obeyed: of the paths that are painted, once where one is filled and stroked, and of the one that is left
 /// at the end.
 ///
 /// # Errors
@@ -96,9 +96,22 @@ impl Machine {
             self.numbers.push(finite("number", number)?);
             return Ok(());
         }
-        // The brackets of a matrix or of a dash.
-        if word == "[" || word == "]" {
-            return Ok(());
+        match word {
+            // The brackets of a matrix or of a dash.
+            "[" | "]" => return Ok(()),
+            // As in `2 dup neg scale`, which turns a picture over.
+            "dup" => {
+                let [number] = self.last(word)?;
+                self.numbers.push(number);
+                return Ok(());
+            }
+            "neg" => {
+                let [number] = self.last(word)?;
+                self.numbers.pop();
+                self.numbers.push(-number);
+                return Ok(());
+            }
+            _ => {}
         }
         if !self.paint_or_keep(word)? {
             self.draw_or_map(word)?;

@@ -1,7 +1,7 @@
 //! `diff`: exit codes, forms, matches, and distances against samples.
 
 use crate::judges::ghostscript;
-use crate::judges::program::{printed, refused, run};
+use crate::judges::program::{drawn_text, printed, refused, run};
 
 use curveto::diff::{Track, compare};
 use curveto::path::contours;
@@ -384,4 +384,50 @@ fn what_is_not_read_of_a_drawing_is_said() {
     let (code, said) = diff(&entity("<g>&e;</g>"), &[]);
     assert_eq!(code, Some(2));
     assert!(said.contains("what it draws is not known"), "{said}");
+}
+
+#[test]
+fn what_is_written_as_postscript_is_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let looks = [
+        "",
+        "--size 300x300",
+        "--size 30mmx20mm --margin 2",
+        "--stroke red --stroke-width 3 --background white",
+        "--stroke none --fill blue",
+        "--fill #ccc --background #eee --size 100x40",
+        "--show joints,handles,truth,error=50 --size 200x200",
+    ];
+    let shapes = [
+        "circle 50",
+        "ellipse 50 20 --rotation 33",
+        "arc 10 --sweep 100 -m chen-3",
+        "circle 5 -m quadratic-tangent -n 8",
+        "sphere 20 --hidden dash",
+        "spline --points 0,0_1,2_3,1_4,4",
+        "path M0,0L5,5A3,3,0,0,1,9,9M1,1C2,2,3,1,4,0Z",
+    ];
+    for shape in shapes {
+        for look in looks.into_iter().filter(|look| {
+            !look.contains("--show") || !(shape.starts_with("sph") || shape.starts_with("spl"))
+        }) {
+            let file = folder.path().join("a.eps");
+            let words = format!("{shape} {look} -f eps -p 3");
+            std::fs::write(&file, drawn_text(&words)).unwrap();
+            let file = file.to_str().unwrap();
+            let found = printed(&["diff", file, file]);
+            assert!(found.ends_with("with equal segments\n"), "{words}: {found}");
+        }
+    }
+    // What has its size is what has none, scaled and moved: on a page as wide as itself it is the same.
+    let plain = folder.path().join("plain.eps");
+    let sized = folder.path().join("sized.eps");
+    let square = "path M0,0L30,0L30,30L0,30Z --margin 0 --stroke none --fill red -f eps";
+    std::fs::write(&plain, drawn_text(square)).unwrap();
+    let twice = format!("{square} --size 60x60");
+    std::fs::write(&sized, drawn_text(&twice)).unwrap();
+    let document = "M0,0L60,0L60,60L0,60Z";
+    let files = [&plain, &sized].map(|file| file.to_str().unwrap());
+    printed(&["diff", files[1], document]);
+    assert_eq!(run(&["diff", files[0], files[1]]).status.code(), Some(1));
 }
