@@ -3,15 +3,17 @@
 //! pdf-writer makes the file around the content. The content is written here, because pdf-writer takes numbers in single precision and
 //! the control points are to be the very ones of the curve.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use kurbo::Shape as _;
+use kurbo::{Affine, Shape as _};
 use pdf_writer::writers::{ExtGraphicsState, Resources};
 use pdf_writer::{Name, Pdf, Rect, Ref, TextStr};
 
 use super::postscript::{PathOperators, number, push_path, shares};
 use crate::curve::Curve;
 use crate::error::{Error, PictureError, Result};
+use crate::number::Precision;
 use crate::picture::paint::Paint;
 use crate::picture::scene::{Group, Pen, Scene};
 use crate::picture::size::Size;
@@ -27,6 +29,12 @@ const PATH: PathOperators = PathOperators {
 const SIDES: [f64; 2] = [3.0, 14_400.0];
 /// The larger side of the page of a drawing that is larger or smaller than that.
 const LARGER_SIDE: f64 = 512.0;
+
+/// Beyond these, readers cut the numbers of `cm` and of points short: what is larger or smaller has coordinates of its page.
+const LARGEST_SCALE: f64 = 1e6;
+const LARGEST_COORDINATE: f64 = 1e7;
+/// How coordinates of a page are rounded.
+const ON_PAGE: Precision = Precision::Fixed(6);
 
 const CATALOG: i32 = 1;
 const PAGES: i32 = 2;
@@ -119,22 +127,46 @@ fn content(scene: &Scene, scale: f64) -> Result<Vec<u8>> {
     } else {
         (scale, -canvas.y0 * scale)
     };
-    let [across, up, x, y] = [scale, up, -canvas.x0 * scale, far].map(number);
+    let to_page = Affine::new([scale, 0.0, 0.0, up, -canvas.x0 * scale, far]);
+    let corners = [canvas.x0, canvas.x1, canvas.y0, canvas.y1];
+    let reach = corners.into_iter().map(f64::abs).fold(0.0, f64::max);
+    let (map, on_page) = if scale <= LARGEST_SCALE && reach <= LARGEST_COORDINATE {
+        (to_page, None)
+    } else {
+        (Affine::IDENTITY, Some((to_page, scale)))
+    };
+    let [across, _, _, up, x, y] = map.as_coeffs().map(number);
     let mut out = format!("{across} 0 0 {up} {x} {y} cm\n1 j\n").into_bytes();
     if let Some(paint) = scene.background {
         let area = Curve {
             segments: canvas.path_segments(0.0).collect(),
             closed: true,
         };
-        paint_path(&mut out, &Pen::filled(paint), &[area]);
+        paint_path(&mut out, &Pen::filled(paint), &placed(&[area], on_page));
     }
     for group in &scene.groups {
-        push_group(&mut out, group, scene)?;
+        push_group(&mut out, group, scene, on_page)?;
     }
     Ok(out)
 }
 
-fn push_group(out: &mut Vec<u8>, group: &Group, scene: &Scene) -> Result<()> {
+/// The curves in coordinates of the page, where there is a map to it.
+fn placed(curves: &[Curve], on_page: Option<(Affine, f64)>) -> Cow<'_, [Curve]> {
+    let Some((map, _)) = on_page else {
+        return curves.into();
+    };
+    let on_page = |curve: &Curve| curve.transformed(map).rounded(ON_PAGE, &[]);
+    curves.iter().map(on_page).collect()
+}
+
+fn push_group(
+    out: &mut Vec<u8>,
+    group: &Group,
+    scene: &Scene,
+    on_page: Option<(Affine, f64)>,
+) -> Result<()> {
+    let scale = on_page.map_or(1.0, |(_, scale)| scale);
+    let number = |length: f64| number(length * scale);
     out.extend_from_slice(b"q\n");
     if let Some((_, width)) = group.pen.visible_stroke() {
         out.extend_from_slice(format!("{} w\n", number(width)).as_bytes());
@@ -144,7 +176,7 @@ fn push_group(out: &mut Vec<u8>, group: &Group, scene: &Scene) -> Result<()> {
         out.extend_from_slice(format!("[{}] 0 d\n", lengths.join(" ")).as_bytes());
     }
     for mark in &group.marks {
-        paint_path(out, &group.pen, &scene.curves(mark)?);
+        paint_path(out, &group.pen, &placed(&scene.curves(mark)?, on_page));
     }
     out.extend_from_slice(b"Q\n");
     Ok(())

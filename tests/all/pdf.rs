@@ -150,6 +150,38 @@ fn a_page_is_as_large_as_the_coordinates_or_as_readers_take() {
 }
 
 #[test]
+fn what_is_huge_or_tiny_or_far_away_fills_its_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file.pdf");
+    for shape in [
+        "circle 50 --size 512x512",
+        "circle 1e6",
+        "circle 3e9",
+        "circle 1e20",
+        "circle 1e-7",
+        "circle 1e-30",
+        "circle 50 --center 1e12,-1e12 --size 512x512",
+        "arc 1e-9 --sweep 359 --show joints,truth --background #eee",
+    ] {
+        fs::write(&file, drawn(&format!("{shape} -f pdf"))).unwrap();
+        let output = Command::new("gs")
+            .args(["-q", "-sDEVICE=bbox", "-dNOPAUSE", "-dBATCH", "-dSAFER"])
+            .arg(&file)
+            .output()
+            .unwrap();
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        let (_, found) = text.split_once("%%HiResBoundingBox: ").unwrap();
+        let found: Vec<f64> = found
+            .split_whitespace()
+            .map(|x| x.parse().unwrap())
+            .collect();
+        for (found, wanted) in found.iter().zip([0.0, 0.0, 512.0, 512.0]) {
+            assert!((found - wanted).abs() < 4.0, "{shape}: {text}");
+        }
+    }
+}
+
+#[test]
 fn a_page_that_no_reader_takes_is_refused() {
     let message = refused(&["circle", "5", "-f", "pdf", "--size", "6000x10mm"]);
     assert!(message.contains("200 inches"), "{message}");
