@@ -42,6 +42,7 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
             return Some(format!("take a larger tolerance, as -t {}", text(*enough)));
         }
         Error::TooManySegments { .. } => "take a larger tolerance",
+        Error::Collapsed { decimals: 30.. } => "draw it larger, as with --transform 'scale(1e6)'",
         Error::Collapsed { .. } => "give more decimals",
         Error::Unmeasurable(UnmeasurableError::Entangled) => {
             "compare parts of them: every subpath is compared with one other"

@@ -326,3 +326,14 @@ fn json_lines_have_the_digits_of_lines_of_text() {
         assert_eq!(from_json, from_text);
     }
 }
+
+#[test]
+fn commas_between_words_are_named() {
+    let output = crate::judges::program::piped(&["batch"], b"circle,0,0,5\n");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(message.contains("<stdin>:1: "), "{message}");
+    assert!(
+        message.contains("blanks stand between the words of a line, not commas"),
+        "{message}"
+    );
+}

@@ -431,3 +431,21 @@ fn what_is_written_as_postscript_is_read_again() {
     printed(&["diff", files[1], document]);
     assert_eq!(run(&["diff", files[0], files[1]]).status.code(), Some(1));
 }
+
+#[test]
+fn postscript_is_known_by_its_name_or_its_operators() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = "[1 0 0 1 5 5] concat 0 0 moveto 1 1 lineto stroke\n";
+    for name in ["a.ps", "a.EPS", "a"] {
+        let file = folder.path().join(name);
+        std::fs::write(&file, drawing).unwrap();
+        printed(&["diff", file.to_str().unwrap(), "M5 5L6 6"]);
+    }
+    let file = folder.path().join("b.ps");
+    std::fs::write(&file, "<< /A 1 >> pop 0 0 moveto 1 1 lineto\n").unwrap();
+    let message = refused(&["diff", file.to_str().unwrap(), "M5 5L6 6"]);
+    assert!(
+        message.contains("operators of a plain drawing"),
+        "{message}"
+    );
+}

@@ -291,6 +291,18 @@ fn what_a_picture_cannot_be_is_refused() {
             "--relative says nothing in the format png",
         ),
         (
+            "circle 50 -f json --relative",
+            "--relative says nothing in the format json, whose path is absolute",
+        ),
+        (
+            "circle 1e-50 -f svg -p 30",
+            "hint: draw it larger, as with --transform",
+        ),
+        (
+            "sphere 50 -f svg --feed 3",
+            "--feed is for gcode, which this command does not write",
+        ),
+        (
             "circle 50 -f eps --fill #ff000080",
             "no translucent colours",
         ),

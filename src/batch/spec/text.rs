@@ -144,10 +144,13 @@ impl ShapeNumbers {
 fn shape_from_text(mut words: Words, start: usize, word: &str) -> Result<Shape> {
     let line = words.line;
     let Some((form, counts)) = form(word) else {
-        return Err(words.wrong(
-            start,
-            "a line begins with circle, ellipse, arc, svgarc, bulge, through, polyline or path, or is a JSON object",
-        ));
+        let by_commas = word.split_once(',');
+        let why = if by_commas.is_some_and(|(name, _)| form(name).is_some()) {
+            "blanks stand between the words of a line, not commas"
+        } else {
+            "a line begins with circle, ellipse, arc, svgarc, bulge, through, polyline or path, or is a JSON object"
+        };
+        return Err(words.wrong(start, why));
     };
     let numbers = ShapeNumbers::read(&mut words, form)?;
     let count = numbers.count;

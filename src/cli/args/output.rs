@@ -75,7 +75,14 @@ impl OutputArgs {
 
     /// The same for a command that makes no G-code.
     pub(crate) fn format_but_gcode(&self) -> Result<Format, Failure> {
-        formats::choose_but(Some(&Format::Gcode), self.format, self.output.path())
+        let format = formats::choose_but(Some(&Format::Gcode), self.format, self.output.path())?;
+        if self.feed.is_some() {
+            return Err(Failure::request_with_hint(
+                "--feed is for gcode, which this command does not write",
+                "leave it out; 'curveto path --to arcs' makes arcs of path data, for -f gcode",
+            ));
+        }
+        Ok(format)
     }
 
     /// How it is to be written, where the format can do what was asked for.
@@ -88,11 +95,12 @@ impl OutputArgs {
             ))
         };
         if self.relative && !format.has_path_commands() {
-            return idle(
-                "--relative",
-                "which has no path commands of SVG",
-                "-f path or -f svg".to_owned(),
-            );
+            let why = if format == Format::Json {
+                "whose path is absolute"
+            } else {
+                "which has no path commands of SVG"
+            };
+            return idle("--relative", why, "-f path or -f svg".to_owned());
         }
         if self.feed.is_some() && format != Format::Gcode {
             return idle("--feed", "which moves nothing", "-f gcode".to_owned());

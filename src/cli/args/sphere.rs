@@ -10,6 +10,7 @@ use super::values;
 
 #[derive(Debug, Args)]
 #[command(mut_arg("format", |arg| arg.value_parser(values::format_but_gcode())))]
+#[command(mut_arg("feed", |arg| arg.hide(true)))]
 pub(crate) struct SphereArgs {
     /// The radius
     #[arg(value_name = "RADIUS", value_parser = values::number, allow_negative_numbers = true)]

@@ -14,7 +14,8 @@ use crate::cli::failure::Failure;
 #[derive(Debug, Args)]
 #[command(
     after_long_help = "A curve through points states no error: -p auto keeps the points as they were given and moves no control point farther than a ten-thousandth of the shortest distance between neighbours.",
-    mut_arg("format", |arg| arg.value_parser(values::format_but_gcode()))
+    mut_arg("format", |arg| arg.value_parser(values::format_but_gcode())),
+    mut_arg("feed", |arg| arg.hide(true))
 )]
 pub(crate) struct SplineArgs {
     #[command(flatten)]

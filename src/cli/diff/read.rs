@@ -1,6 +1,7 @@
 //! A drawing in any of the forms that can be compared.
 
 use std::ffi::OsStr;
+use std::path::Path;
 
 use curveto::contour::Contour;
 use curveto::diff::Track;
@@ -16,7 +17,11 @@ use super::super::input;
 /// The subpaths of a drawing: of path data, or of a file with it, with SVG, JSON or PostScript.
 pub(super) fn drawing(words: &OsStr, notes: QuietArgs) -> Result<Vec<Track>, Failure> {
     let (bytes, name) = input::drawing(words)?;
-    if input::is_svg(&bytes) {
+    // A matrix or a dictionary may stand first.
+    let is_named_so = Path::new(words)
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("ps") || e.eq_ignore_ascii_case("eps"));
+    if input::is_svg(&bytes) && !is_named_so {
         let mut found = Vec::new();
         for (contours, map) in input::shapes(&bytes, &name, notes)? {
             found.extend(tracks(&contours, map)?);
@@ -26,10 +31,11 @@ pub(super) fn drawing(words: &OsStr, notes: QuietArgs) -> Result<Vec<Track>, Fai
     let text = input::in_utf8(bytes, &name)?;
     let begins = |what: &str| text.trim_start().starts_with(what);
     let is_operator = |word: &str| ["moveto", "arc", "arcn"].contains(&word);
-    let is_postscript = || text.split_ascii_whitespace().any(is_operator);
-    let tracks = if begins("{") || begins("[") {
+    let is_postscript =
+        is_named_so || begins("%") || text.split_ascii_whitespace().any(is_operator);
+    let tracks = if begins("{") || (begins("[") && !is_postscript) {
         of_json(&text, &name)?
-    } else if begins("%") || is_postscript() {
+    } else if is_postscript {
         tracks(
             &path::postscript(&text).map_err(|error| at(&name, &error))?,
             Affine::IDENTITY,
