@@ -17,6 +17,7 @@ use crate::contour::{Contour, Step, Subpath};
 use crate::course::{self, Course};
 use crate::error::Result;
 use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
+use crate::method::Span;
 use crate::number::Precision;
 use crate::numeric::functions::angle_of;
 use crate::shape::endpoint::SvgArc;
@@ -161,25 +162,46 @@ impl Builder<'_> {
     }
 
     /// An arc that was given as cubics first, and as what these become.
+    ///
+    /// How far these stray counts both ways. What is nearer to the ellipse than its smallest radius of curvature has nearest points that
+    /// cover the arc. Else radii of the unit circle pair the points of both, which the map moves apart by no more than the larger radius
+    /// does.
     fn by_cubics(&mut self, arc: &Arc) -> Result<()> {
         if self.plan.room <= 0.0 {
             return Err(self.plan.too_coarse());
         }
         let slack = (ELLIPSE_PART * self.plan.tolerance).min(LEAST_PART * self.plan.room);
-        let options = approximate::Options {
+        let mut options = approximate::Options {
             cut: Cut::Tolerance(Tolerance::Absolute(slack)),
             precision: Some(Precision::Full),
             transform: self.options.transform,
             ..Default::default()
         };
-        let drawing = approximate(&Shape::Arc(*arc), &options)?;
+        let mut drawing = approximate(&Shape::Arc(*arc), &options)?;
+        let mut strayed = drawing.error.peak();
+        let outline = arc.outline().transformed(self.options.transform)?;
+        let larger = outline.truth.larger_radius();
+        let smaller = outline.truth.radii.x.min(outline.truth.radii.y);
+        if strayed * larger >= smaller * smaller {
+            let sweep = outline.unit.sweep.degrees().abs();
+            let on_circle = |count| {
+                let span = Span::from_degrees(sweep / count as f64);
+                let error = options.rule.radial_error(&span).map(|error| error.peak());
+                larger * error.unwrap_or(f64::INFINITY)
+            };
+            let enough = (1..MOST_SEGMENTS).find(|&count| on_circle(count) <= slack);
+            let count = enough.unwrap_or(MOST_SEGMENTS);
+            options.cut = Cut::Count(count);
+            drawing = approximate(&Shape::Arc(*arc), &options)?;
+            strayed = on_circle(count).max(drawing.error.peak());
+        }
         let mut cubics: Vec<_> = drawing
             .curve
             .segments
             .iter()
             .map(PathSeg::to_cubic)
             .collect();
-        self.flush(&mut cubics, drawing.error.peak())
+        self.flush(&mut cubics, strayed)
     }
 
     /// Ends a chain of cubics, which stray this far from what was given.

@@ -470,6 +470,32 @@ proptest! {
 }
 
 #[test]
+fn arcs_reach_the_tips_of_flat_ellipses() {
+    for (short, tolerance) in [
+        (0.1, 1.0),
+        (0.1, 2.0),
+        (0.3, 5.0),
+        (1.0, 1.0),
+        (1e-3, 3.0),
+        (20.0, 9.0),
+    ] {
+        let given = format!("M0 -{short}A100 {short} 0 0 1 0 {short}");
+        let drawing = bowed(&given, Some(tolerance));
+        let stated = drawing.error().peak();
+        assert!(stated <= tolerance, "{given}: {stated}");
+        let printed = path::data_of_courses(drawing.courses(), false);
+        let ellipse: Vec<Point> = (-500..=500)
+            .map(|i| {
+                let (sin, cos) = (f64::from(i) / 1000.0 * std::f64::consts::PI).sin_cos();
+                Point::new(100.0 * cos, short * sin)
+            })
+            .collect();
+        let found = points_apart(&ellipse, &ends(&chords(&printed)), 1);
+        assert!(found <= stated + 1e-3, "{given}: {found} beyond {stated}");
+    }
+}
+
+#[test]
 fn circles_of_others_become_the_circles_that_were_meant() {
     for (data, radius) in [
         (
