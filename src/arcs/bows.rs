@@ -21,7 +21,7 @@ use crate::method::Span;
 use crate::number::Precision;
 use crate::numeric::functions::angle_of;
 use crate::shape::endpoint::SvgArc;
-use crate::shape::{Arc, Given, Shape};
+use crate::shape::{Arc, Given, Outline, Shape};
 
 /// The part of the tolerance within which an elliptical arc becomes cubics first.
 const ELLIPSE_PART: f64 = 0.02;
@@ -179,10 +179,9 @@ impl Builder<'_> {
         };
         let mut drawing = approximate(&Shape::Arc(*arc), &options)?;
         let mut strayed = drawing.error.peak();
-        let outline = arc.outline().transformed(self.options.transform)?;
-        let larger = outline.truth.larger_radius();
-        let smaller = outline.truth.radii.x.min(outline.truth.radii.y);
-        if strayed * larger >= smaller * smaller {
+        let is_beyond = |outline: &Outline| strayed >= outline.truth.sharpest_radius();
+        if let Some(outline) = drawing.outline.filter(is_beyond) {
+            let larger = outline.truth.larger_radius();
             let sweep = outline.unit.sweep.degrees().abs();
             let on_circle = |count| {
                 let span = Span::from_degrees(sweep / count as f64);

@@ -37,7 +37,7 @@ pub(crate) use shape::{ArcShape, CircleShape, EllipseShape};
 pub(crate) use sphere::SphereArgs;
 pub(crate) use spline::{SplineArgs, SplineSource};
 pub(crate) use talk::{QuietArgs, TalkArgs};
-pub(crate) use values::{PrecisionWord, hint_of_number};
+pub(crate) use values::{MOST_DECIMALS, PrecisionWord, hint_of_number};
 
 use std::path::PathBuf;
 

@@ -4,6 +4,8 @@ use curveto::Error;
 use curveto::error::{JointsError, Remedy, RuleName, ShapeError, UnmeasurableError};
 use curveto::number::text;
 
+use super::args::MOST_DECIMALS;
+
 /// The message of an error.
 pub(crate) fn message(error: &Error) -> String {
     match error {
@@ -42,7 +44,9 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
             return Some(format!("take a larger tolerance, as -t {}", text(*enough)));
         }
         Error::TooManySegments { .. } => "take a larger tolerance",
-        Error::Collapsed { decimals: 30.. } => "draw it larger, as with --transform 'scale(1e6)'",
+        Error::Collapsed {
+            decimals: MOST_DECIMALS..,
+        } => "draw it larger, as with --transform 'scale(1e6)'",
         Error::Collapsed { .. } => "give more decimals",
         Error::Unmeasurable(UnmeasurableError::Entangled) => {
             "compare parts of them: every subpath is compared with one other"

@@ -6,25 +6,7 @@ use std::collections::VecDeque;
 pub(super) const SLACK: f64 = 0.9e-9;
 
 /// How many parts are halved at most where there is a tolerance, beside some for each segment.
-pub(super) const MOST_FOR_TOLERANCE: usize = 200;
-
-/// What the parts of a curve tell.
-pub(super) trait Halving {
-    type Part;
-    /// What is known of a point.
-    type Place;
-
-    /// The halves of a part, and its start, middle and end.
-    fn halves(&self, part: &Self::Part) -> ([Self::Part; 2], [Self::Place; 3]);
-
-    fn distance(&self, place: &Self::Place) -> f64;
-
-    /// Whether no point of a part is farther than that.
-    fn is_within(&self, part: &Self::Part, places: &[Self::Place; 3], most: f64) -> bool;
-
-    /// A bound that always holds.
-    fn roughly(&self, part: &Self::Part, places: &[Self::Place; 3]) -> f64;
-}
+const MOST_FOR_TOLERANCE: usize = 200;
 
 /// What ends a search: what is left then is bounded roughly.
 pub(super) struct Bounds {
@@ -79,4 +61,22 @@ impl Bounds {
         }
         bound
     }
+}
+
+/// What the parts of a curve tell.
+pub(super) trait Halving {
+    type Part;
+    /// What is known of a point.
+    type Place;
+
+    /// The halves of a part, and its start, middle and end.
+    fn halves(&self, part: &Self::Part) -> ([Self::Part; 2], [Self::Place; 3]);
+
+    fn distance(&self, place: &Self::Place) -> f64;
+
+    /// Whether no point of a part is farther than that.
+    fn is_within(&self, part: &Self::Part, places: &[Self::Place; 3], most: f64) -> bool;
+
+    /// A bound that always holds.
+    fn roughly(&self, part: &Self::Part, places: &[Self::Place; 3]) -> f64;
 }

@@ -107,6 +107,12 @@ impl Truth {
         self.radii.x.max(self.radii.y)
     }
 
+    /// The smallest radius of curvature.
+    pub(crate) fn sharpest_radius(&self) -> f64 {
+        let smaller = self.radii.x.min(self.radii.y);
+        smaller * (smaller / self.larger_radius())
+    }
+
     /// Whether both radii are the same.
     #[must_use]
     pub fn is_circle(&self) -> bool {

@@ -153,6 +153,23 @@ enum Move {
     },
 }
 
+/// The start, the end, the centre and the way round of a program of one arc.
+fn only_arc(text: &str) -> (Point, Point, Point, bool) {
+    let [
+        Move::Rapid,
+        Move::Arc {
+            from,
+            to,
+            center,
+            clockwise,
+        },
+    ] = gcode(text)[..]
+    else {
+        panic!("{text}")
+    };
+    (from, to, center, clockwise)
+}
+
 /// Runs a program in absolute coordinates.
 fn gcode(text: &str) -> Vec<Move> {
     let mut at = Point::new(f64::NAN, f64::NAN);
@@ -248,19 +265,8 @@ fn gcode_runs_along_the_very_circle() {
         ("arc 0.003 --sweep 90", (0.0, 0.0), 0.003, 0.0, 90.0),
     ] {
         for (precision, step) in [("", 1e-6 * radius), (" -p 3", 1e-3), (" -p 9", 1e-9)] {
-            let moves = gcode(&printed(&format!("{arguments} -f gcode{precision}")));
-            let [
-                Move::Rapid,
-                Move::Arc {
-                    from,
-                    to,
-                    center: c,
-                    clockwise,
-                },
-            ] = moves[..]
-            else {
-                panic!("{arguments}: {moves:?}")
-            };
+            let text = printed(&format!("{arguments} -f gcode{precision}"));
+            let (from, to, c, clockwise) = only_arc(&text);
             // Each of three points is rounded by half a step in each coordinate.
             let allowed = 3.0 * step;
             let truth = |degrees: f64| {
@@ -365,18 +371,7 @@ fn gcode_states_how_far_rounding_moves_an_arc() {
         let stated = text.split_once("moves it by up to ");
         let stated = stated.unwrap().1.split_once(')').unwrap().0;
         let stated: f64 = stated.parse().unwrap();
-        let [
-            Move::Rapid,
-            Move::Arc {
-                from,
-                to,
-                center: c,
-                clockwise,
-            },
-        ] = gcode(&text)[..]
-        else {
-            panic!("{text}")
-        };
+        let (from, to, c, clockwise) = only_arc(&text);
         let radii = [from, to].map(|end| end.distance(c));
         let turned = sweep(from, to, c, clockwise);
         let begin = (from - c).atan2().to_degrees();

@@ -295,12 +295,17 @@ pub(super) fn rounding(asked: Option<PrecisionWord>, format: Format) -> Option<P
     asked.map_or_else(|| format.precision(), PrecisionWord::precision)
 }
 
+/// The most decimals that are taken.
+pub(crate) const MOST_DECIMALS: u8 = 30;
+
 pub(super) fn precision(text: &str) -> Read<PrecisionWord> {
     match text {
         "auto" => Ok(PrecisionWord::Auto),
         _ => match text.parse() {
-            Ok(decimals @ 0..=30) => Ok(PrecisionWord::Decimals(decimals)),
-            _ => Err("a precision is a number of decimals from 0 to 30, or auto".to_owned()),
+            Ok(decimals @ 0..=MOST_DECIMALS) => Ok(PrecisionWord::Decimals(decimals)),
+            _ => Err(format!(
+                "a precision is a number of decimals from 0 to {MOST_DECIMALS}, or auto"
+            )),
         },
     }
 }

@@ -27,8 +27,7 @@ pub(crate) fn roughly(
     cutting: &impl Cutting,
 ) -> Option<[f64; 2]> {
     let (count, size) = (cutting.count(), cutting.size(0));
-    let is_even = || (1..count).all(|i| cutting.size(i) == size);
-    if !has_three_lobes(rule) || size < SHORTEST || !is_even() {
+    if !has_three_lobes(rule) || size < SHORTEST || !is_even(cutting) {
         return None;
     }
     let cubic = TouchingCubic::new(rule, size)?;
@@ -98,8 +97,16 @@ pub(crate) fn nearly(
 fn unlike(cutting: &impl Cutting) -> usize {
     let (count, size) = (cutting.count(), cutting.size(0));
     let is_turn = count as f64 * size == 360.0 && count.is_multiple_of(2);
-    let is_even = is_turn && (1..count).all(|i| cutting.size(i) == size);
-    if is_even { count / 2 } else { count }
+    if is_turn && is_even(cutting) {
+        count / 2
+    } else {
+        count
+    }
+}
+
+/// Whether all pieces have one size.
+fn is_even(cutting: &impl Cutting) -> bool {
+    (1..cutting.count()).all(|i| cutting.size(i) == cutting.size(0))
 }
 
 /// The same by what the lobes told of the pieces, over the larger radius.
