@@ -15,7 +15,7 @@ pub(crate) use sketch::Sketch;
 
 use kurbo::{Affine, PathSeg};
 
-use crate::curve::{Curve, turn};
+use crate::curve::{Curve, check_coordinates, turn};
 use crate::error::Result;
 use crate::joints::adaptive::Balance;
 use crate::joints::{Cut, Joints, Tolerance, quarters};
@@ -167,6 +167,7 @@ fn straight(shape: &Shape, options: &Options) -> Result<Drawing> {
         _ => Vec::new(),
     };
     let precision = options.precision.unwrap_or(Precision::Full);
+    check_coordinates("coordinate", &segments)?;
     let exact = Curve {
         segments,
         closed: false,

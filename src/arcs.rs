@@ -23,7 +23,9 @@ pub(crate) mod turn;
 
 use kurbo::{Affine, Point, Rect};
 
-use crate::contour::{Closeness, Contour, Maker, Nearness, PathDrawing, Step, Subpath};
+use crate::contour::{
+    Closeness, Contour, Maker, Nearness, PathDrawing, Step, Subpath, check_placed,
+};
 use crate::error::{Error, Result, positive};
 use crate::joints::{MOST_IN_ALL, MOST_SEGMENTS, Tolerance};
 use crate::number::{Precision, decimals_of, rounded_up};
@@ -123,14 +125,12 @@ fn subpaths(
     contours: &[Contour],
     options: &Options,
 ) -> Result<Vec<Subpath>> {
+    check_placed(contours, options.transform)?;
     let (mut subpaths, mut count) = (Vec::with_capacity(contours.len()), 0);
     let mut given = 0;
     for contour in contours {
         let subpath = advised(&draw, root, contour, options)?;
-        count += match &subpath.course {
-            Some(course) => course.steps.len(),
-            None => subpath.curve.segments.len(),
-        };
+        count += subpath.count();
         given += contour.steps.len();
         if count > MOST_IN_ALL.max(given) {
             let part = subpaths.len() + 1;
@@ -187,8 +187,7 @@ fn advised(
             ..*options
         };
         let subpath = draw(contour, &options).ok()?;
-        let course = subpath.course.map(|course| course.steps.len());
-        Some((wide, course.unwrap_or(subpath.curve.segments.len())))
+        Some((wide, subpath.count()))
     };
     let mut found =
         (1..10).find_map(|exponent| count_within(tolerance * power(1e3, root * exponent)));
@@ -250,7 +249,7 @@ impl Plan {
         let tolerance = if let Some(tolerance) = options.tolerance {
             // A dot has no size that a part could be of; nothing of it strays.
             let whole = if size > 0.0 { size } else { largest.max(1.0) };
-            positive("tolerance", tolerance.for_radius(whole))?
+            tolerance.checked(whole)?
         } else {
             let asked = options.precision.map_or(0.0, Precision::farthest_moved);
             DEFAULT_PART * size + explained.max(asked)

@@ -18,7 +18,7 @@ use kurbo::{PathSeg, Point, QuadBez, Vec2};
 
 use crate::angle::Angle;
 use crate::approximate::{Options, automatic_precision};
-use crate::curve::{Curve, with_handles};
+use crate::curve::{Curve, check_coordinates, with_handles};
 use crate::error::{Error, JointsError, Result, ShapeError, finite, positive};
 use crate::joints::{Cut, check_count, quarters};
 use crate::method::{Method, Rule};
@@ -210,7 +210,7 @@ impl Conic {
         match (&options.cut, method) {
             (Cut::Quarters, None) => finish(conic.equal(1, None)?),
             (&Cut::Tolerance(tolerance), None) => {
-                let tolerance = positive("tolerance", tolerance.for_radius(conic.size()))?;
+                let tolerance = tolerance.checked(conic.size())?;
                 let drawing = finish(conic.equal(1, None)?)?;
                 within(drawing.error.peak(), tolerance)?;
                 Ok(drawing)
@@ -218,7 +218,7 @@ impl Conic {
             (Cut::Quarters, _) => finish(conic.equal(conic.quarters(), method)?),
             (&Cut::Count(count), _) => finish(conic.equal(count, method)?),
             (&Cut::Tolerance(tolerance), Some(method)) => {
-                let tolerance = positive("tolerance", tolerance.for_radius(conic.size()))?;
+                let tolerance = tolerance.checked(conic.size())?;
                 conic.within(tolerance, method, &branch, options)
             }
             _ => Err(Error::Joints(JointsError::NoAngles)),
@@ -293,10 +293,7 @@ impl Conic {
             segments,
             closed: false,
         };
-        for p in curve.segments.iter().flat_map(crate::curve::control_points) {
-            finite("coordinate of a control point", p.x)?;
-            finite("coordinate of a control point", p.y)?;
-        }
+        check_coordinates("coordinate of a control point", &curve.segments)?;
         let measured = |curve: &Curve| error::error(branch, self, &curve.segments);
         let given = [self.from, self.control, self.to];
         let (precision, kept) = match (options.precision, method, &options.cut) {

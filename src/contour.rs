@@ -2,15 +2,16 @@
 
 mod closeness;
 mod pen;
+mod placed;
 mod quadratics;
 
 use core::ops::Range;
 
-use kurbo::{CubicBez, Line, PathSeg, Point, Rect};
+use kurbo::{Line, PathSeg, Point, Rect};
 
 use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
-use crate::curve::{Curve, check_size, largest_move};
+use crate::curve::{Curve, largest_move};
 use crate::error::{Error, Result};
 use crate::joints::{Cut, MOST_IN_ALL, MOST_SEGMENTS, Tolerance};
 use crate::measure::radial;
@@ -20,8 +21,9 @@ use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Outline, Shape};
 pub use closeness::{Closeness, Nearness};
 pub(crate) use pen::ContourPen;
+pub(crate) use placed::check_placed;
 use quadratics::{
-    check_count, count_of_quadratics, distance_from, distance_of_quadratics, quadratics,
+    check_contours, count_of_quadratics, distance_from, distance_of_quadratics, quadratics,
 };
 
 /// A chain of steps, each of which starts where the one before it ends.
@@ -167,6 +169,13 @@ impl PathDrawing {
 }
 
 impl Subpath {
+    /// How many segments it has: those of its curve, or the lines and arcs in place of it.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        let course = self.course.as_ref();
+        course.map_or(self.curve.segments.len(), |course| course.steps.len())
+    }
+
     /// The peak error over [`Subpath::radius`].
     #[must_use]
     pub fn relative_peak(&self) -> f64 {
@@ -198,15 +207,19 @@ pub fn draw(
     target: BezierTarget,
     options: &approximate::Options,
 ) -> Result<PathDrawing> {
-    if target == BezierTarget::Quadratics {
-        contours
-            .iter()
-            .try_for_each(|contour| check_quadratics(contour, options))?;
-    }
+    check_placed(contours, options.transform)?;
     let mut count = 0;
+    if target == BezierTarget::Quadratics {
+        for contour in contours {
+            check_contours(core::slice::from_ref(contour), options, MOST_SEGMENTS)?;
+        }
+        let given: usize = contours.iter().map(|contour| contour.steps.len()).sum();
+        count = check_contours(contours, options, MOST_IN_ALL.max(given))?;
+    }
+    let most = MOST_IN_ALL.max(count);
     let sketches: Vec<Vec<Option<Sketch>>> = contours
         .iter()
-        .map(|contour| sketches(contour, options, &mut count))
+        .map(|contour| sketches(contour, options, &mut count, most))
         .collect::<Result<_>>()?;
     let precision = options.precision.unwrap_or_else(|| {
         let arcs = sketches.iter().flatten().flatten();
@@ -243,30 +256,13 @@ pub fn draw(
     Ok(drawing)
 }
 
-/// Refuses a contour that is too small, or whose cubics would become more quadratics than a curve may have segments.
-fn check_quadratics(contour: &Contour, options: &approximate::Options) -> Result<()> {
-    let given = contour.steps.iter().filter_map(|step| match step {
-        Step::Given(segment) => Some(options.transform * *segment),
-        Step::Arc(_) => None,
-    });
-    let given: Vec<PathSeg> = given.collect();
-    let cubics = given.iter().filter_map(|segment| match segment {
-        PathSeg::Cubic(cubic) => Some(*cubic),
-        _ => None,
-    });
-    let cubics: Vec<CubicBez> = cubics.collect();
-    if !cubics.is_empty() {
-        check_size(&given)?;
-    }
-    check_count(&cubics, &options.cut)
-}
-
-/// The sketches of a contour's arcs; `count` is how many segments those before it have; refused where it has more
-/// than a curve may, or all have more than memory should hold.
+/// The sketches of a contour's arcs; `count` is how many segments all else has so far; refused where it has more
+/// than a curve may, or all have more than `most`.
 fn sketches(
     contour: &Contour,
     options: &approximate::Options,
     count: &mut usize,
+    most: usize,
 ) -> Result<Vec<Option<Sketch>>> {
     let mut here = 0;
     let sketched = contour.steps.iter().map(|step| {
@@ -276,7 +272,7 @@ fn sketches(
             .map_or(0, |sketch| sketch.curve.segments.len());
         here += own;
         *count += own;
-        for (count, most) in [(here, MOST_SEGMENTS), (*count, MOST_IN_ALL)] {
+        for (count, most) in [(here, MOST_SEGMENTS), (*count, most)] {
             if count > most {
                 return Err(Error::Count { count, most });
             }

@@ -4,7 +4,7 @@ use core::borrow::Borrow;
 
 use kurbo::{Affine, CubicBez, ParamCurve, PathSeg, Point, QuadBez, Rect, Vec2};
 
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, finite, positive};
 use crate::number::{Precision, round};
 
 /// A closing line shorter than this part of the curve's extent is the gap of a joint, not a segment; an open curve whose ends
@@ -216,9 +216,25 @@ pub(crate) fn gap(curve: &Curve) -> f64 {
     ends.map_or(0.0, |(first, last)| first.start().distance(last.end()))
 }
 
+/// Refuses control points with a coordinate that is not finite or beyond 1e150.
+pub(crate) fn check_coordinates(
+    what: &'static str,
+    segments: impl IntoIterator<Item: Borrow<PathSeg>>,
+) -> Result<()> {
+    for segment in segments {
+        let (points, _) = points_of(segment.borrow());
+        for x in points.into_iter().flat_map(|p| [p.x, p.y]) {
+            finite(what, x)?;
+        }
+    }
+    Ok(())
+}
+
 /// Refuses what is so small, and no point, that squares of its lengths vanish.
-pub(crate) fn check_size<'a>(segments: impl IntoIterator<Item = &'a PathSeg>) -> Result<()> {
-    let points = segments.into_iter().flat_map(control_points);
+pub(crate) fn check_size(segments: impl IntoIterator<Item: Borrow<PathSeg>>) -> Result<()> {
+    let points = segments
+        .into_iter()
+        .flat_map(|segment| control_points(segment.borrow()));
     let boxes = points.map(|p| Rect::from_points(p, p));
     let bounds = boxes.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
     let size = bounds.width().max(bounds.height());

@@ -8,8 +8,8 @@ use kurbo::{Affine, PathSeg, Point, Rect};
 
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step};
-use crate::curve::{check_size, control_points, largest_coordinate};
-use crate::error::{Result, finite, positive};
+use crate::curve::{check_coordinates, check_size, largest_coordinate};
+use crate::error::{Result, positive};
 use crate::joints::Cut;
 use crate::number::Precision;
 use crate::shape::Shape;
@@ -59,16 +59,9 @@ impl Track {
             }
             track.steps.resize(track.segments.len(), i);
         }
-        for p in track.points() {
-            finite("coordinate", p.x)?;
-            finite("coordinate", p.y)?;
-        }
+        check_coordinates("coordinate", &track.segments)?;
         check_size(&track.segments)?;
         Ok(track)
-    }
-
-    fn points(&self) -> impl Iterator<Item = Point> {
-        self.segments.iter().flat_map(control_points)
     }
 
     fn bounding_box(&self) -> Rect {

@@ -17,7 +17,6 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 
-use crate::error::positive;
 use crate::joints::{Cut, Tolerance};
 use crate::method::Rule;
 
@@ -116,9 +115,9 @@ impl Options {
     pub fn check(&self) -> crate::Result<()> {
         self.rule.check()?;
         if let Target::Arcs { tolerance, .. } = self.to
-            && let Some(Tolerance::Absolute(size) | Tolerance::Relative(size)) = tolerance
+            && let Some(tolerance) = tolerance
         {
-            positive("tolerance", size)?;
+            tolerance.checked(1.0)?;
         }
         Ok(())
     }

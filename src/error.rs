@@ -142,6 +142,16 @@ pub enum Error {
         /// A tolerance with which it becomes fewer, about.
         enough: f64,
     },
+    /// A segment of a path that cannot be drawn as it is placed.
+    #[error("segment {segment} of subpath {subpath}: {why}")]
+    Segment {
+        /// The number of the subpath, from 1.
+        subpath: usize,
+        /// The number of the segment in it, from 1.
+        segment: usize,
+        /// The reason.
+        why: Box<Self>,
+    },
     /// A text that does not parse.
     #[error("cannot read {what} '{text}': {why}, at column {column}")]
     Syntax {

@@ -17,8 +17,8 @@ use cutting::{Cutting, EqualPieces};
 /// The largest number of segments that anything is cut into.
 pub const MOST_SEGMENTS: usize = 1_000_000;
 
-/// The most segments that all subpaths of a path become.
-pub(crate) const MOST_IN_ALL: usize = 5 * MOST_SEGMENTS;
+/// The most segments that all subpaths of a path become, unless it has as many before.
+pub const MOST_IN_ALL: usize = 5 * MOST_SEGMENTS;
 
 /// Refuses a count of 0 or beyond [`MOST_SEGMENTS`].
 pub(crate) const fn check_count(count: usize) -> Result<()> {
@@ -61,6 +61,19 @@ pub enum Tolerance {
 }
 
 impl Tolerance {
+    /// The distance in user units for a shape of this larger radius, where it is one that can be met.
+    ///
+    /// # Errors
+    ///
+    /// Where it is not positive and finite, or beyond 1e150.
+    pub fn checked(self, radius: f64) -> Result<f64> {
+        let (what, value) = ("tolerance", self.for_radius(radius));
+        if value > 0.0 && value.is_finite() {
+            return finite(what, value);
+        }
+        Err(Error::NotPositive { what, value })
+    }
+
     /// The distance in user units for a shape of this larger radius.
     #[must_use]
     pub fn for_radius(self, radius: f64) -> f64 {
@@ -88,12 +101,14 @@ impl FromStr for Tolerance {
             Some(number) => (number, true),
             None => (text, false),
         };
-        let size: f64 = number.trim().parse().map_err(|_| wrong())?;
+        let number: f64 = number.trim().parse().map_err(|_| wrong())?;
+        // A hundredth of the least numbers is 0.
+        let size = if percent { number / 100.0 } else { number };
         if !(size.is_finite() && size > 0.0) {
             return Err(wrong());
         }
         Ok(if percent {
-            Self::Relative(size / 100.0)
+            Self::Relative(size)
         } else {
             Self::Absolute(size)
         })

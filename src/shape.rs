@@ -192,7 +192,7 @@ impl Arc {
     }
 
     /// Refuses what [`Arc::new`] does: every field is open.
-    fn check(&self) -> Result<()> {
+    pub(crate) fn check(&self) -> Result<()> {
         check_ellipse(self.center, self.radii, self.rotation, self.start)?;
         let sweep = finite("sweep", self.sweep.degrees())?;
         if sweep.abs() > 360.0 {

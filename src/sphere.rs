@@ -13,7 +13,7 @@ use kurbo::{Affine, Point};
 
 use crate::angle::Angle;
 use crate::approximate::{self, Drawing, approximate, automatic_precision};
-use crate::curve::{Curve, control_points, largest_move};
+use crate::curve::{Curve, check_coordinates, control_points, largest_move};
 use crate::error::{Error, Result, ShapeError, finite, positive};
 use crate::joints::{Cut, MOST_SEGMENTS};
 use crate::measure::radial;
@@ -231,14 +231,8 @@ impl SphereView {
             part.curve = part.curve.transformed(transform);
         }
         let noise = self.noise();
-        for p in self
-            .parts()
-            .flat_map(|part| &part.curve.segments)
-            .flat_map(control_points)
-        {
-            finite("coordinate of a control point", p.x)?;
-            finite("coordinate of a control point", p.y)?;
-        }
+        let segments = self.parts().flat_map(|part| &part.curve.segments);
+        check_coordinates("coordinate of a control point", segments)?;
         let [smallest, largest] = scales(transform);
         let precision = self.options.precision.unwrap_or_else(|| {
             automatic_precision(

@@ -101,7 +101,7 @@ impl<'a> BetweenExtremes<'a> {
     /// From so many parts on, each cut into as few as a tolerance takes.
     fn within(&self, mut parts: Vec<usize>, tolerance: Tolerance) -> Result<Drawing> {
         let truth = &self.request.outline.truth;
-        let tolerance = tolerance.for_radius(truth.larger_radius());
+        let tolerance = tolerance.checked(truth.larger_radius())?;
         self.request.check_tolerance(tolerance)?;
         if self.has_joint_beyond(&vec![1; parts.len()], tolerance)? {
             return Err(self.request.refusal(tolerance, None));

@@ -109,7 +109,7 @@ impl Request<'_> {
     /// The fewest segments whose rounded curve is within the tolerance.
     pub(super) fn fewest(&self, tolerance: Tolerance) -> Result<Sketch> {
         let truth = &self.outline.truth;
-        let tolerance = tolerance.for_radius(truth.larger_radius());
+        let tolerance = tolerance.checked(truth.larger_radius())?;
         self.check_tolerance(tolerance)?;
         self.check_ends(tolerance)?;
         if self.is_hopeless(tolerance) {
@@ -179,12 +179,6 @@ impl Request<'_> {
 
     /// Refuses tolerances that no curve could meet.
     pub(super) fn check_tolerance(&self, tolerance: f64) -> Result<()> {
-        if tolerance <= 0.0 || !tolerance.is_finite() {
-            return Err(Error::NotPositive {
-                what: "tolerance",
-                value: tolerance,
-            });
-        }
         let finest = finest(self.reach());
         if tolerance < finest {
             let typed = rounded_up(finest, 2);

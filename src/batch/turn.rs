@@ -103,7 +103,7 @@ impl Turns {
             Cut::Quarters => quarters(unit.sweep),
             Cut::Count(count) => count,
             Cut::Tolerance(tolerance) => {
-                let tolerance = tolerance.for_radius(radius);
+                let tolerance = tolerance.checked(radius).ok()?;
                 return self.push_within(out, &shape, &outline, options, tolerance);
             }
             _ => return None,

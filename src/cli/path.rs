@@ -3,12 +3,13 @@
 use std::ffi::OsStr;
 use std::process::ExitCode;
 
-use curveto::Cut;
 use curveto::approximate::Options;
 use curveto::arcs;
-use curveto::contour::{Contour, PathDrawing, Step, draw};
+use curveto::contour::{Contour, PathDrawing, Step, Subpath, draw};
+use curveto::joints::MOST_IN_ALL;
 use curveto::path::{contours, contours_of_power};
 use curveto::write::Format;
+use curveto::{Cut, Error};
 use kurbo::Affine;
 
 use super::args::{PathArgs, PathKind, QuietArgs};
@@ -69,6 +70,34 @@ fn check_joints(args: &PathArgs, parts: &[PlacedContours]) -> Result<(), Failure
     Ok(())
 }
 
+/// All parts as what they are to become; `None` where there are none.
+fn joined(
+    args: &PathArgs,
+    format: Format,
+    parts: &[PlacedContours],
+) -> Result<Option<PathDrawing>, Failure> {
+    let mut whole: Option<PathDrawing> = None;
+    let (mut count, mut given) = (0, 0);
+    for part in parts {
+        let drawing = drawn(args, format, part)?;
+        count += drawing.subpaths.iter().map(Subpath::count).sum::<usize>();
+        given += part
+            .0
+            .iter()
+            .map(|contour| contour.steps.len())
+            .sum::<usize>();
+        if count > MOST_IN_ALL.max(given) {
+            let most = MOST_IN_ALL;
+            return Err(Error::Count { count, most }.into());
+        }
+        match &mut whole {
+            Some(whole) => whole.subpaths.extend(drawing.subpaths),
+            None => whole = Some(drawing),
+        }
+    }
+    Ok(whole)
+}
+
 pub(super) fn run(args: &PathArgs) -> Outcome {
     let format = args.output.format()?;
     if args.approximation.extremes {
@@ -88,15 +117,7 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
         )?,
     };
     check_joints(args, &parts)?;
-    let mut whole: Option<PathDrawing> = None;
-    for part in &parts {
-        let drawing = drawn(args, format, part)?;
-        match &mut whole {
-            Some(whole) => whole.subpaths.extend(drawing.subpaths),
-            None => whole = Some(drawing),
-        }
-    }
-    let Some(mut drawing) = whole else {
+    let Some(mut drawing) = joined(args, format, &parts)? else {
         return Ok(ExitCode::SUCCESS);
     };
     if args.open {

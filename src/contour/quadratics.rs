@@ -2,9 +2,11 @@
 
 use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, QuadBez, Rect};
 
-use crate::approximate::ROUNDING_SHARE;
-use crate::error::{Error, Result, positive};
-use crate::joints::{Cut, MOST_SEGMENTS, Tolerance};
+use super::{Contour, Step};
+use crate::approximate::{self, ROUNDING_SHARE};
+use crate::curve::check_size;
+use crate::error::{Error, Result};
+use crate::joints::{Cut, MOST_SEGMENTS};
 use crate::number::rounded_up;
 
 /// How many quadratics a cubic becomes: the fewest of equal parameter length that stay, with the tenth that rounding may add,
@@ -14,47 +16,76 @@ pub(super) fn count_of_quadratics(cubic: &CubicBez, cut: &Cut) -> Result<usize> 
 }
 
 fn tolerance(cubic: &CubicBez, cut: &Cut) -> Result<f64> {
-    Ok(match *cut {
-        Cut::Tolerance(Tolerance::Absolute(distance)) => positive("tolerance", distance)?,
-        Cut::Tolerance(Tolerance::Relative(share)) => share * size(cubic) / 2.0,
-        _ => size(cubic) / 2000.0,
-    })
+    let size = size(cubic) / 2.0;
+    match *cut {
+        // A dot has no size that a part could be of; nothing of it strays.
+        Cut::Tolerance(tolerance) => tolerance.checked(if size > 0.0 { size } else { 1.0 }),
+        _ => Ok(size / 1000.0),
+    }
 }
 
-/// Refuses cubics of one subpath that become more quadratics together than a curve may have, with a tolerance by which they do not.
-pub(super) fn check_count(cubics: &[CubicBez], cut: &Cut) -> Result<()> {
-    let (mut total, mut finest) = (0_usize, f64::INFINITY);
-    for cubic in cubics {
-        let tolerance = tolerance(cubic, cut)?;
-        finest = finest.min(tolerance);
-        total = total.saturating_add(count_within(cubic, tolerance).unwrap_or(usize::MAX));
+/// Refuses contours whose cubics under a map become more quadratics together than this many, with a tolerance by which they do not, and
+/// those that are too small; tells how many they become.
+pub(super) fn check_contours(
+    contours: &[Contour],
+    options: &approximate::Options,
+    most: usize,
+) -> Result<usize> {
+    let steps = contours.iter().flat_map(|contour| &contour.steps);
+    let given = steps.filter_map(|step| match step {
+        Step::Given(segment) => Some(options.transform * *segment),
+        Step::Arc(_) => None,
+    });
+    let cubics = given.clone().filter_map(|segment| match segment {
+        PathSeg::Cubic(cubic) => Some(cubic),
+        _ => None,
+    });
+    if cubics.clone().next().is_some() {
+        check_size(given)?;
     }
-    if total <= MOST_SEGMENTS {
-        return Ok(());
+    check_count(cubics, &options.cut, most)
+}
+
+fn check_count(
+    cubics: impl Iterator<Item = CubicBez> + Clone,
+    cut: &Cut,
+    most: usize,
+) -> Result<usize> {
+    let (mut total, mut finest) = (0_usize, f64::INFINITY);
+    for cubic in cubics.clone() {
+        let tolerance = tolerance(&cubic, cut)?;
+        finest = finest.min(tolerance);
+        total = total.saturating_add(count_within(&cubic, tolerance).unwrap_or(usize::MAX));
+    }
+    if total <= most {
+        return Ok(total);
     }
     Err(Error::TooManySegments {
         tolerance: finest,
-        most: MOST_SEGMENTS,
-        enough: enough(cubics, finest),
+        most,
+        enough: enough(cubics, finest, most),
     })
 }
 
 /// A tolerance of one digit by which all become few enough; infinite where each of them is too many already.
-fn enough(cubics: &[CubicBez], beyond: f64) -> f64 {
+fn enough(cubics: impl Iterator<Item = CubicBez> + Clone, beyond: f64, most: usize) -> f64 {
     let serves = |tolerance: f64| {
-        let counts = cubics.iter().map(|cubic| count_within(cubic, tolerance));
+        let counts = cubics.clone().map(|cubic| count_within(&cubic, tolerance));
         let total = counts.fold(0_usize, |sum, count| {
             sum.saturating_add(count.unwrap_or(usize::MAX))
         });
-        total <= MOST_SEGMENTS
+        total <= most
     };
-    let farthest = cubics.iter().map(|cubic| distance_of_quadratics(cubic, 1));
+    let farthest = cubics
+        .clone()
+        .map(|cubic| distance_of_quadratics(&cubic, 1));
     let (mut low, mut high) = (beyond, 2.0 * farthest.fold(beyond, f64::max));
     if !serves(high) {
         return f64::INFINITY;
     }
     while high > 1.1 * low {
-        let middle = (low * high).sqrt();
+        // The product may be too small.
+        let middle = low.sqrt() * high.sqrt();
         if serves(middle) {
             high = middle;
         } else {
@@ -147,6 +178,7 @@ pub(super) fn distance_of_quadratics(cubic: &CubicBez, count: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::joints::Tolerance;
 
     #[test]
     fn a_tolerance_that_is_named_serves() {
@@ -156,22 +188,25 @@ mod tests {
                 CubicBez::new((0.0, 0.0), (size, 3.0 * size), (-size, 7.0), (9.0, size))
             })
             .collect();
+        let count = |cubics: &[CubicBez], cut: &Cut| {
+            check_count(cubics.iter().copied(), cut, MOST_SEGMENTS)
+        };
         let absolute = |tolerance| Cut::Tolerance(Tolerance::Absolute(tolerance));
         for cut in [
             absolute(1e-9),
             absolute(1e-12),
             Cut::Tolerance(Tolerance::Relative(1e-10)),
         ] {
-            let Err(Error::TooManySegments { enough, .. }) = check_count(&cubics, &cut) else {
+            let Err(Error::TooManySegments { enough, .. }) = count(&cubics, &cut) else {
                 panic!("{cut:?} is not refused");
             };
-            assert_eq!(check_count(&cubics, &absolute(enough)), Ok(()), "{cut:?}");
-            assert!(check_count(&cubics, &absolute(0.4 * enough)).is_err());
+            assert!(count(&cubics, &absolute(enough)).is_ok(), "{cut:?}");
+            assert!(count(&cubics, &absolute(0.4 * enough)).is_err());
         }
         // One quadratic each is too many already.
         let many =
             vec![CubicBez::new((0.0, 0.0), (1.0, 2.0), (3.0, 5.0), (4.0, 0.0)); MOST_SEGMENTS + 1];
-        let refused = check_count(&many, &absolute(1.0));
+        let refused = count(&many, &absolute(1.0));
         assert!(matches!(
             refused,
             Err(Error::TooManySegments { enough, .. }) if enough.is_infinite()

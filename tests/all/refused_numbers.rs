@@ -4,8 +4,10 @@ use core::fmt::Debug;
 use std::io::ErrorKind;
 
 use curveto::approximate::approximate_at_extremes;
+use curveto::arcs;
 use curveto::batch;
 use curveto::compare::{Comparison, Criterion};
+use curveto::contour::{BezierTarget, Contour, Step, draw};
 use curveto::error::PictureError;
 use curveto::joints::MOST_SEGMENTS;
 use curveto::measure::fit::{self, FitTo};
@@ -20,9 +22,10 @@ use curveto::shape::Truth;
 use curveto::sphere::{self, Sphere, View};
 use curveto::write::{self, Format, Image};
 use curveto::{
-    Angle, Arc, Circle, Cut, Ellipse, Error, Options, Rule, Shape, approximate, diff, document,
+    Angle, Arc, Circle, Cut, Ellipse, Error, Options, Rule, Shape, Tolerance, approximate, diff,
+    document,
 };
-use kurbo::Affine;
+use kurbo::{Affine, CubicBez, PathSeg, Point};
 
 const NO_NUMBERS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
@@ -322,5 +325,83 @@ fn a_circle_is_fitted_at_any_size() {
         }
         assert_refused(fitted(1e150, to), to);
         assert_refused(fitted(f64::NAN, to), to);
+    }
+}
+
+/// What contours become in each way; what of it is refused.
+fn drawn(contours: &[Contour], map: Affine, tolerance: Tolerance) -> Vec<Error> {
+    let lines = arcs::Options {
+        tolerance: Some(tolerance),
+        transform: map,
+        ..arcs::Options::default()
+    };
+    let beziers = Options {
+        cut: Cut::Tolerance(tolerance),
+        transform: map,
+        ..Options::default()
+    };
+    let targets = [BezierTarget::Beziers, BezierTarget::Quadratics];
+    let drawn = targets.map(|target| draw(contours, target, &beziers));
+    let chords = [arcs::lines(contours, &lines), arcs::arcs(contours, &lines)];
+    drawn
+        .into_iter()
+        .chain(chords)
+        .filter_map(Result::err)
+        .collect()
+}
+
+#[test]
+fn a_path_beyond_the_range_is_refused_by_its_segment() {
+    let contour = |far: f64| {
+        let (middle, end) = (Point::new(1.0, 2.0), Point::new(far, 5.0));
+        let cubic = CubicBez::new(middle, Point::new(2.0, 1.0), Point::new(3.0, 7.0), end);
+        Contour {
+            steps: vec![
+                Step::line(Point::ORIGIN, middle),
+                Step::Given(PathSeg::Cubic(cubic)),
+            ],
+            closed: false,
+        }
+    };
+    let tolerance = Tolerance::Absolute(0.1);
+    let near = contour(9.0);
+    assert_eq!(
+        drawn(core::slice::from_ref(&near), Affine::IDENTITY, tolerance),
+        []
+    );
+    for far in NO_NUMBERS.into_iter().chain([1e150]) {
+        let errors = drawn(&[near.clone(), contour(far)], Affine::IDENTITY, tolerance);
+        assert_eq!(errors.len(), 4, "{far}");
+        let placed = |error: &Error| {
+            matches!(
+                error,
+                Error::Segment {
+                    subpath: 2,
+                    segment: 2,
+                    ..
+                }
+            )
+        };
+        assert!(errors.iter().all(placed), "{far}: {errors:?}");
+    }
+    let mapped = drawn(&[near, contour(1e149)], Affine::scale(10.0), tolerance);
+    assert_eq!(mapped.len(), 4);
+}
+
+#[test]
+fn a_tolerance_is_positive_and_finite_wherever_it_is_asked_for() {
+    let cubic = CubicBez::new((0.0, 0.0), (0.0, 50.0), (100.0, 50.0), (100.0, -30.0));
+    let contours = [Contour {
+        steps: vec![Step::Given(PathSeg::Cubic(cubic)), Step::Arc(quarter())],
+        closed: false,
+    }];
+    for size in NO_NUMBERS.into_iter().chain([0.0, -1.0, 1e-320]) {
+        for tolerance in [Tolerance::Absolute(size), Tolerance::Relative(size)] {
+            let errors = drawn(&contours, Affine::IDENTITY, tolerance);
+            assert_eq!(errors.len(), 4, "{tolerance:?}");
+        }
+    }
+    for text in ["0", "0%", "-1", "nan", "inf%", "1e-323%", "1e309"] {
+        assert!(text.parse::<Tolerance>().is_err(), "{text}");
     }
 }
