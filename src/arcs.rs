@@ -11,6 +11,7 @@ mod fit;
 mod form;
 mod from_chord;
 mod glance;
+mod half_turn;
 mod lines;
 mod near;
 mod oval;

@@ -2,10 +2,11 @@
 
 use kurbo::{Affine, CubicBez, PathSeg, Point, Vec2};
 
-use super::builder::{Builder, Stretch, half_turn};
+use super::builder::{Builder, Stretch};
 use super::chain::runs_on;
 use super::fit::PieceSearch;
 use super::from_chord::Above;
+use super::half_turn::{from_truth, half_turn};
 use super::near::moved;
 use super::piece::StepCurve;
 use super::recognize::Rules;
@@ -118,7 +119,7 @@ impl Builder<'_> {
                     }
                     given => (radii, matches!(given, Given::Enlarged(_))),
                 };
-                if self.kept_arc(piece, (radii, rotation, sweep), is_half)? {
+                if self.kept_arc(piece, &outline, (radii, rotation, sweep), is_half)? {
                     Ok(())
                 } else {
                     self.by_cubics(arc)
@@ -132,6 +133,7 @@ impl Builder<'_> {
     fn kept_arc(
         &mut self,
         piece: &StepCurve,
+        outline: &Outline,
         (radii, rotation, sweep): (Vec2, f64, f64),
         is_half: bool,
     ) -> Result<bool> {
@@ -153,7 +155,10 @@ impl Builder<'_> {
         let (Shape::Arc(old), Shape::Arc(new)) = (before.shape()?, after.shape()?) else {
             return Ok(false);
         };
-        let off = moved(&old, &new);
+        let mut off = moved(&old, &new);
+        if self.options.transform != Affine::IDENTITY {
+            off = off.max(from_truth(&new, outline));
+        }
         if off > self.plan.tolerance || !self.leaves_room(&after, &new, off) {
             return Ok(false);
         }

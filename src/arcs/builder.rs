@@ -10,6 +10,7 @@ use super::chords;
 use super::fit::PieceSearch;
 use super::form::Fitted;
 use super::from_chord::from_chord;
+use super::half_turn::half_turn;
 use super::piece::StepCurve;
 use super::recognize::{Found, Rules, is_enlarged};
 use super::{Options, Plan};
@@ -20,10 +21,9 @@ use crate::curve::Curve;
 use crate::error::Result;
 use crate::joints::MOST_SEGMENTS;
 use crate::number::Precision;
-use crate::numeric::double::Double;
 use crate::radial_error::RadialError;
 use crate::shape::endpoint::SvgArc;
-use crate::shape::{Arc, Given, Shape};
+use crate::shape::{Arc, Shape};
 
 /// How many decimals more a radius may have than the points, where these are not enough for it.
 const MORE_DECIMALS: u8 = 8;
@@ -302,32 +302,4 @@ fn circular(given: &SvgArc, arc: &Arc) -> Option<CircularArc> {
         sweep: arc.sweep,
         ends_given: true,
     })
-}
-
-/// Half a turn, with radii that are no larger than it needs: one that rounding makes larger by some 10^-16 moves the centre by 10^-8 of it.
-pub(super) fn half_turn(arc: &SvgArc) -> SvgArc {
-    /// Some roundings of what comes from a map or a chord.
-    const TRIES: usize = 8;
-    const DOWN: f64 = 1.0 - f64::EPSILON / 2.0;
-    let mut half = *arc;
-    let mut tries = (0..TRIES).map(|_| {
-        half.radii *= DOWN;
-        half
-    });
-    if is_half_turn(arc) {
-        return *arc;
-    }
-    tries.find(is_half_turn).unwrap_or(*arc)
-}
-
-/// Whether radii are surely no larger than half a turn needs, in the decimals of its numbers too, which are no binary ones.
-fn is_half_turn(arc: &SvgArc) -> bool {
-    if arc.radii.x == arc.radii.y {
-        let square = |a: f64, b: f64| Double::difference(a, b).times(Double::difference(a, b));
-        let (x, y) = (square(arc.to.x, arc.from.x), square(arc.to.y, arc.from.y));
-        let diameter = square(2.0 * arc.radii.x, 0.0).scaled(-1.0);
-        let more = x.plus(y).plus(diameter).value();
-        return more == 0.0 || more > 4.0 * f64::EPSILON * arc.from.distance_squared(arc.to);
-    }
-    matches!(arc.shape(), Ok(Shape::Arc(arc)) if matches!(arc.given, Given::Enlarged(_)))
 }

@@ -3,7 +3,8 @@
 
 use std::fmt::Write as _;
 
-use curveto::kurbo::{CubicBez, ParamCurve, Point, Vec2};
+use curveto::kurbo::{Affine, CubicBez, ParamCurve, Point, Vec2};
+use curveto::{arcs, path};
 use proptest::prelude::*;
 
 use crate::judges::independent::{P, Segment, segments};
@@ -585,4 +586,40 @@ fn chords_that_rounding_makes_points_are_left_out() {
         printed(&["path", curve, "--to", "lines", "-p", "0"]),
         "M0 0L1 0L1 1L2 1L3 2\n"
     );
+}
+
+/// Ends and a radius tell the centre of half a turn badly: what the last digits of a map move them by, it moves by its root.
+#[test]
+fn an_arc_under_a_map_states_how_far_its_ends_tell_its_centre() {
+    let error = |data: &str, map: Affine| {
+        let contours = path::contours(data).unwrap();
+        let options = arcs::Options {
+            transform: map,
+            ..arcs::Options::default()
+        };
+        let drawing = arcs::arcs(&contours, &options).unwrap();
+        assert_eq!(
+            drawing
+                .courses()
+                .map(|course| course.steps.len())
+                .sum::<usize>(),
+            1
+        );
+        drawing.error().peak()
+    };
+    let far = Affine::translate((1e6, 1e6 + 0.3)) * Affine::scale(1.1);
+    // Half a turn, which ends too far apart for the radius say of any length.
+    assert_eq!(error("M0 0A5 5 0 0 1 10 0", far), 0.0);
+    assert_eq!(error("M0 0A1 1 0 0 1 3 1", far), 0.0);
+    assert_eq!(error("M0 0A5 5 0 0 1 5 5", far), 0.0);
+    // Nearly half a turn, and nearly a whole one.
+    for (data, least) in [
+        ("M0 0A5 5 0 0 1 9.999999 0", 1e-8),
+        ("M0 0A5 5 0 1 1 9.99 0.1", 1e-9),
+        ("M0 0A5 5 0 1 1 0.001 0", 1e-8),
+    ] {
+        let far = error(data, far);
+        assert!(far > least && far < 1e-5, "{data}: {far:e}");
+        assert_eq!(error(data, Affine::IDENTITY), 0.0, "{data}");
+    }
 }
