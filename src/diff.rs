@@ -9,7 +9,7 @@ use kurbo::{Affine, PathSeg, Point, Rect};
 use crate::approximate::{self, approximate};
 use crate::contour::{Contour, Step};
 use crate::curve::{check_coordinates, check_size, largest_coordinate};
-use crate::error::{Result, positive};
+use crate::error::{Error, Result, UnmeasurableError, finite, positive};
 use crate::joints::Cut;
 use crate::number::Precision;
 use crate::shape::Shape;
@@ -59,9 +59,15 @@ impl Track {
             }
             track.steps.resize(track.segments.len(), i);
         }
-        check_coordinates("coordinate", &track.segments)?;
-        check_size(&track.segments)?;
+        track.check()?;
         Ok(track)
+    }
+
+    /// Refuses numbers of which no distance is told: every field is open.
+    fn check(&self) -> Result<()> {
+        check_coordinates("coordinate", &self.segments)?;
+        check_size(&self.segments)?;
+        finite("distance of cubics from their arcs", self.strayed).map(drop)
     }
 
     fn bounding_box(&self) -> Rect {
@@ -164,7 +170,7 @@ impl Difference {
 ///
 /// # Errors
 ///
-/// Where the tolerance is neither 0 nor a positive, finite number, and where it would take more than some ten seconds: thousands of
+/// Where the tolerance is neither 0 nor a positive, finite number, a track has no segment or a number out of range, and where it would take more than some ten seconds: thousands of
 /// curves that cross one another everywhere.
 ///
 /// ```
@@ -182,6 +188,12 @@ impl Difference {
 pub fn compare(old: &[Track], new: &[Track], tolerance: f64) -> Result<Difference> {
     if tolerance != 0.0 {
         positive("tolerance", tolerance)?;
+    }
+    for track in old.iter().chain(new) {
+        track.check()?;
+        if track.segments.is_empty() {
+            return Err(Error::Unmeasurable(UnmeasurableError::Empty));
+        }
     }
     let largest = old.iter().chain(new).map(Track::largest);
     let noise = 4.0 * f64::EPSILON * largest.fold(0.0, f64::max);

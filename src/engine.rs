@@ -167,6 +167,17 @@ impl ArcRun {
     }
 }
 
+/// How far an arc runs, in degrees: every field is open, and beyond a turn there is nothing more to draw.
+#[inline(always)]
+fn sweep_of(arc: &Arc) -> f64 {
+    let sweep = arc.sweep.degrees();
+    if sweep.abs() <= 360.0 {
+        sweep
+    } else {
+        360.0_f64.copysign(sweep)
+    }
+}
+
 /// Where an arc ends, as far as it is known without a sum.
 enum ArcEnd {
     /// Where it starts.
@@ -178,7 +189,7 @@ enum ArcEnd {
 impl ArcEnd {
     #[inline(always)]
     fn of(arc: &Arc) -> Self {
-        let sweep = arc.sweep.degrees();
+        let sweep = sweep_of(arc);
         let last = arc.start.degrees() + sweep;
         if sweep.abs() == 360.0 {
             Self::Start
@@ -192,7 +203,8 @@ impl ArcEnd {
 }
 
 impl Arc {
-    /// The fewest `minimax` cubics of equal parametric angle within `tolerance` of the arc.
+    /// The fewest `minimax` cubics of equal parametric angle within `tolerance` of the arc. A sweep of more than a turn, or of no number,
+    /// counts as a whole one.
     ///
     /// # Tolerance
     ///
@@ -212,7 +224,7 @@ impl Arc {
     #[must_use]
     pub fn cubics(&self, tolerance: f64) -> Cubics {
         let tolerance = relative(tolerance, self.radii);
-        ArcRun::of_arc(self).cubics(&Steps::within(self.sweep.degrees(), tolerance))
+        ArcRun::of_arc(self).cubics(&Steps::within(sweep_of(self), tolerance))
     }
 
     /// `count` cubics of equal parametric angle by a rule.
@@ -222,12 +234,8 @@ impl Arc {
     /// As [`Method::piece`](crate::method::Method::piece), where the rule's pieces are no cubics that touch the circle at both ends, and where the count is 0 or
     /// beyond [`MOST_SEGMENTS`](crate::joints::MOST_SEGMENTS).
     pub fn cubics_by(&self, rule: Rule, count: usize) -> Result<Cubics> {
-        let steps = Steps::by(
-            rule,
-            count,
-            self.sweep.degrees(),
-            self.radii.x == self.radii.y,
-        )?;
+        let is_circle = self.radii.x == self.radii.y;
+        let steps = Steps::by(rule, count, sweep_of(self), is_circle)?;
         Ok(ArcRun::of_arc(self).cubics(&steps))
     }
 }

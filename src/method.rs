@@ -178,6 +178,7 @@ impl Method {
 
     /// Refuses an angle that the method does not serve, and says what would do.
     fn check_angle(self, span: &Span) -> Result<()> {
+        span.check()?;
         let card = self.card();
         let degrees = span.degrees();
         if self == Self::LancasterDrawellipse && !span.is_about(90.0) {

@@ -150,7 +150,7 @@ impl Matcher<'_> {
 /// The distance of two subpaths, the larger of both ways.
 fn distance(old: &Track, new: &Track, tolerance: f64, steps: &mut Effort) -> Distance {
     let are_equal = old.segments == new.segments && old.closed == new.closed;
-    if are_equal || old.segments.is_empty() || new.segments.is_empty() {
+    if are_equal {
         return Distance::default();
     }
     let apart = hausdorff(steps, [&old.segments, &new.segments], tolerance, GOAL);

@@ -15,7 +15,7 @@ use core::iter::FusedIterator;
 use fearless_simd::{Level, Simd as _};
 
 use super::columns::{COLUMN, Column, Courses, LANES, directions, frames, pair, set};
-use super::{ArcEnd, ArcRun, Cubics, EllipsePoint};
+use super::{ArcEnd, ArcRun, Cubics, EllipsePoint, sweep_of};
 use crate::angle::Angle;
 use crate::joints::Tolerance;
 use crate::shape::endpoint::{Half, SvgArc};
@@ -32,7 +32,7 @@ fn fill_arcs(courses: &mut Courses, arcs: &[Arc], tolerance: Tolerance) {
         set(&mut radii, i, arc.radii);
         rotation[i] = arc.rotation.within_turn();
         first[i] = arc.start.within_turn();
-        sweep[i] = arc.sweep.degrees();
+        sweep[i] = sweep_of(arc);
         let end = match ArcEnd::of(arc) {
             ArcEnd::Start => Some(arc.start),
             ArcEnd::Angle(end) => Some(end),

@@ -262,6 +262,7 @@ fn beyond_half_turn(error: Error, spans: &[Span]) -> Error {
 
 /// More than half a turn is no arc any more.
 fn check_half_turn_of_chen_1(span: &Span) -> Result<()> {
+    span.check()?;
     if !span.exceeds(180.0) {
         return Ok(());
     }
@@ -270,6 +271,7 @@ fn check_half_turn_of_chen_1(span: &Span) -> Result<()> {
 
 /// A literal handle serves up to half a turn: beyond, one cubic is no arc any more.
 fn check_half_turn(span: &Span) -> Result<()> {
+    span.check()?;
     if !span.exceeds(180.0) {
         return Ok(());
     }
@@ -356,6 +358,20 @@ mod tests {
                 why.contains("181 degrees is more than half a turn"),
                 "{why}"
             );
+        }
+    }
+
+    #[test]
+    fn an_angle_that_is_no_number_is_refused() {
+        let methods = Method::ALL.into_iter().map(Rule::Method);
+        for rule in methods.chain([Rule::CHEN_2_GAUSS_2, Rule::Handle(0.5)]) {
+            for degrees in [f64::NAN, f64::INFINITY] {
+                let span = Span::from_degrees(degrees);
+                let refused = |error| matches!(error, Some(Error::NotFinite { .. }));
+                assert!(refused(rule.radial_error(&span).err()), "{rule:?}");
+                assert!(refused(rule.piece(&span).err()), "{rule:?}");
+                assert!(rule.pieces(&spans([90.0, degrees]), false).is_err());
+            }
         }
     }
 

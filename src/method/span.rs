@@ -3,6 +3,7 @@
 use kurbo::Vec2;
 
 use crate::angle::Angle;
+use crate::error::{Result, finite};
 
 /// The angle of one piece, positive, with the sines and cosines that the formulas ask for.
 ///
@@ -71,6 +72,11 @@ impl Span {
     #[must_use]
     pub const fn degrees(&self) -> f64 {
         self.degrees
+    }
+
+    /// Refuses an angle that is no finite number.
+    pub(crate) fn check(&self) -> Result<()> {
+        finite("angle of a segment", self.degrees).map(drop)
     }
 
     /// Itself and 1; where powers of the angle leave the range of `f64`, an angle where they do not, and what part of it this one is.

@@ -61,11 +61,11 @@ impl Decimal {
         let decimals = point.map_or(0, |point| count - point);
         // Nineteen digits cannot have left the word.
         let fits = (1..=19).contains(&count) && units < 1 << 53 && decimals <= MAX_DECIMALS;
-        let units = units.cast_signed();
-        fits.then_some(Self {
-            units: if negative { -units } else { units },
+        let number = Self {
+            units: units.cast_signed(),
             decimals,
-        })
+        };
+        fits.then_some(if negative { number.negated() } else { number })
     }
 
     /// The nearest multiple of ten to the minus `decimals` to the exact binary value, of two as near the even one; `None` for
@@ -147,7 +147,7 @@ impl Decimal {
         let decimals = self.decimals.max(other.decimals);
         match (self.at(decimals), other.at(decimals)) {
             (Some(a), Some(b)) => Self {
-                units: a.saturating_sub(b),
+                units: a.saturating_sub(b).max(-i64::MAX),
                 decimals,
             },
             _ => Self::round(self.value() - other.value(), decimals),
@@ -162,7 +162,7 @@ impl Decimal {
     /// The number of the other sign.
     pub(crate) const fn negated(self) -> Self {
         Self {
-            units: -self.units,
+            units: self.units.wrapping_neg(),
             ..self
         }
     }

@@ -1,12 +1,13 @@
 //! Numbers for people: prose, tables, round figures.
 
 use super::push_fixed;
-use crate::numeric::functions;
 
 /// Where prose writes more decimals, it writes an exponent.
 const MOST_DECIMALS: f64 = 60.0;
 
-/// The text of a number with this many significant digits, for prose.
+/// The text of a number for prose: rounded to this many significant digits, though never before the point, so that a whole number keeps
+/// all of its digits; without zeros at the end of its decimals. With an exponent where it would take more than 60 decimals. A number that
+/// is not finite gives `0`.
 #[must_use]
 pub fn significant(x: f64, digits: u8) -> String {
     let magnitude = if x == 0.0 || !x.is_finite() {
@@ -61,12 +62,9 @@ pub fn round_one_two_five(x: f64) -> f64 {
         return 1.0;
     }
     let exponent = libm::log10(x).floor() as i32;
-    // One rounding only: 10^22 and less are exact.
-    let scaled = |digit: f64| match exponent {
-        0.. => digit * functions::power(10.0, exponent),
-        _ => digit / functions::power(10.0, -exponent),
-    };
-    [1.0, 2.0, 5.0, 10.0]
+    // As text it is the nearest float at every size.
+    let scaled = |digit: u8| format!("{digit}e{exponent}").parse().unwrap_or(1.0);
+    [1, 2, 5, 10]
         .map(scaled)
         .into_iter()
         .min_by(|a, b| libm::log(a / x).abs().total_cmp(&libm::log(b / x).abs()))

@@ -308,6 +308,11 @@ fn what_has_no_digits_to_round_is_left() {
     for none in [0.0, -3.0, f64::INFINITY, f64::NAN] {
         assert_eq!(round_one_two_five(none), 1.0);
     }
+    for round in [5e-324, 1e-322, 2e-310, 1e-300, 5e101, 2e150, 1e308] {
+        assert_eq!(round_one_two_five(round), round);
+        assert_eq!(round_one_two_five(1.04 * round), round);
+    }
+    assert_eq!(round_one_two_five(f64::MAX), 1e308);
 }
 
 #[test]
@@ -315,4 +320,14 @@ fn a_difference_that_leaves_the_range_is_rounded() {
     let of = |units, decimals| decimal::Decimal { units, decimals };
     let found = of(9_000_000_000_000_000_000, 0).minus(of(1, 18));
     assert_eq!(found.value(), 9e18);
+    // Nor is there a number of the other sign to the least word.
+    let least = of(i64::MAX, 0).negated().minus(of(i64::MAX, 0));
+    assert_eq!(least.negated().value(), i64::MAX as f64);
+    for word in [
+        "-9223372036854775808",
+        "9223372036854775808",
+        "-9999999999999999999",
+    ] {
+        assert_eq!(parse(word), word.parse().ok(), "{word}");
+    }
 }

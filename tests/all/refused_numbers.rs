@@ -8,7 +8,8 @@ use curveto::arcs;
 use curveto::batch;
 use curveto::compare::{Comparison, Criterion};
 use curveto::contour::{BezierTarget, Contour, Step, draw};
-use curveto::error::PictureError;
+use curveto::engine::cubics_of_arcs;
+use curveto::error::{PictureError, UnmeasurableError};
 use curveto::joints::MOST_SEGMENTS;
 use curveto::measure::fit::{self, FitTo};
 use curveto::measure::profile::{Quantity, along};
@@ -25,7 +26,7 @@ use curveto::{
     Angle, Arc, Circle, Cut, Ellipse, Error, Options, Rule, Shape, Tolerance, approximate, diff,
     document,
 };
-use kurbo::{Affine, CubicBez, PathSeg, Point};
+use kurbo::{Affine, CubicBez, Line, PathSeg, Point};
 
 const NO_NUMBERS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
@@ -199,6 +200,39 @@ fn two_drawings_are_compared_within_a_distance() {
         assert_refused(diff::compare(&[], &[], tolerance), tolerance);
     }
     assert!(diff::compare(&[], &[], 0.0).is_ok());
+    let line = |far| diff::Track {
+        segments: vec![PathSeg::Line(Line::new((0.0, 0.0), (far, 1.0)))],
+        ..diff::Track::default()
+    };
+    let (one, none) = ([line(1.0)], [diff::Track::default()]);
+    assert!(diff::compare(&one, &one, 0.0).is_ok());
+    for [old, new] in [[&one, &none], [&none, &one]] {
+        let refused = diff::compare(old, new, 0.0);
+        let empty = Error::Unmeasurable(UnmeasurableError::Empty);
+        assert_eq!(refused, Err(empty));
+    }
+    for far in NO_NUMBERS {
+        assert_refused(diff::compare(&one, &[line(far)], 0.0), far);
+    }
+}
+
+#[test]
+fn an_arc_of_more_than_a_turn_is_a_whole_one() {
+    for sweep in [1e9, -1e9, 361.0, f64::NAN, f64::INFINITY] {
+        let arc = |sweep| {
+            let mut arc = quarter();
+            arc.sweep = Angle::from_degrees(sweep);
+            arc
+        };
+        let whole = arc(360.0_f64.copysign(sweep));
+        let cubics: Vec<CubicBez> = whole.cubics(1e-3).collect();
+        assert_eq!(arc(sweep).cubics(1e-3).collect::<Vec<_>>(), cubics);
+        let arcs = [arc(sweep); 3];
+        let many = cubics_of_arcs(&arcs, Tolerance::Absolute(1e-3));
+        assert!(many.into_iter().all(|own| own.eq(cubics.iter().copied())));
+        let by = arc(sweep).cubics_by(Rule::default(), 4).unwrap();
+        assert!(by.eq(whole.cubics_by(Rule::default(), 4).unwrap()));
+    }
 }
 
 #[test]
