@@ -9,12 +9,11 @@ use crate::shape::{Arc, Given, Outline, Shape};
 pub(super) fn half_turn(arc: &SvgArc) -> SvgArc {
     /// By how much radii are made smaller, one try after the other: by a last digit, and then by twice as much each time, to what the last
     /// digits of ends are that lie far away.
-    const ROUNDINGS: usize = 8;
-    const TRIES: usize = 48;
+    const ROUNDINGS: i32 = 8;
+    const TRIES: i32 = 48;
     let mut half = *arc;
     let mut tries = (0..TRIES).map(|i| {
-        let doubled = i.saturating_sub(ROUNDINGS) as i32;
-        half.radii *= 1.0 - f64::EPSILON / 2.0 * power(2.0, doubled);
+        half.radii *= 1.0 - f64::EPSILON / 2.0 * power(2.0, (i - ROUNDINGS).max(0));
         half
     });
     if is_half_turn(arc) {

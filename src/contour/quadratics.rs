@@ -43,11 +43,11 @@ pub(super) fn check_contours(
     if cubics.clone().next().is_some() {
         check_size(given)?;
     }
-    check_count(cubics, &options.cut, most)
+    check_count(&cubics, &options.cut, most)
 }
 
 fn check_count(
-    cubics: impl Iterator<Item = CubicBez> + Clone,
+    cubics: &(impl Iterator<Item = CubicBez> + Clone),
     cut: &Cut,
     most: usize,
 ) -> Result<usize> {
@@ -68,7 +68,7 @@ fn check_count(
 }
 
 /// A tolerance of one digit by which all become few enough; infinite where each of them is too many already.
-fn enough(cubics: impl Iterator<Item = CubicBez> + Clone, beyond: f64, most: usize) -> f64 {
+fn enough(cubics: &(impl Iterator<Item = CubicBez> + Clone), beyond: f64, most: usize) -> f64 {
     let serves = |tolerance: f64| {
         let counts = cubics.clone().map(|cubic| count_within(&cubic, tolerance));
         let total = counts.fold(0_usize, |sum, count| {
@@ -189,7 +189,7 @@ mod tests {
             })
             .collect();
         let count = |cubics: &[CubicBez], cut: &Cut| {
-            check_count(cubics.iter().copied(), cut, MOST_SEGMENTS)
+            check_count(&cubics.iter().copied(), cut, MOST_SEGMENTS)
         };
         let absolute = |tolerance| Cut::Tolerance(Tolerance::Absolute(tolerance));
         for cut in [
