@@ -9,11 +9,12 @@ use crate::joints::cutting::Cutting;
 use crate::method::{Method, Rule, in_frame};
 use crate::shape::Axes;
 
-/// How far the peak of a lobe may be off, as a part of it, of any segment where the ellipse is flat, and how large it has to be beside the
-/// coordinates.
+/// How far the peak of a lobe may be off, as a part of it, and of any segment where the ellipse is flat.
 const LOBES_OFF: f64 = 0.01;
 const LONG_LOBES_OFF: f64 = 0.05;
-const OVER_ROUNDING: f64 = 4000.0 * f64::EPSILON;
+
+/// How far rounding may move a point, as a part of the largest coordinate.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// Up to this largest product of the excess with the square of the ratio of the radii the first order tells the distance to a hundredth.
 const FIRST_ORDER: f64 = 0.01;
@@ -62,12 +63,12 @@ pub(crate) fn roughly(
     };
     let squares = [attained, largest * largest / least];
     let [low, high] = squares.map(|square| square.sqrt() / 2.0);
-    let low = between(sizes, low, LOBES_OFF)?[0];
-    Some([low, (1.0 + LOBES_OFF) * sizes[0] * high])
+    let [[low, _], [_, high]] = [low, high].map(|peak| between(sizes, peak, LOBES_OFF));
+    Some([low, high])
 }
 
-/// Between what the peak error of pieces of an ellipse of this larger radius lies; the largest coordinate is about `reach`. `None` where
-/// the lobes do not tell, or rounding counts beside them.
+/// Between what the peak error of pieces of an ellipse of this larger radius lies, the largest coordinate being about as large as the other
+/// of these sizes. `None` where the lobes do not tell.
 pub(crate) fn nearly(
     rule: Rule,
     axes: Axes,
@@ -89,7 +90,7 @@ pub(crate) fn nearly(
         });
         peak = peak.max(lobe?.size);
     }
-    between(sizes, peak, off)
+    Some(between(sizes, peak, off))
 }
 
 /// How many pieces are to be looked at, from the first on: of a whole turn in an even number of equal ones the second half is the first,
@@ -111,9 +112,7 @@ fn is_even(cutting: &impl Cutting) -> bool {
 
 /// The same by what the lobes told of the pieces, over the larger radius.
 pub(crate) fn around(rule: Rule, sizes: [f64; 2], peak: f64) -> Option<[f64; 2]> {
-    has_three_lobes(rule)
-        .then(|| between(sizes, peak, LOBES_OFF))
-        .flatten()
+    has_three_lobes(rule).then(|| between(sizes, peak, LOBES_OFF))
 }
 
 /// Whether its curves stray to both sides: those that stay on one have one lobe, which lies far from its place.
@@ -124,9 +123,10 @@ const fn has_three_lobes(rule: Rule) -> bool {
     )
 }
 
-fn between([larger, reach]: [f64; 2], peak: f64, off: f64) -> Option<[f64; 2]> {
-    let peak = larger * peak;
-    (peak > OVER_ROUNDING * reach).then_some([1.0 - off, 1.0 + off].map(|part| part * peak))
+fn between([larger, reach]: [f64; 2], peak: f64, off: f64) -> [f64; 2] {
+    let (peak, rounding) = (larger * peak, ROUNDING * reach);
+    let low = (1.0 - off) * peak - rounding;
+    [low.max(0.0), (1.0 + off) * peak + rounding]
 }
 
 #[cfg(test)]
@@ -140,11 +140,11 @@ mod tests {
     fn a_peak_is_told_to_a_hundredth() {
         let told = around(Rule::default(), [100.0, 150.0], 1e-3).unwrap();
         for (found, expected) in told.into_iter().zip([0.099, 0.101]) {
-            assert!((found - expected).abs() < 1e-12, "{told:?}");
+            assert!((found - expected).abs() < 2e-12, "{told:?}");
         }
-        // Beside coordinates of 150, not less than 4000 times their last digit.
-        assert!(around(Rule::default(), [100.0, 150.0], 1.3e-12).is_none());
-        assert!(around(Rule::default(), [100.0, 150.0], 1.4e-12).is_some());
+        // Beside coordinates of 150, no closer than 32 times their last digit.
+        let [low, high] = around(Rule::default(), [100.0, 150.0], 1e-15).unwrap();
+        assert!(low == 0.0 && (1.0e-12..1.2e-12).contains(&high), "{high}");
     }
 
     #[test]
