@@ -107,7 +107,10 @@ mod tests {
             let [low, high] = told;
             let rounding = (high - low) / 2.0 - 0.01 * f64::midpoint(low, high);
             let least = reach * f64::EPSILON;
-            assert!(low == 0.0 || (least..100.0 * least).contains(&rounding), "{told:?}");
+            assert!(
+                low == 0.0 || (least..100.0 * least).contains(&rounding),
+                "{told:?}"
+            );
             assert_eq!(low == 0.0, reach == 1e12);
         }
     }

@@ -1,14 +1,20 @@
 //! Joints at the extremes, as type wants them.
 
-use super::{Drawing, Options, Request, approximate, straight};
+use kurbo::PathSeg;
+
+use super::{Drawing, Options, ROUNDING_SHARE, Request, approximate, sketch, straight};
 use crate::angle::Angle;
 use crate::error::{Error, JointsError, Remedy, Result};
 use crate::joints::{Cut, Joints, Tolerance, check_count};
 use crate::measure::radial;
-use crate::shape::{Shape, Truth};
+use crate::number::Precision;
+use crate::shape::Shape;
 
 /// Into how many parts a piece between two extremes is cut at most for a tolerance.
 const MOST_PARTS: usize = 256;
+
+/// What is beyond a limit this many times is so whatever its own rounding.
+const OVER: f64 = 1.0 + 1e-9;
 
 /// Draws a shape with joints at all of its horizontal and vertical extremes, as type wants them; `cut` tells into how many parts
 /// each piece between them is cut, as few as the method serves by default, or for which tolerance: then each into as few as it takes. `with_start`: a closed
@@ -98,6 +104,24 @@ impl<'a> BetweenExtremes<'a> {
         Ok(self.request.has_joint_beyond(&joints, tolerance))
     }
 
+    /// Which pieces are beyond a tolerance however they are rounded, cut into so many parts.
+    fn beyond(&self, parts: &[usize], tolerance: f64) -> Result<Vec<bool>> {
+        let options = Options {
+            cut: Cut::At(self.joints(parts)),
+            precision: Some(Precision::Full),
+            ..self.request.options.clone()
+        };
+        let bare = sketch(self.request.shape, &options)?.curve;
+        let asked = self.request.options.precision;
+        // Decimals that were not asked for add a tenth of the error.
+        let limit = asked.map_or(tolerance / (1.0 - ROUNDING_SHARE), |precision| {
+            tolerance + precision.farthest_moved()
+        });
+        let truth = &self.request.outline.truth;
+        let is_beyond = |piece: &[PathSeg]| !radial::is_within(piece, truth, OVER * limit);
+        Ok(of_each(parts, &bare.segments).map(is_beyond).collect())
+    }
+
     /// From so many parts on, each cut into as few as a tolerance takes.
     fn within(&self, mut parts: Vec<usize>, tolerance: Tolerance) -> Result<Drawing> {
         let truth = &self.request.outline.truth;
@@ -114,6 +138,13 @@ impl<'a> BetweenExtremes<'a> {
                 }
                 continue;
             }
+            if most < MOST_PARTS
+                && let Ok(beyond) = self.beyond(&parts, tolerance)
+                && beyond.contains(&true)
+            {
+                cut_more(&mut parts, &beyond);
+                continue;
+            }
             let drawing = match self.draw(&parts) {
                 // Where ends lie off the circle, pieces are alike.
                 Err(Error::Impossible { .. }) if parts.iter().any(|&count| count < most) => {
@@ -128,7 +159,14 @@ impl<'a> BetweenExtremes<'a> {
             if most >= MOST_PARTS {
                 return Err(self.request.refusal(tolerance, None));
             }
-            cut_where_beyond(&mut parts, &drawing, truth, tolerance);
+            let is_beyond = |piece| radial::error(piece, truth).peak() > tolerance;
+            let pieces = of_each(&parts, &drawing.curve.segments);
+            let mut beyond: Vec<bool> = pieces.map(is_beyond).collect();
+            // All where none seems to be.
+            if !beyond.contains(&true) {
+                beyond.fill(true);
+            }
+            cut_more(&mut parts, &beyond);
         }
     }
 }
@@ -148,18 +186,22 @@ fn with_more_parts(mut error: Error, largest: Option<f64>) -> Error {
     error
 }
 
-/// Cuts the pieces that are beyond the tolerance once more, or all where none seems to be.
-fn cut_where_beyond(parts: &mut [usize], drawing: &Drawing, truth: &Truth, tolerance: f64) {
-    let mut segments = drawing.curve.segments.as_slice();
-    let mut beyond: Vec<bool> = Vec::with_capacity(parts.len());
-    for count in &*parts {
-        let (piece, rest) = segments.split_at((*count).min(segments.len()));
+/// The segments of each piece.
+fn of_each<'a>(
+    parts: &'a [usize],
+    mut segments: &'a [PathSeg],
+) -> impl Iterator<Item = &'a [PathSeg]> {
+    parts.iter().map(move |&count| {
+        let (piece, rest) = segments.split_at(count.min(segments.len()));
         segments = rest;
-        beyond.push(radial::error(piece, truth).peak() > tolerance);
-    }
-    let is_none = !beyond.contains(&true);
-    for (count, is_beyond) in parts.iter_mut().zip(beyond) {
-        *count += usize::from(is_beyond || is_none);
+        piece
+    })
+}
+
+/// Cuts pieces into one part more.
+fn cut_more(parts: &mut [usize], which: &[bool]) {
+    for (count, &is_cut) in parts.iter_mut().zip(which) {
+        *count += usize::from(is_cut);
     }
 }
 
@@ -168,7 +210,6 @@ mod tests {
     use super::super::fewest::TRIES;
     use super::*;
     use crate::Circle;
-    use crate::number::Precision;
 
     #[test]
     fn parts_whose_joints_rounding_moves_too_far_are_not_drawn() {
@@ -182,7 +223,22 @@ mod tests {
         let before = TRIES.get();
         let drawn = approximate_at_extremes(&shape, false, &options);
         let refused = matches!(drawn, Err(Error::ToleranceOutOfReach { .. }));
-        // As many parts as there are at most, and one before.
-        assert!(refused && TRIES.get() - before == 2);
+        // As many parts as there are at most, and one before, bare and rounded.
+        assert!(refused && TRIES.get() - before == 3);
+    }
+
+    #[test]
+    fn the_decimals_of_one_piece_ask_no_other_for_more_parts() {
+        let degrees = Angle::from_degrees;
+        let (start, sweep) = (degrees(-45.92), degrees(-172.443));
+        let arc = crate::Arc::new((0.0, 0.0), (0.50382, 0.13848), Angle::ZERO, start, sweep);
+        let options = Options {
+            rule: crate::Method::Goldapp.into(),
+            cut: Cut::Tolerance(crate::Tolerance::Absolute(1.52e-6)),
+            ..Options::default()
+        };
+        let drawn = approximate_at_extremes(&Shape::Arc(arc.unwrap()), false, &options).unwrap();
+        assert!(drawn.error.peak() <= 1.52e-6);
+        assert_eq!(drawn.curve.segments.len(), 4);
     }
 }
