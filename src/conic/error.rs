@@ -1,6 +1,6 @@
 //! The distance of a curve from a conic, both ways, as bounds: docs/conics.md has the proof.
 
-use kurbo::{Affine, ParamCurve, PathSeg};
+use kurbo::{Affine, ParamCurve, PathSeg, Vec2};
 
 use super::Conic;
 use super::branch::Branch;
@@ -15,15 +15,17 @@ const SHORT: f64 = 0.25;
 
 /// The largest distances of these segments from the whole conic, outside (towards its control point) and inside.
 ///
-/// While they are smaller than half of the arc's smallest radius of curvature, and the ends are moved by less than that, the nearest points
-/// cover the arc between the ends, and the other way is no farther. Else both sides hold the larger distance of both ways.
+/// While the inner one is smaller than the way from the arc along any normal to the axis, and the ends are moved by less than that, the nearest
+/// points cover the arc between those of the ends, and the other way is no farther. Else both sides hold the larger distance of both ways.
 pub(super) fn error(branch: &Branch, conic: &Conic, segments: &[PathSeg]) -> RadialError {
     let frame = branch.frame(conic);
     let range = bound::bound(branch, &frame, segments, None);
-    let gap = gap(conic, segments);
-    let is_short = gap <= SHORT * conic.from.distance(conic.to);
-    if is_short && frame.is_covered(frame.ends(), range.peak().max(gap)) {
-        return range;
+    if let Some(moved) = moved(conic, segments) {
+        let gap = moved.map(Vec2::hypot).into_iter().fold(0.0, f64::max);
+        let is_short = gap <= SHORT * conic.from.distance(conic.to);
+        if is_short && frame.is_covered(frame.around(moved), range.inward.max(gap)) {
+            return range;
+        }
     }
     RadialError::balanced(back::bound(
         branch,
@@ -34,13 +36,10 @@ pub(super) fn error(branch: &Branch, conic: &Conic, segments: &[PathSeg]) -> Rad
     ))
 }
 
-/// How far the curve's ends lie from the arc's.
-fn gap(conic: &Conic, segments: &[PathSeg]) -> f64 {
-    let (Some(first), Some(last)) = (segments.first(), segments.last()) else {
-        return f64::INFINITY;
-    };
-    let start = first.start().distance(conic.from);
-    start.max(last.end().distance(conic.to))
+/// The ways from the arc's ends to the curve's.
+fn moved(conic: &Conic, segments: &[PathSeg]) -> Option<[Vec2; 2]> {
+    let (first, last) = (segments.first()?, segments.last()?);
+    Some([first.start() - conic.from, last.end() - conic.to])
 }
 
 /// Whether that error of a piece of a conic between two parameters and of a segment is within a tolerance, which takes less time to know.

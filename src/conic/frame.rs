@@ -24,6 +24,9 @@ const LONGEST_STEP: f64 = 1.0;
 /// How far aside of the normal a point may lie whose nearest point is found, as a part of its distance from the control point.
 const SETTLED: f64 = 1e-9;
 
+/// What part of the shortest normal a curve may lie inside: the places of its ends are known nearly.
+const COVERED: f64 = 0.9;
+
 /// The parameter and the two arms of a conic.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ConicFrame {
@@ -235,24 +238,37 @@ impl ConicFrame {
         }
     }
 
-    /// Whether points that lie so far from the arc between two parameters at most have normals that cover it: it bends no sharper than that.
+    /// Whether the nearest points of a curve that lies no farther inside than that cover the arc between two parameters, which are those of
+    /// the curve's ends: none of its normals reaches the axis so soon.
     pub(super) fn is_covered(&self, between: [f64; 2], distance: f64) -> bool {
-        distance * self.largest_between(between) < 0.5
+        distance < COVERED * self.shortest_normal(between)
     }
 
-    /// The largest curvature of the arc.
+    /// The least way along the normal from the arc between two parameters to the axis of the whole branch: the cube of such a way is the
+    /// radius of curvature times the square of the vertex's (known of every conic).
+    fn shortest_normal(&self, [from, to]: [f64; 2]) -> f64 {
+        let [here, vertex] =
+            [self.vertex.clamp(from, to), self.vertex].map(|x| libm::cbrt(self.curvature(x)));
+        1.0 / here / vertex / vertex
+    }
+
+    /// The largest curvature of the arc: |p' × p''| is constant, so that it is where |p'| is least.
     pub(super) fn largest_curvature(&self) -> f64 {
-        self.largest_between(self.ends())
+        let [from, to] = self.ends();
+        self.curvature(self.vertex.clamp(from, to))
+    }
+
+    /// The parameters between which the arc lies and the nearest points of its ends do, moved so.
+    pub(super) fn around(&self, moved: [Vec2; 2]) -> [f64; 2] {
+        let [from, to] = self.ends();
+        let feet = [self.u + moved[0], self.v + moved[1]].map(|end| self.nearest(end));
+        let [first, last] = feet;
+        [from.min(first).min(last), to.max(first).max(last)]
     }
 
     /// The parameters of the ends.
     pub(super) const fn ends(&self) -> [f64; 2] {
         [-self.half, self.half]
-    }
-
-    /// The largest curvature between two parameters: |p' × p''| is constant, so that it is where |p'| is least.
-    fn largest_between(&self, [from, to]: [f64; 2]) -> f64 {
-        self.curvature(self.vertex.clamp(from, to))
     }
 
     /// The curvature at θ.

@@ -126,25 +126,28 @@ impl Branch {
         [largest(&Real::clone), largest(&|d| -d)]
     }
 
-    /// How far the arc lies from these segments at most, by the digits of `f64`.
-    pub fn back(&self, segments: &[Vec<Point>]) -> f64 {
+    /// How far the arc lies from these segments at most, by the digits of `f64`; without their ends, how far those of its points do that are nearest to
+    /// none of these.
+    pub fn back(&self, segments: &[Vec<Point>], with_ends: bool) -> f64 {
         let about = |p: &Point| [0, 1].map(|i| to_f64(&(&p[i] - &self.origin[i])));
         let cubics: Vec<[[f64; 2]; 4]> = segments
             .iter()
             .map(|points| raised(points).each_ref().map(about))
             .collect();
-        let mut most = 0.0_f64;
-        for side in &self.rough {
+        let last = cubics.len() - 1;
+        let square = |side: &Rough, s: f64| {
             let least = 1e-6 / (1.0 + side.weight);
-            most = most.max(peak(&|s| {
-                let q = side.point(least * (1.0 / least).powf(s) * f64::from(s > 0.0));
-                let each = cubics
-                    .iter()
-                    .map(|cubic| nearest(cubic, q, 32 * self.fineness.pow(2)));
-                each.fold(f64::INFINITY, f64::min)
-            }));
-        }
-        most.sqrt()
+            let q = side.point(least * (1.0 / least).powf(s) * f64::from(s > 0.0));
+            let each = cubics.iter().enumerate().map(|(i, cubic)| {
+                let (t, square) = nearest(cubic, q, 32 * self.fineness.pow(2));
+                (square, i == 0 && t == 0.0 || i == last && t == 1.0)
+            });
+            let nearest = each.reduce(|a, b| if b.0 < a.0 { b } else { a });
+            let (square, is_end) = nearest.unwrap();
+            if is_end && !with_ends { 0.0 } else { square }
+        };
+        let peaks = self.rough.iter().map(|side| peak(&|s| square(side, s)));
+        peaks.fold(0.0, f64::max).sqrt()
     }
 }
 
@@ -185,13 +188,13 @@ fn eval(cubic: &[[f64; 2]; 4], t: f64) -> [f64; 2] {
     [0, 1].map(|i| (0..4).map(|k| weights[k] * cubic[k][i]).sum())
 }
 
-/// The square of how far a point lies from a cubic.
-fn nearest(cubic: &[[f64; 2]; 4], q: [f64; 2], steps: u32) -> f64 {
+/// Where a cubic is nearest to a point, and the square of how far it lies from there.
+fn nearest(cubic: &[[f64; 2]; 4], q: [f64; 2], steps: u32) -> (f64, f64) {
     let at = |t: f64| {
         let p = eval(cubic, t);
         (p[0] - q[0]).powi(2) + (p[1] - q[1]).powi(2)
     };
-    valley(&at, steps).1
+    valley(&at, steps)
 }
 
 /// Where a function on [0, 1] is least, and its value there: every valley of its samples is looked into.
