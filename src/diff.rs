@@ -135,7 +135,8 @@ pub struct Difference {
     pub only_old: Vec<usize>,
     /// Those of the new drawing that the old one lacks.
     pub only_new: Vec<usize>,
-    /// What the rounding of coordinates may have added to a distance.
+    /// What the rounding of coordinates may have added to a distance, four units in the last place of the largest: that much beyond the tolerance
+    /// is within.
     pub noise: f64,
 }
 

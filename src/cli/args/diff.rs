@@ -18,6 +18,8 @@ pub(crate) struct DiffArgs {
     #[arg(value_name = "NEW", value_hint = ValueHint::AnyPath, allow_hyphen_values = true)]
     pub(crate) new: OsString,
     /// How far they may lie apart, in user units
+    ///
+    /// What the rounding of coordinates may have added, four units in the last place of the largest, counts for nothing.
     #[arg(
         short,
         long,
