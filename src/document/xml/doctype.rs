@@ -24,6 +24,8 @@ pub(in crate::document) struct Doctype {
     defaults_matter: bool,
     /// Whether declarations may exist that are not in the file.
     external: bool,
+    /// The entities whose text comes to no end.
+    endless: HashSet<String>,
     /// How many more bytes entities may expand to in this document.
     budget: Cell<usize>,
 }
@@ -57,7 +59,52 @@ impl Doctype {
         let (head, subset) = split_head(text);
         this.external = head.contains("SYSTEM") || head.contains("PUBLIC");
         this.subset(subset, 0);
+        this.endless = this.without_end();
         this
+    }
+
+    /// The entities that refer to themselves, and those that refer to such.
+    fn without_end(&self) -> HashSet<String> {
+        let texts = self
+            .entities
+            .iter()
+            .filter_map(|(name, entity)| match entity {
+                Entity::Text(text) if text.contains('&') => Some((name.as_str(), text)),
+                _ => None,
+            });
+        let mut referring: HashMap<&str, HashSet<&str>> = texts
+            .map(|(name, text)| {
+                let parts = text.split('&').skip(1);
+                (
+                    name,
+                    parts
+                        .filter_map(|part| Some(part.split_once(';')?.0))
+                        .collect(),
+                )
+            })
+            .collect();
+        referring.retain(|_, others| !others.is_empty());
+        let mut users: HashMap<&str, Vec<&str>> = HashMap::new();
+        for (name, others) in &referring {
+            for other in others {
+                users.entry(other).or_default().push(name);
+            }
+        }
+        // What refers to nothing that is left has an end.
+        let mut ends: Vec<&str> = users.keys().copied().collect();
+        ends.retain(|name| !referring.contains_key(name));
+        while let Some(end) = ends.pop() {
+            for user in users.remove(end).unwrap_or_default() {
+                if let Some(others) = referring.get_mut(user) {
+                    others.remove(end);
+                    if others.is_empty() {
+                        referring.remove(user);
+                        ends.push(user);
+                    }
+                }
+            }
+        }
+        referring.into_keys().map(str::to_owned).collect()
     }
 
     /// Reads declarations.
@@ -141,10 +188,17 @@ impl Doctype {
         })
     }
 
-    /// Whether `&name;` may stand in a well-formed document.
-    pub(in crate::document) fn declares(&self, name: &str) -> bool {
-        predefined(name).is_some()
-            || !name.starts_with('#') && (self.external || self.entities.contains_key(name))
+    /// Why `&name;` may not stand in a well-formed document.
+    pub(in crate::document) fn refuses(&self, name: &str) -> Option<&'static str> {
+        if predefined(name).is_some() {
+            None
+        } else if name.starts_with('#') {
+            Some("is no character that XML allows")
+        } else if self.endless.contains(name) {
+            Some("stands for a text that refers to itself")
+        } else {
+            (!self.external && !self.entities.contains_key(name)).then_some("is not declared")
+        }
     }
 
     /// The text of the reference `&name;`.
@@ -154,10 +208,9 @@ impl Doctype {
         }
         let mut out = String::new();
         match self.entities.get(name) {
+            _ if self.refuses(name).is_some() => Resolved::Malformed,
             Some(_) if self.expand(name, 0, &mut out) => Resolved::Text(out, true),
-            Some(_) => Resolved::Unknown,
-            None if self.external && !name.starts_with('#') => Resolved::Unknown,
-            None => Resolved::Malformed,
+            _ => Resolved::Unknown,
         }
     }
 

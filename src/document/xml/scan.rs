@@ -195,8 +195,8 @@ impl<'a> Scanner<'a> {
                 let Some(name) = rest.find(';').map(|end| &rest[..end]) else {
                     return Err(XmlFault::new(at, "`&` without a `;`"));
                 };
-                if !self.doctype.declares(name) {
-                    return Err(XmlFault::new(at, undeclared(name)));
+                if let Some(why) = self.doctype.refuses(name) {
+                    return Err(XmlFault::new(at, refused(name, why)));
                 }
                 at += 1;
             }
@@ -296,7 +296,10 @@ impl<'a> Scanner<'a> {
         }
         self.at = start + 1 + name.len() + 1;
         match self.doctype.resolve(name) {
-            Resolved::Malformed => Err(XmlFault::new(start, undeclared(name))),
+            Resolved::Malformed => {
+                let why = self.doctype.refuses(name).unwrap_or_default();
+                Err(XmlFault::new(start, refused(name, why)))
+            }
             _ if self.open.is_empty() => Err(XmlFault::new(start, "text outside the root element")),
             resolved => Ok(Node::Reference(start, resolved)),
         }
@@ -382,11 +385,6 @@ impl<'a> Scanner<'a> {
 }
 
 /// Why a reference is refused.
-fn undeclared(name: &str) -> String {
-    let why = if name.starts_with('#') {
-        "is no character that XML allows"
-    } else {
-        "is not declared"
-    };
+fn refused(name: &str, why: &str) -> String {
     format!("the reference `&{name};` {why}")
 }

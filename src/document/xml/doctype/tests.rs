@@ -56,6 +56,22 @@ fn quotes_hide_what_ends_a_declaration() {
 }
 
 #[test]
+fn what_refers_to_itself_is_refused_where_it_stands() {
+    let doctype = Doctype::read(
+        r#"svg [<!ENTITY a "&b; &c;"><!ENTITY b "&amp;&c;"><!ENTITY c "1"><!ENTITY d "&e;"><!ENTITY e "x&d;"><!ENTITY f "&a;&d;"><!ENTITY g "&g"> ]"#,
+        0,
+    );
+    for name in ["d", "e", "f"] {
+        assert_eq!(doctype.resolve(name), Resolved::Malformed, "{name}");
+        assert!(doctype.refuses(name).unwrap().contains("itself"));
+    }
+    for name in ["a", "b", "c", "g", "amp"] {
+        assert_eq!(doctype.refuses(name), None, "{name}");
+    }
+    assert_eq!(text(doctype.resolve("a")).as_deref(), Some("&1 1"));
+}
+
+#[test]
 fn entities_may_refer_to_one_another_to_a_depth() {
     let chain = |sign: &str, first: &str, reference: char, count: usize| {
         let first = format!("svg [<!ENTITY {sign}e0 '{first}'>");
@@ -131,7 +147,7 @@ fn bombs_and_circles_end() {
     }
     bomb += "<!ENTITY c1 '&c2;'><!ENTITY c2 '&c1;'>]";
     let doctype = Doctype::read(&bomb, bomb.len());
-    assert_eq!(doctype.resolve("c1"), Resolved::Unknown);
+    assert_eq!(doctype.resolve("c1"), Resolved::Malformed);
     assert_eq!(doctype.resolve("a39"), Resolved::Unknown);
     assert_eq!(doctype.resolve("a9"), Resolved::Unknown);
 }
