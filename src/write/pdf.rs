@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use kurbo::{Affine, Shape as _};
 use pdf_writer::writers::{ExtGraphicsState, Resources};
-use pdf_writer::{Name, Pdf, Rect, Ref, TextStr};
+use pdf_writer::{Content, Name, Pdf, Rect, Ref, TextStr};
 
 use super::postscript::{PathOperators, number, push_path, shares};
 use crate::curve::Curve;
@@ -167,6 +167,9 @@ fn push_group(
 ) -> Result<()> {
     let scale = on_page.map_or(1.0, |(_, scale)| scale);
     let number = |length: f64| number(length * scale);
+    if let Some(id) = &group.id {
+        out.extend_from_slice(&opened(id));
+    }
     out.extend_from_slice(b"q\n");
     if let Some((_, width)) = group.pen.visible_stroke() {
         out.extend_from_slice(format!("{} w\n", number(width)).as_bytes());
@@ -179,7 +182,21 @@ fn push_group(
         paint_path(out, &group.pen, &placed(&scene.curves(mark)?, on_page));
     }
     out.extend_from_slice(b"Q\n");
+    if group.id.is_some() {
+        out.extend_from_slice(b"EMC\n");
+    }
     Ok(())
+}
+
+/// What opens marked content of this id.
+fn opened(id: &str) -> Vec<u8> {
+    let mut content = Content::new();
+    let mut mark = content.begin_marked_content_with_properties(Name(b"Shape"));
+    mark.properties().pair(Name(b"ID"), TextStr(id));
+    drop(mark);
+    let mut bytes = content.finish().into_vec();
+    bytes.push(b'\n');
+    bytes
 }
 
 /// Fills the curves, then strokes them.

@@ -28,6 +28,9 @@ const POSTSCRIPT: PathOperators = PathOperators {
     close: "closepath",
 };
 
+/// Lines of a file that keeps DSC have 255 characters at most.
+const LONGEST_COMMENT: usize = 250;
+
 /// The operators of one or more curves, one a line; quadratics are raised to cubics exactly.
 #[must_use]
 pub fn operators<'a>(curves: impl IntoIterator<Item = &'a Curve>) -> String {
@@ -125,10 +128,7 @@ fn frame(scene: &Scene, scale: f64) -> String {
 fn header(bounds: Rect, scene: &Scene) -> String {
     let Rect { x0, y0, x1, y1 } = bounds;
     let list = |corners: [f64; 4]| corners.map(number).join(" ");
-    let description = match ascii(&scene.description) {
-        none if none.is_empty() => none,
-        some => format!("% {some}\n"),
-    };
+    let description = comment(&scene.description);
     format!(
         "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: {}\n%%HiResBoundingBox: {}\n%%Title: {}\n%%Creator: curveto\n%%Pages: 1\n\
          %%EndComments\n%%Page: 1 1\n{description}gsave\n1 setlinejoin\n",
@@ -139,7 +139,7 @@ fn header(bounds: Rect, scene: &Scene) -> String {
 }
 
 fn paint_group(group: &Group, scene: &Scene) -> Result<String> {
-    let mut text = "gsave\n".to_owned();
+    let mut text = comment(group.id.as_deref().unwrap_or_default()) + "gsave\n";
     let mut paint = String::new();
     if let Some(color) = group.pen.fill.visible() {
         paint = set_color(color)? + "fill\n";
@@ -187,6 +187,16 @@ pub(super) fn shares(color: Color) -> [String; 3] {
 /// A number of the frame around the curves.
 pub(super) fn number(x: f64) -> String {
     significant(x, 12)
+}
+
+/// The text as a comment on a line of its own, as far as one may be; nothing for none.
+fn comment(text: &str) -> String {
+    let text: String = ascii(text).chars().take(LONGEST_COMMENT).collect();
+    if text.is_empty() {
+        text
+    } else {
+        format!("% {text}\n")
+    }
 }
 
 /// The text with everything that a DSC comment cannot hold replaced.

@@ -60,6 +60,20 @@ fn every_format_of_pictures_takes_a_batch() {
             .lines()
             .all(|line| line.starts_with(|c: char| c.is_ascii_lowercase()))
     );
+    let glif = fs::read_to_string(folder.path().join("batch.glif")).unwrap();
+    assert_eq!(glif.matches(" name=\"a&lt;1&quot;\"/>\n").count(), 1);
+    let eps = fs::read_to_string(folder.path().join("batch.eps")).unwrap();
+    assert!(eps.contains("\n% a<1\"\ngsave\n") && eps.contains("\n% 7\ngsave\n"));
+    let pdf = fs::read(folder.path().join("batch.pdf")).unwrap();
+    let pdf = String::from_utf8_lossy(&pdf);
+    assert!(pdf.contains("/Shape <<\n  /ID (a<1\")\n>> BDC\nq\n"));
+    assert_eq!(
+        (
+            pdf.matches("BDC\n").count(),
+            pdf.matches("Q\nEMC\n").count()
+        ),
+        (2, 2)
+    );
     let dxf = fs::read_to_string(folder.path().join("batch.dxf")).unwrap();
     let count = |dxf: &str, name: &str| dxf.matches(&format!("\n{name}\n")).count();
     assert!(dxf.contains("\na_1_\n"));
