@@ -4,6 +4,7 @@ mod folders;
 mod report;
 mod tree;
 
+use std::ffi::OsStr;
 use std::fs::{File, Metadata};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
@@ -22,8 +23,9 @@ use self::tree::{Destination, FileJob, Input};
 use super::Outcome;
 use super::args::ConvertArgs;
 use super::failure::{Failure, tell};
+use super::input::{self, InputKind};
 use super::output::{OutputTarget, replace_input};
-use super::{input, signals};
+use super::signals;
 
 /// The most threads.
 const MOST_THREADS: usize = 256;
@@ -137,12 +139,12 @@ fn process(job: &FileJob, options: &Options) -> Result<Done, Trouble> {
     };
     let plain = if compressed { &bytes } else { &raw };
     let converted = document::convert_bytes(plain, options).map_err(|error| {
-        let is_path_data = matches!(plain.trim_ascii_start(), [b'M' | b'm', ..]);
         let hint = match error {
             document::Error::TooLarge { .. } => {
                 Some("fewer segments (-n) or a larger tolerance (-t) take less")
             }
-            _ => is_path_data.then_some("path data alone goes through 'curveto path'"),
+            _ => InputKind::of(OsStr::new(&job.name()), plain)
+                .remedy(None, Some("path data alone goes through 'curveto path'")),
         };
         Trouble::Document(error, hint)
     })?;

@@ -1,5 +1,9 @@
 //! Where input comes from: a word on the command line, a file, or standard input.
 
+mod kind;
+
+pub(crate) use kind::InputKind;
+
 use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{self, Read};
@@ -122,13 +126,24 @@ pub(crate) fn named(name: &str, error: curveto::Error) -> Failure {
     }
 }
 
-/// Path data: what stands in `words` itself where that begins with a moveto, else in the file of that name or on standard input.
-pub(crate) fn path_data(words: &OsStr) -> Result<(String, String), Failure> {
-    let (bytes, name) = drawing(words)?;
-    Ok((in_utf8(bytes, &name)?, name))
+/// The contours of path data that messages call so, which `words` name; `of_svg` says what reads SVG in its place.
+pub(crate) fn contours(
+    words: &OsStr,
+    bytes: Vec<u8>,
+    name: &str,
+    of_svg: Option<&'static str>,
+) -> Result<Vec<Contour>, Failure> {
+    let hint = InputKind::of(words, &bytes).remedy(of_svg, None);
+    curveto::path::contours(&in_utf8(bytes, name)?).map_err(|error| {
+        let failure = named(name, error);
+        match hint {
+            Some(hint) => failure.with_hint(hint),
+            None => failure,
+        }
+    })
 }
 
-/// The same, which may be any kind of drawing, as bytes.
+/// A drawing as bytes: what stands in `words` itself where that begins with a moveto, else in the file of that name or on standard input.
 pub(crate) fn drawing(words: &OsStr) -> Result<(Vec<u8>, String), Failure> {
     let text = words.to_string_lossy();
     let trimmed = text.trim_start();
@@ -147,17 +162,16 @@ pub(crate) fn drawing(words: &OsStr) -> Result<(Vec<u8>, String), Failure> {
     )?)
 }
 
-/// Whether a drawing is SVG.
-pub(crate) fn is_svg(bytes: &[u8]) -> bool {
-    bytes.trim_ascii_start().starts_with(b"<") || bytes.starts_with("\u{feff}<".as_bytes())
+/// A path or a basic shape of an SVG file.
+pub(crate) struct SvgShape {
+    /// What messages call it.
+    pub(crate) place: String,
+    pub(crate) contours: Vec<Contour>,
+    pub(crate) map: Affine,
 }
 
-/// The paths and basic shapes of an SVG file that messages call so, each with its map; notes say what of it is not read or not drawn.
-pub(crate) fn shapes(
-    svg: &[u8],
-    name: &str,
-    notes: QuietArgs,
-) -> Result<Vec<(Vec<Contour>, Affine)>, Failure> {
+/// The paths and basic shapes of an SVG file that messages call so; notes say what of it is not read or not drawn.
+pub(crate) fn shapes(svg: &[u8], name: &str, notes: QuietArgs) -> Result<Vec<SvgShape>, Failure> {
     let drawing = document::svg_shapes(svg);
     let drawing = drawing.map_err(|error| Failure::request(format!("{name}:{error}")))?;
     for unread in &drawing.unread {
@@ -172,7 +186,11 @@ pub(crate) fn shapes(
     for shape in drawing.paths {
         let place = place(name, &shape);
         match shape.contours {
-            Ok(placed) => shapes.push(placed),
+            Ok((contours, map)) => shapes.push(SvgShape {
+                place,
+                contours,
+                map,
+            }),
             Err(error) if is_left_out(&error) => {
                 notes.note(&format!("{place}: left out: {error}"));
             }

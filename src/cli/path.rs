@@ -5,25 +5,62 @@ use std::process::ExitCode;
 
 use curveto::approximate::Options;
 use curveto::arcs;
-use curveto::contour::{Contour, PathDrawing, Step, Subpath, draw};
+use curveto::contour::{BezierTarget, Contour, PathDrawing, Step, Subpath, draw};
 use curveto::joints::MOST_IN_ALL;
-use curveto::path::{contours, contours_of_power};
+use curveto::path::contours_of_power;
 use curveto::write::Format;
 use curveto::{Cut, Error};
 use kurbo::Affine;
 
+use super::Outcome;
 use super::args::{PathArgs, PathKind, QuietArgs};
 use super::failure::Failure;
+use super::input::{self, InputKind, SvgShape};
 use super::output::write_drawn;
-use super::{Outcome, input};
 
-/// Contours and the map that is to be applied to them.
-type PlacedContours = (Vec<Contour>, Affine);
+/// Contours with one map, which are drawn together.
+struct PathPart {
+    contours: Vec<Contour>,
+    map: Affine,
+    /// What messages call each shape of a file and how many of the contours are its own.
+    shapes: Vec<(String, usize)>,
+}
+
+impl PathPart {
+    /// Contours that stand alone.
+    fn alone(contours: Vec<Contour>) -> Self {
+        Self {
+            contours,
+            map: Affine::IDENTITY,
+            shapes: Vec::new(),
+        }
+    }
+
+    /// The part as what it is to become; a failure names the shape, where it is of one.
+    fn drawn(&self, args: &PathArgs, format: Format) -> Result<PathDrawing, Failure> {
+        let target = PathTarget::new(args, format, self.map)?;
+        let error = match target.draw(&self.contours) {
+            Err(error) if !matches!(error, Error::Count { .. } | Error::NotPositive { .. }) => {
+                error
+            }
+            drawn => return Ok(drawn?),
+        };
+        let mut rest = self.contours.as_slice();
+        for (place, count) in &self.shapes {
+            let (contours, others) = rest.split_at(*count);
+            if let Err(error) = target.draw(contours) {
+                return Err(input::named(place, error));
+            }
+            rest = others;
+        }
+        Err(error.into())
+    }
+}
 
 /// What is drawn by path data or by the shapes of an SVG file; says what reads other files.
-fn read(source: &OsStr, notes: QuietArgs) -> Result<Vec<PlacedContours>, Failure> {
+fn read(source: &OsStr, notes: QuietArgs) -> Result<Vec<PathPart>, Failure> {
     let (bytes, name) = input::drawing(source)?;
-    if input::is_svg(&bytes) {
+    if InputKind::of(source, &bytes) == InputKind::Svg {
         let parts = together(input::shapes(&bytes, &name, notes)?);
         if parts.is_empty() {
             let why = "has no path and no shape that is drawn";
@@ -31,33 +68,34 @@ fn read(source: &OsStr, notes: QuietArgs) -> Result<Vec<PlacedContours>, Failure
         }
         return Ok(parts);
     }
-    let data = input::in_utf8(bytes, &name)?;
-    let contours = contours(&data).map_err(|error| {
-        let failure = input::named(&name, error);
-        if data.trim_start().starts_with('%') {
-            failure.with_hint("'curveto diff' reads PostScript drawings")
-        } else {
-            failure
-        }
-    });
-    Ok(vec![(contours?, Affine::IDENTITY)])
+    Ok(vec![PathPart::alone(input::contours(
+        source, bytes, &name, None,
+    )?)])
 }
 
 /// Shapes that follow one another with the same map as one part, whose points are rounded alike.
-fn together(shapes: Vec<PlacedContours>) -> Vec<PlacedContours> {
-    let mut parts: Vec<PlacedContours> = Vec::new();
-    for (contours, map) in shapes {
+fn together(shapes: Vec<SvgShape>) -> Vec<PathPart> {
+    let mut parts: Vec<PathPart> = Vec::new();
+    for shape in shapes {
+        let named = (shape.place, shape.contours.len());
         match parts.last_mut() {
-            Some((last, own)) if *own == map => last.extend(contours),
-            _ => parts.push((contours, map)),
+            Some(last) if last.map == shape.map => {
+                last.contours.extend(shape.contours);
+                last.shapes.push(named);
+            }
+            _ => parts.push(PathPart {
+                contours: shape.contours,
+                map: shape.map,
+                shapes: vec![named],
+            }),
         }
     }
     parts
 }
 
 /// Refuses joints where there is no arc that could have them.
-fn check_joints(args: &PathArgs, parts: &[PlacedContours]) -> Result<(), Failure> {
-    let contours = parts.iter().flat_map(|(contours, _)| contours);
+fn check_joints(args: &PathArgs, parts: &[PathPart]) -> Result<(), Failure> {
+    let contours = parts.iter().flat_map(|part| &part.contours);
     let mut steps = contours.flat_map(|contour| &contour.steps);
     if let Cut::At(_) = args.approximation.cut()
         && !steps.any(|step| matches!(step, Step::Arc(_)))
@@ -74,15 +112,15 @@ fn check_joints(args: &PathArgs, parts: &[PlacedContours]) -> Result<(), Failure
 fn joined(
     args: &PathArgs,
     format: Format,
-    parts: &[PlacedContours],
+    parts: &[PathPart],
 ) -> Result<Option<PathDrawing>, Failure> {
     let mut whole: Option<PathDrawing> = None;
     let (mut count, mut given) = (0, 0);
     for part in parts {
-        let drawing = drawn(args, format, part)?;
+        let drawing = part.drawn(args, format)?;
         count += drawing.subpaths.iter().map(Subpath::count).sum::<usize>();
         given += part
-            .0
+            .contours
             .iter()
             .map(|contour| contour.steps.len())
             .sum::<usize>();
@@ -109,7 +147,7 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
     let parts = match (&args.power, &args.source) {
         (Some(words), _) => {
             let contours = contours_of_power(&input::coefficients(words)?)?;
-            vec![(contours, Affine::IDENTITY)]
+            vec![PathPart::alone(contours)]
         }
         (None, source) => read(
             source.as_deref().unwrap_or_default(),
@@ -133,19 +171,21 @@ pub(super) fn run(args: &PathArgs) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A part as what it is to become.
-fn drawn(
-    args: &PathArgs,
-    format: Format,
-    (contours, map): &PlacedContours,
-) -> Result<PathDrawing, Failure> {
-    let elliptic = args.elliptic()?;
-    let precision = args.output.rounding(format);
-    let transform = args.output.transform() * *map;
-    let target = match args.kind() {
-        PathKind::Beziers(target) => target,
-        kind @ (PathKind::Lines | PathKind::Arcs) => {
-            let options = arcs::Options {
+/// What contours are to become, and how.
+enum PathTarget {
+    Beziers(BezierTarget, Options),
+    Lines(arcs::Options),
+    Arcs(arcs::Options),
+}
+
+impl PathTarget {
+    /// What was asked for contours with this map.
+    fn new(args: &PathArgs, format: Format, map: Affine) -> Result<Self, Failure> {
+        let elliptic = args.elliptic()?;
+        let precision = args.output.rounding(format);
+        let transform = args.output.transform() * map;
+        let of_arcs = || {
+            Ok::<_, Failure>(arcs::Options {
                 tolerance: args
                     .approximation
                     .only_tolerance("lines and circular arcs follow")?,
@@ -153,18 +193,28 @@ fn drawn(
                 transform,
                 elliptic,
                 rounds_again: format == Format::Gcode,
-            };
-            return Ok(match kind {
-                PathKind::Arcs => arcs::arcs(contours, &options)?,
-                _ => arcs::lines(contours, &options)?,
-            });
+            })
+        };
+        Ok(match args.kind() {
+            PathKind::Lines => Self::Lines(of_arcs()?),
+            PathKind::Arcs => Self::Arcs(of_arcs()?),
+            PathKind::Beziers(target) => {
+                let options = Options {
+                    rule: args.rule()?,
+                    cut: args.approximation.cut(),
+                    precision,
+                    transform,
+                };
+                Self::Beziers(target, options)
+            }
+        })
+    }
+
+    fn draw(&self, contours: &[Contour]) -> curveto::Result<PathDrawing> {
+        match self {
+            Self::Beziers(target, options) => draw(contours, *target, options),
+            Self::Lines(options) => arcs::lines(contours, options),
+            Self::Arcs(options) => arcs::arcs(contours, options),
         }
-    };
-    let options = Options {
-        rule: args.rule()?,
-        cut: args.approximation.cut(),
-        precision,
-        transform,
-    };
-    Ok(draw(contours, target, &options)?)
+    }
 }

@@ -238,12 +238,72 @@ fn hints_name_what_was_meant() {
         let said = refused(arguments);
         assert!(said.contains(hint), "{arguments:?}: {said}");
     }
-    let postscript = piped(&["path", "-"], b"%!PS\n0 0 moveto");
-    let said = String::from_utf8(postscript.stderr).unwrap();
-    assert!(
-        said.contains("hint: 'curveto diff' reads PostScript drawings"),
-        "{said}"
-    );
+}
+
+#[test]
+fn another_kind_of_drawing_is_named_with_what_reads_it() {
+    let diff = "'curveto diff' reads PostScript drawings";
+    let json = "JSON holds path data under its key path, and 'curveto diff' reads it whole";
+    for (words, drawing, hint) in [
+        (&["path", "-"][..], "%!PS\n0 0 moveto", diff),
+        (&["path", "-"], "0 0 moveto", diff),
+        (&["path", "-"], "{\"path\": \"M0 0\"}", json),
+        (&["measure", "--path", "-"], "<svg/>", "--file reads SVG"),
+        (&["measure", "--path", "-"], "[{}]", json),
+        (&["measure", "--path", "-"], "0 0 moveto", diff),
+        (
+            &["measure", "--file", "-"],
+            "M0 0L1 1",
+            "--path reads path data",
+        ),
+        (&["measure", "--file", "-"], "0 0 moveto", diff),
+        (&["measure", "--file", "-"], "{}", json),
+        (&["convert", "-"], "0 0 moveto", diff),
+        (
+            &["convert", "-"],
+            "M0 0L1 1",
+            "path data alone goes through 'curveto path'",
+        ),
+    ] {
+        let said = String::from_utf8(piped(words, drawing.as_bytes()).stderr).unwrap();
+        assert!(
+            said.contains(&format!("hint: {hint}")),
+            "{words:?} {drawing}: {said}"
+        );
+    }
+}
+
+#[test]
+fn a_shape_of_a_file_that_cannot_be_drawn_is_named_with_its_line() {
+    let arc = |id: &str, radius: &str| {
+        format!("<path id=\"{id}\" d=\"M0 0A{radius} {radius} 0 0 1 {radius} {radius}\"/>\n")
+    };
+    let svg = |second: &str| {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\">\n{}{second}</svg>",
+            arc("a", "5")
+        )
+    };
+    let large = svg(&arc("b", "1e9"));
+    for words in [
+        &["path", "-", "-t", "1e-8"][..],
+        &["path", "-", "--to", "lines", "-t", "1e-9"],
+    ] {
+        let said = String::from_utf8(piped(words, large.as_bytes()).stderr).unwrap();
+        assert!(
+            said.starts_with("error: <stdin>:3#b: "),
+            "{words:?}: {said}"
+        );
+    }
+    // Wherever the fault is no shape's, none is named.
+    let said =
+        String::from_utf8(piped(&["path", "-", "-n", "2000000"], large.as_bytes()).stderr).unwrap();
+    assert!(said.starts_with("error: the number of segments"), "{said}");
+    let far = svg("<g transform=\"scale(1e140)\">\n<path d=\"M0 0L1e20 0\"/></g>");
+    for words in [&["path", "-"][..], &["diff", "-", "M0 0"]] {
+        let said = String::from_utf8(piped(words, far.as_bytes()).stderr).unwrap();
+        assert!(said.starts_with("error: <stdin>:4: "), "{words:?}: {said}");
+    }
 }
 
 #[test]

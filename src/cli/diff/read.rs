@@ -1,7 +1,6 @@
 //! A drawing in any of the forms that can be compared.
 
 use std::ffi::OsStr;
-use std::path::Path;
 
 use curveto::contour::Contour;
 use curveto::diff::Track;
@@ -12,44 +11,34 @@ use serde_json::{Deserializer, Value};
 
 use super::super::args::QuietArgs;
 use super::super::failure::Failure;
-use super::super::input;
+use super::super::input::{self, InputKind};
 
 /// The subpaths of a drawing: of path data, or of a file with it, with SVG, JSON or PostScript.
 pub(super) fn drawing(words: &OsStr, notes: QuietArgs) -> Result<Vec<Track>, Failure> {
     let (bytes, name) = input::drawing(words)?;
-    // A matrix or a dictionary may stand first.
-    let is_named_so = Path::new(words)
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("ps") || e.eq_ignore_ascii_case("eps"));
-    if input::is_svg(&bytes) && !is_named_so {
-        let mut found = Vec::new();
-        for (contours, map) in input::shapes(&bytes, &name, notes)? {
-            found.extend(tracks(&contours, map)?);
+    let kind = InputKind::of(words, &bytes);
+    let mut found = Vec::new();
+    if kind == InputKind::Svg {
+        for shape in input::shapes(&bytes, &name, notes)? {
+            found.extend(tracks(&shape.place, &shape.contours, shape.map)?);
         }
         return some(found, &name);
     }
     let text = input::in_utf8(bytes, &name)?;
-    let begins = |what: &str| text.trim_start().starts_with(what);
-    let is_operator = |word: &str| ["moveto", "arc", "arcn"].contains(&word);
-    let is_postscript =
-        is_named_so || begins("%") || text.split_ascii_whitespace().any(is_operator);
-    let tracks = if begins("{") || (begins("[") && !is_postscript) {
-        of_json(&text, &name)?
-    } else if is_postscript {
-        tracks(
-            &path::postscript(&text).map_err(|error| at(&name, &error))?,
-            Affine::IDENTITY,
-        )?
-    } else {
-        let contours = path::contours(&text).map_err(|error| {
+    let as_it_is = |contours: &[Contour]| tracks(&name, contours, Affine::IDENTITY);
+    let found = match kind {
+        InputKind::Json => of_json(&text, &name)?,
+        InputKind::PostScript => {
+            as_it_is(&path::postscript(&text).map_err(|error| at(&name, &error))?)?
+        }
+        _ => as_it_is(&path::contours(&text).map_err(|error| {
             Failure::request_with_hint(
                 format!("{name}: {error}"),
                 "a drawing is SVG path data, SVG, our JSON or PostScript path operators",
             )
-        })?;
-        tracks(&contours, Affine::IDENTITY)?
+        })?)?,
     };
-    some(tracks, &name)
+    some(found, &name)
 }
 
 /// Refuses a drawing of nothing.
@@ -66,9 +55,11 @@ fn at(place: &str, error: &curveto::Error) -> Failure {
     Failure::request(format!("{place}: {error}"))
 }
 
-fn tracks(contours: &[Contour], map: Affine) -> Result<Vec<Track>, Failure> {
+/// The tracks of contours that messages call so.
+fn tracks(place: &str, contours: &[Contour], map: Affine) -> Result<Vec<Track>, Failure> {
     let tracks = contours.iter().map(|contour| Track::new(contour, map));
-    Ok(tracks.collect::<curveto::Result<_>>()?)
+    let tracks = tracks.collect::<curveto::Result<_>>();
+    tracks.map_err(|error| input::named(place, error))
 }
 
 /// The path data of our documents: one, an array of them, or one a line.
@@ -87,10 +78,8 @@ fn of_json(text: &str, name: &str) -> Result<Vec<Track>, Failure> {
                     "JSON of curveto's drawings, paths and batches can be compared",
                 ));
             };
-            found.extend(tracks(
-                &path::contours(data).map_err(|error| at(name, &error))?,
-                Affine::IDENTITY,
-            )?);
+            let contours = path::contours(data).map_err(|error| at(name, &error))?;
+            found.extend(tracks(name, &contours, Affine::IDENTITY)?);
         }
     }
     Ok(found)

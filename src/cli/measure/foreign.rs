@@ -10,7 +10,7 @@ use kurbo::Affine;
 
 use super::super::args::measure::{ForeignArgs, ReportArgs};
 use super::super::failure::Failure;
-use super::super::input;
+use super::super::input::{self, InputKind};
 use super::{MeasuredSubject, check_segments};
 
 /// The curves of one element, or of a path that stands alone.
@@ -84,13 +84,11 @@ fn empty() -> Failure {
 
 fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<ForeignPath>), Failure> {
     if let Some(data) = &args.path {
-        let (data, name) = input::path_data(data)?;
+        let (bytes, name) = input::drawing(data)?;
+        let contours = input::contours(data, bytes, &name, Some("--file reads SVG"))?;
         let source = ForeignPath {
             name: "path".to_owned(),
-            contours: Ok((
-                path::contours(&data).map_err(|error| input::named(&name, error))?,
-                Affine::IDENTITY,
-            )),
+            contours: Ok((contours, Affine::IDENTITY)),
         };
         return Ok((name, vec![source]));
     }
@@ -101,8 +99,12 @@ fn sources(args: &ForeignArgs, report: &ReportArgs) -> Result<(String, Vec<Forei
         ));
     };
     let (svg, name) = input::document(input::Source::of(file))?;
-    let drawing =
-        document::svg_paths(&svg).map_err(|error| Failure::request(format!("{name}:{error}")))?;
+    let drawing = document::svg_paths(&svg).map_err(|error| Failure::Request {
+        message: format!("{name}:{error}"),
+        hint: InputKind::of(file.as_os_str(), &svg)
+            .remedy(None, Some("--path reads path data"))
+            .map(str::to_owned),
+    })?;
     for unread in &drawing.unread {
         report.quiet.note(&format!("{name}: {unread}"));
     }
