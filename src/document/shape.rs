@@ -6,4 +6,5 @@ pub(super) mod length;
 pub(super) mod shape_data;
 pub(super) mod tag;
 mod text;
+pub(super) mod used;
 mod whole;

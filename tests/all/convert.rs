@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 
 use curveto::document::{self, Converted, ElementKind, Error, Only, Options};
 use curveto::{Cut, Method, Rule, Tolerance};
+use kurbo::ParamCurve as _;
 
 /// The error of the default at 94.5 degrees, the widest single cubic, and what rounding adds.
 const ERROR: f64 = 2.95e-4;
@@ -962,5 +963,59 @@ fn the_error_of_every_kind_is_measured_again_where_it_was_met_before() {
         let found = strayed(inner, &measure);
         assert!((found - quarter).abs() < 2e-6, "{inner}: {found} {quarter}");
         assert_eq!(strayed(inner, &Options::default()), 0.0);
+    }
+}
+
+#[test]
+fn far_round_rectangles_state_what_the_digits_of_millimetres_leave_out() {
+    let text =
+        svg(r#"<rect x="300000.123mm" y="-200000.77mm" width="20" height="10.3" rx="3.1"/>"#);
+    let [x, y] = [300_000.123, -200_000.77].map(|mm: f64| mm * 480.0 / 127.0);
+    // A unit in the last place of these coordinates.
+    let unit = 2.0_f64.powi(-32);
+    for tolerance in [1e-4, 1e-5, 1e-6, 1e-7, 1e-8] {
+        let options = Options {
+            cut: Cut::Tolerance(Tolerance::Absolute(tolerance)),
+            measure: true,
+            ..Options::default()
+        };
+        let converted = document::convert(&text, &options).unwrap();
+        let (_, data) = converted.text.split_once(" d=\"").unwrap();
+        let contours = curveto::path::contours(data.split('"').next().unwrap()).unwrap();
+        let mut farthest = 0.0_f64;
+        for segment in contours[0].steps.iter().filter_map(cubic) {
+            let [middle_x, middle_y] = [x + 10.0, y + 5.15];
+            let center = segment.eval(0.5);
+            let center = [
+                if center.x < middle_x {
+                    x + 3.1
+                } else {
+                    x + 16.9
+                },
+                if center.y < middle_y {
+                    y + 3.1
+                } else {
+                    y + 7.2
+                },
+            ];
+            for i in 0..=500 {
+                let p = segment.eval(f64::from(i) / 500.0);
+                let distance = (p.x - center[0]).hypot(p.y - center[1]) - 3.1;
+                farthest = farthest.max(distance.abs());
+            }
+        }
+        let told = converted.strayed;
+        assert!(
+            farthest <= told + 8.0 * unit,
+            "{tolerance}: {farthest} {told}"
+        );
+        assert!(told <= tolerance + 4.0 * unit, "{tolerance}: {told}");
+    }
+}
+
+fn cubic(step: &curveto::contour::Step) -> Option<kurbo::CubicBez> {
+    match step {
+        curveto::contour::Step::Given(kurbo::PathSeg::Cubic(cubic)) => Some(*cubic),
+        _ => None,
     }
 }

@@ -10,23 +10,13 @@ use crate::document::path::collapse::is_too_small;
 use crate::document::path::scratch::Scratch;
 use crate::document::shape::length::{self, Length, LengthAttribute};
 use crate::document::shape::text::ShapeText;
+use crate::document::shape::used::UsedShape;
 use crate::document::style::property::ElementKind;
 use crate::document::{Options, Reason};
 use crate::number::decimal::Decimal;
 use crate::shape::Truth;
 use crate::shape::endpoint::SvgArc;
 use crate::{Angle, Rule};
-
-/// A shape with its used values: `auto` resolved, radii clamped.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::document) enum UsedShape {
-    /// Centre and radii.
-    Ellipse([Length; 2], [Length; 2]),
-    /// Left top corner, size, corner radii.
-    Rect([Length; 2], [Length; 2], [Length; 2]),
-    /// A rectangle with square corners: nothing to do.
-    Square,
-}
 
 /// Reads a shape; `attribute` gives the resolved value of an attribute, if the element has it.
 pub(in crate::document) fn read<'v>(
@@ -136,10 +126,10 @@ pub(in crate::document) fn path_data(
     out: &mut Vec<u8>,
 ) -> Result<f64, Reason> {
     out.clear();
-    match shape {
+    match shape.fine_enough(&options.cut) {
         UsedShape::Ellipse(center, radii) => {
             let [rx, ry] = radii.map(|radius| radius.value);
-            check_place(&[center, radii], options.rule)?;
+            check_place(&[&center, &radii], options.rule)?;
             bezier::ellipse(
                 Point::new(center[0].value, center[1].value),
                 Vec2::new(rx, ry),
@@ -154,10 +144,10 @@ pub(in crate::document) fn path_data(
                 let asked = options.precision.map(u32::from);
                 asked.is_none_or(|asked| length.exact.decimals <= asked)
             };
-            if center.iter().chain(radii).all(fits) {
-                text.known = *radii;
+            if center.iter().chain(&radii).all(fits) {
+                text.known = radii;
             }
-            text.base = *center;
+            text.base = center;
             text.truth = options.measure.then(|| {
                 let [cx, cy] = center.map(|length| length.value);
                 Truth::new(Point::new(cx, cy), Vec2::new(rx, ry), Vec2::new(1.0, 0.0))
@@ -171,7 +161,7 @@ pub(in crate::document) fn path_data(
             text.curves(drawn, true);
             Ok(text.close())
         }
-        UsedShape::Rect(corner, size, radii) => rect(*corner, *size, *radii, options, scratch, out),
+        UsedShape::Rect(corner, size, radii) => rect(corner, size, radii, options, scratch, out),
         UsedShape::Square => Ok(0.0),
     }
 }
@@ -214,10 +204,11 @@ fn rect(
     if options.precision.is_some_and(leaves_none) {
         return Err(Reason::Collapses);
     }
-    let [x, y] = corner.map(|length| length.exact);
-    let [right, bottom] = [x.plus(size[0].exact), y.plus(size[1].exact)];
-    let [left_in, top_in] = [x.plus(radii[0].exact), y.plus(radii[1].exact)];
-    let [right_in, bottom_in] = [right.minus(radii[0].exact), bottom.minus(radii[1].exact)];
+    let [x, y] = corner;
+    let [right, bottom] = [x.plus(size[0]), y.plus(size[1])];
+    let [left_in, top_in] = [x.plus(radii[0]), y.plus(radii[1])];
+    let [right_in, bottom_in] = [right.minus(radii[0]), bottom.minus(radii[1])];
+    let digits = |length: Length| length.exact;
     // Where each corner begins and ends, the way there, and the line before it.
     let corners = [
         ([[right_in, y], [right, top_in]], (rx, ry), b'H'),
@@ -230,7 +221,7 @@ fn rect(
     text.known = radii;
     for (index, ([start, end], to, line)) in corners.into_iter().enumerate() {
         // As for an ellipse: where a precision is asked for, it is points that are rounded.
-        let place = Point::new(start[0].value(), start[1].value());
+        let place = Point::new(start[0].value, start[1].value);
         let from = options.precision.map_or(Point::ZERO, |_| place);
         let arc = SvgArc {
             from,
@@ -244,16 +235,13 @@ fn rect(
         bezier::arc(approximate, &arc, options, memo, beziers)?;
         if index == 0 {
             text.decimals = scratch.beziers.decimals;
-            text.move_to([left_in, y]);
+            text.move_to([left_in, y].map(digits));
         }
         if straight[index % 2] {
-            text.line_to(line, start);
+            text.line_to(line, start.map(digits));
         }
-        text.base = start.map(|exact| Length {
-            value: exact.value(),
-            exact,
-        });
-        text.end = Some(end);
+        text.base = start;
+        text.end = Some(end.map(digits));
         text.truth = options.measure.then(|| corner_truth(place, to, index));
         text.curves(&scratch.beziers, index == 3);
     }

@@ -3,8 +3,9 @@
 use crate::number::decimal::Decimal;
 use crate::number::decimals_for;
 use crate::number::read as number;
+use crate::numeric::double::Double;
 
-/// A length: its value, and its digits as the file spells them.
+/// A length: its value, and its digits as the file spells them, or some of them where it was computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::document) struct Length {
     pub(in crate::document) value: f64,
@@ -21,15 +22,15 @@ pub(in crate::document) enum LengthAttribute {
     Unknown,
 }
 
-/// The CSS absolute units in user units.
-const UNITS: [(&str, f64); 7] = [
-    ("px", 1.0),
-    ("in", 96.0),
-    ("cm", 96.0 / 2.54),
-    ("mm", 96.0 / 25.4),
-    ("q", 96.0 / 101.6),
-    ("pt", 96.0 / 72.0),
-    ("pc", 16.0),
+/// The CSS absolute units in user units, each a quotient of whole numbers.
+const UNITS: [(&str, [f64; 2]); 7] = [
+    ("px", [1.0, 1.0]),
+    ("in", [96.0, 1.0]),
+    ("cm", [4800.0, 127.0]),
+    ("mm", [480.0, 127.0]),
+    ("q", [120.0, 127.0]),
+    ("pt", [4.0, 3.0]),
+    ("pc", [16.0, 1.0]),
 ];
 
 impl Length {
@@ -46,6 +47,37 @@ impl Length {
             value: 0.0,
             exact: Decimal::ZERO,
         }
+    }
+
+    /// What the digits leave out of the value.
+    fn rest(self) -> f64 {
+        self.value - self.exact.value()
+    }
+
+    /// With so many decimals at least, where the digits leave something out and there is room for more.
+    pub(in crate::document) fn with_decimals(self, decimals: u32) -> Self {
+        if self.rest() == 0.0 || decimals <= self.exact.decimals {
+            return self;
+        }
+        Self {
+            exact: Decimal::round(self.value, decimals),
+            ..self
+        }
+    }
+
+    pub(in crate::document) fn minus(self, other: Self) -> Self {
+        let exact = self.exact.minus(other.exact);
+        Self {
+            value: exact.value() + (self.rest() - other.rest()),
+            exact,
+        }
+    }
+
+    pub(in crate::document) fn plus(self, other: Self) -> Self {
+        self.minus(Self {
+            value: -other.value,
+            exact: other.exact.negated(),
+        })
     }
 }
 
@@ -69,7 +101,16 @@ pub(in crate::document) fn read(text: &str) -> LengthAttribute {
         .iter()
         .find(|(name, _)| name.eq_ignore_ascii_case(unit))
     {
-        Some((_, factor)) => LengthAttribute::Length(Length::computed(value * factor)),
+        Some((_, [of, over])) => {
+            let exact = Double::of(value).scaled(*of).over(*over).value();
+            // Of what leaves the range no digit counts.
+            let value = if exact.is_finite() {
+                exact
+            } else {
+                value * (of / over)
+            };
+            LengthAttribute::Length(Length::computed(value))
+        }
         None => LengthAttribute::Unknown,
     }
 }
@@ -92,6 +133,8 @@ mod tests {
         assert_eq!(value("25.4mm"), Some(96.0));
         assert_eq!(value("1e2"), Some(100.0));
         assert_eq!(value("72pt"), Some(96.0));
+        assert_eq!(value("1e308mm"), Some(f64::INFINITY));
+        assert!(value("1e306mm").is_some_and(|value| value > 3.7e306));
         for text in [
             "50%",
             "2em",

@@ -3,7 +3,8 @@
 use crate::document::Options;
 use crate::document::path::scratch::Scratch;
 use crate::document::reason::Reason;
-use crate::document::shape::element::{self, UsedShape};
+use crate::document::shape::element;
+use crate::document::shape::used::UsedShape;
 use crate::document::style::property::ElementKind;
 use crate::document::xml::attributes::named;
 use crate::document::xml::scan::Scanner;
