@@ -33,7 +33,7 @@ const LONGEST_ANSWERS: usize = 1 << 20;
 /// How lines are answered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// `Path`, `Json` or `Ps`; each answer is one line.
+    /// `Path`, `Json` or `Ps`, of which each answer is one line, or that of the picture that all lines make.
     pub format: Format,
     /// What gives the control points where a line names no method.
     pub rule: Rule,

@@ -1,4 +1,4 @@
-//! SVG documents: arcs become Béziers, every other byte stays.
+//! SVG documents: arcs and shapes become Béziers, or Béziers become arcs and shapes; every other byte stays.
 
 mod doubt;
 mod failure;
@@ -216,7 +216,7 @@ pub struct ConvertedFile<'a> {
 }
 
 /// Replaces circles, ellipses, rounded rectangles and path arcs of an SVG document, and path arcs of an Android `VectorDrawable`, by
-/// cubic Béziers; or, on the way back, Béziers by arcs and shapes.
+/// Béziers; or, on the way back, Béziers by arcs and shapes.
 ///
 /// # Errors
 ///

@@ -1,6 +1,6 @@
 //! The methods: how one piece of the unit circle's arc becomes control points.
 //!
-//! A method sees an angle and nothing else: no ellipse, no file, no rounding. Each family stands in a file of its own,
+//! A method sees an angle and nothing else: no file, no rounding, and no ellipse but for the two `minimax-ellipse`. Each family stands in a file of its own,
 //! its formula and source at the head; [`Method::card`] tells what is known of each, and that one table drives help,
 //! error messages, documentation and tests.
 

@@ -8,7 +8,6 @@ mod table;
 use std::path::Path;
 use std::process::ExitCode;
 
-use curveto::Cut;
 use curveto::approximate::Options;
 use curveto::curve::Curve;
 use curveto::measure::{Quantity, Reference};
@@ -17,6 +16,7 @@ use curveto::picture::plot::Chart;
 use curveto::write::json;
 use curveto::write::measurement::{Measurement, csv};
 use curveto::write::plot;
+use curveto::{Cut, Rule};
 use serde::Serialize;
 
 use super::Outcome;
@@ -40,6 +40,16 @@ fn check_segments(segments: usize) -> Result<(), Failure> {
         format!("at most {MOST_SEGMENTS} segments are measured at once, not {segments}"),
         "take fewer segments or methods; the error of a drawing of any size stands in its JSON: curveto circle 50 -n 200000 -f json",
     ))
+}
+
+/// Refuses counts of segments that would take minutes, before any is drawn.
+fn check_counts(rules: &[Rule], cuts: &[Cut]) -> Result<(), Failure> {
+    let counted = cuts.iter().map(|cut| match cut {
+        Cut::Count(count) | Cut::Adaptive(count) => *count,
+        _ => 0,
+    });
+    let counted = counted.fold(0, usize::saturating_add);
+    check_segments(rules.len().saturating_mul(counted))
 }
 
 /// What was measured, with what a plot needs of it.
@@ -78,12 +88,7 @@ fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
         .precision
         .map_or(Some(Precision::Full), super::args::PrecisionWord::precision);
     let (rules, cuts) = (args.approximation.rules()?, args.approximation.cuts());
-    let counted = cuts.iter().map(|cut| match cut {
-        Cut::Count(count) | Cut::Adaptive(count) => *count,
-        _ => 0,
-    });
-    let counted = counted.fold(0, usize::saturating_add);
-    check_segments(rules.len().saturating_mul(counted))?;
+    check_counts(&rules, &cuts)?;
     let mut subjects = Vec::new();
     let mut segments = 0;
     for &rule in &rules {

@@ -16,7 +16,7 @@ use super::super::failure::Failure;
 use super::super::formats::choose;
 use super::super::output::OutputTarget;
 use super::Outcome;
-use super::{draw_panels, samples, words, written};
+use super::{check_counts, check_segments, draw_panels, samples, words, written};
 use crate::cli::table::{close_up, lines, plain};
 
 /// A drawing, and the number of its panel in a plot.
@@ -61,16 +61,20 @@ fn drawn(conic: &Conic, args: &Measured<ConicShape>) -> Result<Vec<ConicSubject>
     let precision = args
         .precision
         .map_or(Some(Precision::Full), PrecisionWord::precision);
-    let mut subjects = Vec::new();
-    for rule in args.approximation.rules()? {
-        for (panel, cut) in args.approximation.cuts().into_iter().enumerate() {
+    let (rules, cuts) = (args.approximation.rules()?, args.approximation.cuts());
+    check_counts(&rules, &cuts)?;
+    let (mut subjects, mut segments) = (Vec::new(), 0);
+    for &rule in &rules {
+        for (panel, cut) in cuts.iter().enumerate() {
             let options = Options {
                 rule,
-                cut,
+                cut: cut.clone(),
                 precision,
                 transform: args.transform.unwrap_or_default(),
             };
             let drawing = drawing(conic, &args.approximation, &options)?;
+            segments += drawing.curve.segments.len();
+            check_segments(segments)?;
             subjects.push(ConicSubject {
                 title: ConicMeasurement::from(&drawing).title,
                 drawing,

@@ -1,4 +1,4 @@
-//! The one door to the engine: an arc or an ellipse as Béziers about its own origin, and the decimals that they need.
+//! Draws an arc or an ellipse as Béziers about its own origin, with the decimals that they need.
 //!
 //! Icon sets hold tens of thousands of arcs, so what every file asks for, equal segments of a rule whose ends lie on the circle,
 //! is placed into a buffer; a test holds it against [`approximate`], which serves everything else.
