@@ -14,6 +14,9 @@ pub(crate) mod digits;
 pub(crate) mod memo;
 mod people;
 pub(crate) mod read;
+mod shortest;
+
+pub(crate) use shortest::as_decimal;
 
 pub use people::{compact, counted, round_one_two_five, rounded_up, significant};
 

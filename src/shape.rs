@@ -6,7 +6,7 @@ pub mod machine;
 mod outline;
 mod svg_arc;
 
-pub(crate) use frame::{Exact, conic_placement};
+pub(crate) use frame::{Exact, conic_placement, decimals};
 pub(crate) use outline::Axes;
 pub use outline::{Outline, Truth, UnitArc, flattens};
 

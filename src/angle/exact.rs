@@ -9,11 +9,17 @@ use crate::numeric::instructions::by_the_best;
 impl Angle {
     /// (cosine, sine) to some thirty digits.
     pub(crate) fn exact_direction(self) -> Twice {
+        Self::direction_of(Double::of(self.degrees))
+    }
+
+    /// The same of degrees in twice the digits.
+    pub(crate) fn direction_of(degrees: Double) -> Twice {
+        let [high, low] = degrees.parts();
         // Both are exact, as in `direction`.
-        let within = self.degrees % 360.0;
+        let within = high % 360.0;
         let quarters = (within / 90.0).round();
-        let rest = within - quarters * 90.0;
-        let [cos, sin] = if rest == 0.0 {
+        let rest = Double::difference(within - quarters * 90.0, -low);
+        let [cos, sin] = if rest == Double::of(0.0) {
             [1.0, 0.0].map(Double::of)
         } else {
             exact_sin_cos(rest)
@@ -56,7 +62,7 @@ fn nested(y: Double, factors: &[Double; TERMS]) -> Double {
 
 /// (cosine, sine) of at most 45 degrees to some thirty digits, from Taylor's series nested as 1 - y/(1·2) (1 - y/(3·4) (1 - ...)) with
 /// y the square of the angle. The terms from the 17th power on are so small that the digits of `f64` are enough for them.
-fn exact_sin_cos(degrees: f64) -> Twice {
+fn exact_sin_cos(degrees: Double) -> Twice {
     /// π/180.
     const RADIANS: Double =
         Double::of_parts(0.017_453_292_519_943_295, 2.948_652_270_870_168_7e-19);
@@ -64,7 +70,7 @@ fn exact_sin_cos(degrees: f64) -> Twice {
     by_the_best(
         #[inline(always)]
         || {
-            let x = RADIANS.scaled(degrees);
+            let x = RADIANS.times(degrees);
             let y = x.times(x).scaled(-1.0);
             [nested(y, &factors[0]), x.times(nested(y, &factors[1]))]
         },

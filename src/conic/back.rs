@@ -11,6 +11,7 @@ use super::bound::{at, floor, piece};
 use super::branch::{Branch, Cubic, arm};
 use super::halving::{Bounds, Halving};
 use crate::measure::hausdorff::{away, distance_slope, product};
+use crate::number::as_decimal;
 use crate::numeric::double::{Double, Twice};
 
 /// How often a part is halved at most, and how many parts are, beside some for each segment.
@@ -63,7 +64,7 @@ pub(super) fn bound(
     let [from, to] = branch.arms;
     let whole = ArcPart {
         points: [from, [Double::of(0.0); 2], to],
-        weight: Double::of(weight),
+        weight: as_decimal(weight),
         feet: [from, to].map(|q| search.nearest(&q, 0)),
     };
     let start = limit.unwrap_or(known) / branch.unit - least;

@@ -9,8 +9,10 @@ use kurbo::{Affine, PathSeg, Point, Vec2};
 use super::Conic;
 use super::frame::ConicFrame;
 use crate::measure::unit_for;
+use crate::number::as_decimal;
 use crate::numeric::double::{Double, Twice, cross};
 use crate::numeric::foot::Foot;
+use crate::shape::decimals;
 
 /// What numbers of 106 bits leave of a distance, as a part of the size, and of a coefficient, as a part of the sizes that it is the sum of.
 const NOISE: f64 = 1.0 / (1_u128 << 90) as f64;
@@ -70,28 +72,27 @@ impl Branch {
     pub(super) fn new(conic: &Conic, map: Affine) -> Self {
         let [a, b, c, d, e, f] = map.as_coeffs();
         let turned = |[x, y]: Twice| [x.scaled(a).plus(y.scaled(c)), x.scaled(b).plus(y.scaled(d))];
-        let control = conic.control;
+        let control = decimals(conic.control);
         let arm = |p: Point| {
-            turned([
-                Double::difference(p.x, control.x),
-                Double::difference(p.y, control.y),
-            ])
+            let p = decimals(p);
+            turned([0, 1].map(|i| p[i].minus(control[i])))
         };
-        let [x, y] = turned([control.x, control.y].map(Double::of));
+        let [x, y] = turned(control);
         let arms = [arm(conic.from), arm(conic.to)];
         let reach = arms.iter().flatten().map(|x| x.value().abs());
         let unit = unit_for(reach.fold(f64::MIN_POSITIVE, f64::max));
         let arms = arms.map(|arm| arm.map(|x| x.scaled(1.0 / unit)));
         let area = cross(arms[0], arms[1]);
+        let weight = as_decimal(conic.weight);
         let lengths = arms.map(|[x, y]| Vec2::new(x.value(), y.value()).hypot());
         Self {
             unit,
             origin: [x.plus(Double::of(e)), y.plus(Double::of(f))],
             area,
             arms,
-            weight: Double::of(conic.weight),
+            weight,
             beside: BESIDE * (lengths[0] * lengths[1] / area.value()).abs(),
-            square: Double::of(2.0 * conic.weight).times(Double::of(2.0 * conic.weight)),
+            square: weight.times(weight).scaled(4.0),
         }
     }
 
@@ -104,7 +105,8 @@ impl Branch {
     /// A point of the plane about P1.
     pub(super) fn about(&self, p: Point) -> Twice {
         let [x, y] = self.origin;
-        [Double::of(p.x).minus(x), Double::of(p.y).minus(y)].map(|x| x.scaled(1.0 / self.unit))
+        let p = decimals(p);
+        [p[0].minus(x), p[1].minus(y)].map(|x| x.scaled(1.0 / self.unit))
     }
 
     /// What numbers of 106 bits leave of a distance: of a thin triangle cross products leave as much less as it is thinner.

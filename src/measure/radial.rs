@@ -27,7 +27,7 @@ use core::iter;
 
 use kurbo::{ParamCurve, PathSeg, Point, Vec2};
 
-use self::framed::FramedPoints;
+use self::framed::{FramedPoints, decimals_of};
 use self::twins::Twins;
 use super::curvature;
 use crate::curve::{control_points, largest_coordinate};
@@ -41,6 +41,9 @@ use crate::shape::{Exact, Truth};
 
 /// How far distances may be off that are formed in twice the digits, some 106 bits, as a part of the larger radius; a 0 is an exact one.
 const NOISE: f64 = f64::EPSILON * f64::EPSILON * 1024.0;
+
+/// The same of decimals, as a part of the largest coordinate.
+const DECIMAL_NOISE: f64 = f64::EPSILON * f64::EPSILON * 64.0;
 
 /// What the extremes of a cubic that touches a circle at its ends, nearly, and crosses it twice lie between: one beside each end, which
 /// rounding moves to either side, and three lobes.
@@ -146,7 +149,7 @@ impl Profile {
 
     /// The same where the frame of the true shape is at hand.
     fn within(segment: &PathSeg, truth: &Truth, exact: &Exact) -> Self {
-        let framed = FramedPoints::of_truth(segment, truth, exact);
+        let framed = FramedPoints::of_truth(&decimals_of(segment), truth, exact);
         Self::framed(segment, truth, exact, framed)
     }
 
@@ -166,7 +169,7 @@ impl Profile {
         Self {
             own: framed.segment(exact, turned),
             center: turned(exact.image(Vec2::new(x, y))),
-            radii: truth.radii,
+            radii: truth.radii * exact.grown,
             excess,
             framed,
             exact: *exact,
@@ -286,7 +289,8 @@ impl Profile {
     /// Visits places with what the distance there lies between for certain; the whole segment lies between the largest and the least, those
     /// included that were `known` before.
     pub(crate) fn visit_bounds(&self, known: &mut Known, mut visit: impl FnMut(f64, [f64; 2])) {
-        let noise = NOISE * self.larger_radius().min(self.reach());
+        let noise = NOISE * self.larger_radius().min(self.reach())
+            + DECIMAL_NOISE * self.largest_coordinate;
         let mut visit = |t: f64, [low, high]: [f64; 2]| {
             let beyond = |bound: f64| if bound > 0.0 { bound + noise } else { bound };
             visit(t, [-beyond(-low), beyond(high)]);

@@ -29,6 +29,11 @@ impl Double {
         Self { high, low }
     }
 
+    /// Both parts.
+    pub(crate) const fn parts(self) -> [f64; 2] {
+        [self.high, self.low]
+    }
+
     /// a - b without rounding error.
     #[inline(always)]
     pub(crate) fn difference(a: f64, b: f64) -> Self {
@@ -99,7 +104,10 @@ impl Double {
 
     #[inline(always)]
     pub(crate) fn minus(self, other: Self) -> Self {
-        self.plus(other.scaled(-1.0))
+        self.plus(Self {
+            high: -other.high,
+            low: -other.low,
+        })
     }
 
     /// The quotient by a number that is not 0.
@@ -108,6 +116,16 @@ impl Double {
         let quotient = self.high / divisor;
         let rest = (-quotient).mul_add(divisor, self.high) + self.low;
         Self::sum(quotient, rest / divisor)
+    }
+
+    /// The quotient by a number that `f64` nearly holds, off by a few parts in 2^105.
+    #[inline(always)]
+    pub(crate) fn by(self, divisor: Self) -> Self {
+        let quotient = self.over(divisor.high);
+        if divisor.low == 0.0 {
+            return quotient;
+        }
+        quotient.near(quotient.scaled(-divisor.low / divisor.high))
     }
 
     /// The quotient, by long division in three steps.

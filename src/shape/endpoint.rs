@@ -80,7 +80,9 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
         return Err(Error::Shape(ShapeError::SamePoints { all }));
     }
     let (u, v) = (from - on, to - on);
-    let [cross, dot] = products_about(on, [from, to]).map(Double::value);
+    let point = |p: Point| [p.x, p.y].map(Double::of);
+    let products = products_about(point(on), [from, to].map(point));
+    let [cross, dot] = products.map(Double::value);
     // What rounding alone can make of the cross product of points on a line.
     let largest = [from, on, to]
         .iter()
@@ -99,7 +101,7 @@ pub fn through(from: Point, on: Point, to: Point) -> Result<Shape> {
 pub(super) fn inscribed(ends: [Point; 2], given: Given, forth: bool) -> Result<Shape> {
     let [from, to] = ends;
     let line = Ok(Shape::Line(Line { from, to }));
-    let Some(cotangent) = cotangent_between(ends, given) else {
+    let Some(cotangent) = cotangent_between(ends, given, Double::of) else {
         return line;
     };
     // The cotangent of half the sweep, which is that of no more than half a turn where it is positive.

@@ -1,8 +1,9 @@
-//! The frame in which a true shape is the unit circle, in twice the digits of `f64`: what was given is taken as exact, and what
-//! was computed from it, as centres, sweeps and the images of a map, is computed anew.
+//! The frame in which a true shape is the unit circle, in twice the digits of `f64`: what was given is taken as exact, by its decimals, and
+//! what was computed from it, as centres, sweeps and the images of a map, is computed anew.
 
 mod conic;
 mod inscribed;
+mod inverse;
 
 pub(crate) use conic::placement as conic_placement;
 
@@ -10,11 +11,16 @@ use kurbo::{Affine, Point, Vec2};
 
 use super::Given;
 use crate::angle::Angle;
+use crate::number::as_decimal;
 use crate::numeric::double::{Double, Twice, cross};
 pub(super) use inscribed::{circle_between, cotangent_between, products_about};
+use inverse::Inverse;
 
 /// The sweep in degrees up to which a sweep and a chord tell more than the centre: towards a whole turn the chord shrinks to nothing.
 const WIDEST: f64 = 270.0;
+
+/// Up to this 1 - h², h half the chord over the radii, is what rounding leaves of half a turn: decimals seldom come as near to one.
+const HALF_TURN: f64 = 1e-30;
 
 /// What was given of a true shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -127,41 +133,50 @@ impl Frame {
         }
         let axis = match self.axis {
             FirstRadius::Vector(v) => [v.x, v.y].map(Double::of),
-            FirstRadius::Angle(angle) => angle.exact_direction(),
+            FirstRadius::Angle(angle) => Angle::direction_of(as_decimal(angle.degrees())),
         };
         let is_circle = radii.x == radii.y;
-        let own_radii = (!is_circle || self.map.is_some()).then_some(self.radii);
+        let own_radii = (!is_circle || self.map.is_some())
+            .then(|| [self.radii.x, self.radii.y].map(as_decimal));
         let mut exact = Exact {
             back: self
                 .map
                 .map(|map| Inverse::new(map.as_coeffs().map(Double::of))),
-            origin: self.center,
+            origin: decimals(self.center),
             axis: (axis != [1.0, 0.0].map(Double::of)).then_some(axis),
             radii: own_radii,
             level: DotOffset::Radius(Double::of(-1.0)),
             unit: 1.0,
+            grown: 1.0,
             is_conic: false,
         };
         if own_radii.is_some() {
             let unit = if is_circle { radii.x } else { 1.0 } / self.enlarged;
             exact.unit = unit * unit;
         } else {
-            let radius = Double::of(self.radii.x);
+            let radius = as_decimal(self.radii.x);
             exact.level = DotOffset::Radius(radius.times(radius).scaled(-1.0));
         }
         if let Some(arc) = self.arc {
             self.inscribe(&arc, &mut exact);
+        }
+        if !exact.is_about_center() {
+            let own = own_radii.map_or(self.radii.x, |_| 1.0);
+            exact.grown = exact.radius().value() / (own * self.enlarged);
+            if !is_circle {
+                exact.unit /= exact.grown * exact.grown;
+            }
         }
         exact
     }
 
     /// Takes the frame about the start of an arc, where its chord tells more than the centre does.
     fn inscribe(&self, arc: &Inscribed, exact: &mut Exact) {
-        let [from, to] = arc.ends;
+        let [from, to] = arc.ends.map(decimals);
         if from == to {
             // A whole circle from a point of it, whose radius is computed.
             if self.radii.x == self.radii.y {
-                let arm = exact.unmapped(differences(from, self.center));
+                let arm = exact.unmapped(differences(from, exact.origin));
                 exact.level = DotOffset::Radius(dot(arm, arm).scaled(-1.0));
             }
             return;
@@ -181,21 +196,22 @@ impl Frame {
                 if sweep.abs() > WIDEST {
                     return None;
                 }
-                let [cos, sin] = Angle::from_degrees(sweep / 2.0).exact_direction();
+                let [cos, sin] = Angle::direction_of(as_decimal(sweep).scaled(0.5));
                 cos.divided(sin)
             }
             Given::Conic { .. } => return None,
             Given::Enlarged(_) => Double::of(0.0),
             Given::Bulge(_) | Given::Through(_) | Given::Center(_) => {
-                return cotangent_between(arc.ends, arc.given);
+                return cotangent_between(arc.ends, arc.given, as_decimal);
             }
             Given::Radii { large } => {
                 let mut square = dot(chord, chord).scaled(0.25);
                 if is_plain {
-                    square = square.over(self.radii.x).over(self.radii.x);
+                    let radius = as_decimal(self.radii.x);
+                    square = square.divided(radius).divided(radius);
                 }
                 let rest = Double::of(1.0).plus(square.scaled(-1.0));
-                let size = if rest.value() > 0.0 {
+                let size = if rest.value() > HALF_TURN {
                     rest.divided(square).sqrt()
                 } else {
                     Double::of(0.0)
@@ -206,47 +222,21 @@ impl Frame {
     }
 }
 
-/// a - b without a rounding error.
+/// A point as its decimals tell it.
 #[inline(always)]
-fn differences(a: Point, b: Point) -> Twice {
-    [Double::difference(a.x, b.x), Double::difference(a.y, b.y)]
+pub(crate) fn decimals(p: Point) -> Twice {
+    [as_decimal(p.x), as_decimal(p.y)]
+}
+
+/// a - b.
+#[inline(always)]
+fn differences(a: Twice, b: Twice) -> Twice {
+    [a[0].minus(b[0]), a[1].minus(b[1])]
 }
 
 #[inline(always)]
 fn dot(u: Twice, v: Twice) -> Double {
     u[0].times(v[0]).plus(u[1].times(v[1]))
-}
-
-/// The inverse of an affine map.
-#[derive(Clone, Copy)]
-struct Inverse {
-    moved: Twice,
-    /// The rows of the matrix.
-    rows: [Twice; 2],
-    /// The map's own matrix, by columns.
-    forth: [Twice; 2],
-}
-
-impl Inverse {
-    fn new([a, b, c, d, e, f]: [Double; 6]) -> Self {
-        let area = cross([a, b], [c, d]);
-        let over = |x: Double| x.divided(area);
-        Self {
-            moved: [e, f],
-            rows: [
-                [over(d), over(c.scaled(-1.0))],
-                [over(b.scaled(-1.0)), over(a)],
-            ],
-            forth: [[a, b], [c, d]],
-        }
-    }
-
-    #[inline(always)]
-    fn point(&self, p: Point) -> Twice {
-        let less = |x: f64, by: Double| Double::of(x).plus(by.scaled(-1.0));
-        let v = [less(p.x, self.moved[0]), less(p.y, self.moved[1])];
-        self.rows.map(|row| dot(row, v))
-    }
 }
 
 /// What is added to the dot product of two points q of the frame to make it |q|² - 1 about the centre, or |q|² - r² of a circle.
@@ -264,12 +254,14 @@ enum DotOffset {
 pub(crate) struct Exact {
     back: Option<Inverse>,
     /// The centre, or where an arc starts, before the map.
-    origin: Point,
+    origin: Twice,
     axis: Option<Twice>,
-    radii: Option<Vec2>,
+    radii: Option<Twice>,
     level: DotOffset,
     /// What the excess in this frame is multiplied by to be that of the shape that the map made.
     pub(crate) unit: f64,
+    /// How many times the radii that were computed are as large by the decimals of the ends.
+    pub(crate) grown: f64,
     /// Whether it is that of a conic: nothing but the radii, which are rounded, says that this is a circle.
     pub(crate) is_conic: bool,
 }
@@ -277,15 +269,9 @@ pub(crate) struct Exact {
 impl Exact {
     /// A point of the plane in the frame.
     #[inline(always)]
-    pub(crate) fn point(&self, p: Point) -> Twice {
-        match &self.back {
-            None => self.unmapped(differences(p, self.origin)),
-            Some(back) => {
-                let [x, y] = back.point(p);
-                let origin = [self.origin.x, self.origin.y].map(|x| Double::of(-x));
-                self.unmapped([x.plus(origin[0]), y.plus(origin[1])])
-            }
-        }
+    pub(crate) fn point(&self, p: Twice) -> Twice {
+        let own = self.back.as_ref().map_or(p, |back| back.point(p));
+        self.unmapped(differences(own, self.origin))
     }
 
     /// The same for a vector before the map.
@@ -296,7 +282,7 @@ impl Exact {
             None => v,
         };
         match self.radii {
-            Some(radii) => [x.over(radii.x), y.over(radii.y)],
+            Some(radii) => [x.by(radii[0]), y.by(radii[1])],
             None => [x, y],
         }
     }
@@ -351,7 +337,7 @@ impl Exact {
 
     /// How far a point lies from the image of another in the centre, where the frame is about that and without a map.
     #[inline]
-    pub(crate) fn off_image_in_center(&self, p: Point, q: Point) -> Vec2 {
+    pub(crate) fn off_image_in_center(&self, p: Twice, q: Twice) -> Vec2 {
         let [a, b] = [p, q].map(|point| differences(point, self.origin));
         Vec2::new(a[0].plus(b[0]).value(), a[1].plus(b[1]).value())
     }
@@ -360,7 +346,7 @@ impl Exact {
     pub(crate) fn image(&self, q: Vec2) -> Vec2 {
         let v = self
             .radii
-            .map_or(q, |radii| Vec2::new(q.x * radii.x, q.y * radii.y));
+            .map_or(q, |[a, b]| Vec2::new(q.x * a.value(), q.y * b.value()));
         let Some(back) = &self.back else {
             return v;
         };
@@ -379,15 +365,15 @@ impl Exact {
 
     /// What the unit vectors of the frame are there.
     pub(crate) fn columns(&self) -> [Twice; 2] {
-        let [a, b] = self.radii.map_or([1.0; 2], |radii| [radii.x, radii.y]);
-        let nothing = Double::of(0.0);
+        let [nothing, one] = [0.0, 1.0].map(Double::of);
+        let [a, b] = self.radii.unwrap_or([one; 2]);
         let Some(back) = &self.back else {
-            return [[Double::of(a), nothing], [nothing, Double::of(b)]];
+            return [[a, nothing], [nothing, b]];
         };
-        let [cos, sin] = self.axis.unwrap_or([Double::of(1.0), nothing]);
+        let [cos, sin] = self.axis.unwrap_or([one, nothing]);
         [
-            [cos.scaled(a), sin.scaled(a)],
-            [sin.scaled(-b), cos.scaled(b)],
+            [cos.times(a), sin.times(a)],
+            [sin.times(b).scaled(-1.0), cos.times(b)],
         ]
         .map(|[x, y]| {
             let [first, second] = back.forth;

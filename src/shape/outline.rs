@@ -87,7 +87,8 @@ impl Truth {
 
     /// Takes the smaller radius, the second, from the exact frame.
     fn know_area(&mut self) {
-        self.radii.y = self.frame.exact(self.radii).area() / self.radii.x;
+        let exact = self.frame.exact(self.radii);
+        self.radii.y = exact.area() / (exact.grown * exact.grown * self.radii.x);
     }
 
     /// The same ellipse with all lengths multiplied by a power of two, which is exact.

@@ -3,8 +3,9 @@
 
 use std::fmt::Write as _;
 
+use crate::judges::exact::decimal_point;
 use crate::judges::oracle::conic::Branch;
-use crate::judges::oracle::{Point, Real, int, real, to_f64};
+use crate::judges::oracle::{Point, Real, decimal, int, real, to_f64};
 use crate::judges::random::{Dice, uniform};
 use curveto::conic::Conic;
 use curveto::curve::control_points;
@@ -88,10 +89,10 @@ fn branch(case: &Case, fineness: u32) -> Branch {
     let [a, b, c, d, e, f] = case.options.transform.as_coeffs().map(real);
     let conic = &case.conic;
     let points = [conic.from, conic.control, conic.to].map(|p| -> Point {
-        let (x, y) = (real(p.x), real(p.y));
+        let [x, y] = decimal_point(p);
         [&a * &x + &c * &y + &e, &b * &x + &d * &y + &f]
     });
-    Branch::new(points, real(conic.weight), fineness)
+    Branch::new(points, decimal(conic.weight), fineness)
 }
 
 fn judge(case: &Case, fineness: u32) -> Option<Verdict> {
@@ -105,7 +106,7 @@ fn judge(case: &Case, fineness: u32) -> Option<Verdict> {
         .map(|segment| {
             let points = control_points(segment).into_iter().map(|p| {
                 largest = largest.max(p.x.abs()).max(p.y.abs());
-                [real(p.x), real(p.y)]
+                decimal_point(p)
             });
             points.collect()
         })

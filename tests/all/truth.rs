@@ -1,12 +1,12 @@
 //! What a drawing states of its error, against 256-bit arithmetic, for shapes off the beaten track: far away, flat, by their ends,
-//! nearly whole, nearly straight, skewed and mirrored. It is never less than the truth, and hardly more.
+//! nearly whole, nearly straight, skewed and mirrored. Of the decimals that are printed it is never less than the truth, and hardly more.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use crate::judges::exact::{Exact, direction, exact_point};
+use crate::judges::exact::{Exact, decimal_point, direction};
 use crate::judges::oracle::{
-    Point, Real, ellipse_distance_extremes, int, radial_extremes, real,
+    Point, Real, decimal, ellipse_distance_extremes, int, radial_extremes, real,
     real::{power_of_two, ratio},
     to_f64,
 };
@@ -60,8 +60,8 @@ fn of_center(shape: Shape, center: kurbo::Point, radii: Vec2, rotation: f64) -> 
     Case {
         shape,
         exact: Exact {
-            center: exact_point(center),
-            radii: [real(radii.x), real(radii.y)],
+            center: [decimal(center.x), decimal(center.y)],
+            radii: [decimal(radii.x), decimal(radii.y)],
             axis: direction(rotation),
         },
         transform: Affine::IDENTITY,
@@ -75,8 +75,8 @@ fn circles(dice: &mut Dice) -> Option<Case> {
     Some(Case {
         shape: Shape::Circle(Circle::new(center, radius).ok()?),
         exact: Exact {
-            center: exact_point(center),
-            radii: [real(radius), real(radius)],
+            center: [decimal(center.x), decimal(center.y)],
+            radii: [decimal(radius), decimal(radius)],
             axis: level(),
         },
         transform: Affine::IDENTITY,
@@ -125,7 +125,7 @@ fn by_three_points(dice: &mut Dice) -> Option<Case> {
 fn circle_through(points: [kurbo::Point; 3]) -> Option<Case> {
     let [from, on, to] = points;
     let shape = through(from, on, to).ok()?;
-    let [a, m, b] = [from, on, to].map(exact_point);
+    let [a, m, b] = [from, on, to].map(decimal_point);
     let (u, v) = (
         [&m[0] - &a[0], &m[1] - &a[1]],
         [&b[0] - &a[0], &b[1] - &a[1]],
@@ -166,7 +166,7 @@ fn by_near_points(dice: &mut Dice) -> Option<Case> {
 fn about_centers(dice: &mut Dice) -> Option<Case> {
     let [center, from, to] = beside_one_another(dice);
     let shape = about_center(from, to, center, dice.coin()).ok()?;
-    let [c, a, b] = [center, from, to].map(exact_point);
+    let [c, a, b] = [center, from, to].map(decimal_point);
     let chord = [&b[0] - &a[0], &b[1] - &a[1]];
     let middle = [0, 1].map(|i| (&a[i] + &b[i]) * ratio(1, 2));
     let arm = [&c[0] - &middle[0], &c[1] - &middle[1]];
@@ -199,7 +199,7 @@ fn by_bulge(dice: &mut Dice) -> Option<Case> {
     let to = from + Vec2::from_angle(dice.within(-4.0, 4.0)) * dice.logarithmic(1e-2, 1e2);
     let bulge = dice.logarithmic(1e-9, 20.0) * if dice.coin() { 1.0 } else { -1.0 };
     let shape = from_bulge(from, to, bulge).ok()?;
-    let (a, b, k) = (exact_point(from), exact_point(to), real(bulge));
+    let (a, b, k) = (decimal_point(from), decimal_point(to), decimal(bulge));
     let chord = [&b[0] - &a[0], &b[1] - &a[1]];
     let depth = (int(1) - &k * &k) / (int(4) * &k);
     let center = [
@@ -289,8 +289,8 @@ fn conics(dice: &mut Dice) -> Option<Case> {
 
 fn conic([from, control, to]: [kurbo::Point; 3], weight: f64) -> Option<Case> {
     let shape = Conic::new(from, control, to, weight).ok()?.arc().ok()??;
-    let [a, m, b] = [from, control, to].map(exact_point);
-    let w = real(weight);
+    let [a, m, b] = [from, control, to].map(decimal_point);
+    let w = decimal(weight);
     let apart = int(1) - &w * &w;
     let middle = [0, 1].map(|i| (&a[i] + &b[i]) * ratio(1, 2));
     let first = [0, 1].map(|i| (&m[i] - &middle[i]) * &w / &apart);
@@ -339,7 +339,10 @@ fn judge(case: &Case, options: &Options) -> Option<Verdict> {
             .into_iter()
             .map(|p| {
                 largest = largest.max(p.x.abs()).max(p.y.abs());
-                let (x, y) = (real(p.x) - &exact.center[0], real(p.y) - &exact.center[1]);
+                let (x, y) = (
+                    decimal(p.x) - &exact.center[0],
+                    decimal(p.y) - &exact.center[1],
+                );
                 let [c, s] = &exact.axis;
                 [c * &x + s * &y, c * &y - s * &x]
             })

@@ -6,7 +6,16 @@ use crate::curve::points_of;
 use crate::numeric::bernstein::Polynomial;
 use crate::numeric::double::{Double, Twice};
 use crate::numeric::instructions::by_the_best;
-use crate::shape::{Exact, Truth};
+use crate::shape::{Exact, Truth, decimals};
+
+/// The control points of a segment as their decimals tell them, the last one repeated, and how many there are.
+pub(super) type SegmentDecimals = ([Twice; 4], usize);
+
+/// Those of this segment.
+pub(super) fn decimals_of(segment: &PathSeg) -> SegmentDecimals {
+    let (points, count) = points_of(segment);
+    (points.map(decimals), count)
+}
 
 /// A segment's points in the frame of a true shape: about its centre, or about an end of its chord.
 #[derive(Debug, Clone, Copy)]
@@ -19,11 +28,11 @@ pub(super) struct FramedPoints {
 
 impl FramedPoints {
     /// A segment about a circle, or as a cubic about an ellipse.
-    pub(super) fn of_truth(segment: &PathSeg, truth: &Truth, exact: &Exact) -> Self {
+    pub(super) fn of_truth(points: &SegmentDecimals, truth: &Truth, exact: &Exact) -> Self {
         by_the_best(
             #[inline(always)]
             || {
-                let framed = Self::new(segment, exact);
+                let framed = Self::of(points.0.map(|p| exact.point(p)), points.1, exact);
                 if truth.is_circle() && !exact.is_conic {
                     framed
                 } else {
@@ -31,12 +40,6 @@ impl FramedPoints {
                 }
             },
         )
-    }
-
-    #[inline(always)]
-    fn new(segment: &PathSeg, exact: &Exact) -> Self {
-        let (points, count) = points_of(segment);
-        Self::of(points.map(|p| exact.point(p)), count, exact)
     }
 
     /// The same as a cubic.

@@ -3,11 +3,10 @@
 //! The distance of a point changes by no more than the point moves. So a segment strays no farther than its mirror image and the largest
 //! distance between their control points, and where that image was not measured itself but has one that was, than this and both distances.
 
-use kurbo::{PathSeg, Point, Vec2};
+use kurbo::{PathSeg, Vec2};
 
 use super::NOISE;
-use super::framed::FramedPoints;
-use crate::curve::points_of;
+use super::framed::{FramedPoints, SegmentDecimals, decimals_of};
 use crate::numeric::double::Twice;
 use crate::shape::{Exact, Truth};
 
@@ -25,7 +24,7 @@ const FAR: f64 = 1e-9;
 pub(super) struct Twins {
     measured: Vec<FramedPoints>,
     /// The control points of the first ones, measured or not, and how far they lie from images of what was.
-    seen: Vec<(([Point; 4], usize), f64)>,
+    seen: Vec<(SegmentDecimals, f64)>,
     pub(super) apart: f64,
 }
 
@@ -39,12 +38,12 @@ impl Twins {
         exact: &Exact,
         found: f64,
     ) -> Option<FramedPoints> {
-        let framed = || FramedPoints::of_truth(segment, truth, exact);
+        let own = decimals_of(segment);
+        let framed = || FramedPoints::of_truth(&own, truth, exact);
         if truth.is_circle() || !exact.is_about_center() {
             return Some(framed());
         }
         let limit = APART * found;
-        let own = points_of(segment);
         // What the centre mirrors is seen before points are brought into the frame, which costs more.
         let in_center = (self.seen.iter())
             .map(|(other, apart)| apart + from_image_in_center(&own, other, truth, exact))
@@ -69,8 +68,8 @@ impl Twins {
 /// How far the control points of one segment lie from the images of another's in the centre at most; infinite where they are no such images,
 /// and under a map.
 fn from_image_in_center(
-    (one, count): &([Point; 4], usize),
-    (other, as_many): &([Point; 4], usize),
+    (one, count): &SegmentDecimals,
+    (other, as_many): &SegmentDecimals,
     truth: &Truth,
     exact: &Exact,
 ) -> f64 {

@@ -5,16 +5,16 @@
 
 use kurbo::{Affine, Point};
 
-use super::{DotOffset, Exact, Frame, Inverse, differences};
+use super::{DotOffset, Exact, Frame, Inverse, decimals, differences};
+use crate::number::as_decimal;
 use crate::numeric::double::{Double, Twice};
 
 /// The columns of that map, and the centre.
-fn columns([from, to]: [Point; 2], control: Point, weight: f64) -> [Twice; 3] {
-    let w = Double::of(weight);
-    let apart = Double::difference(1.0, weight).times(Double::of(1.0).plus(w));
-    let middle = |a: f64, b: f64| Double::difference(a, -b).scaled(0.5);
-    let middle = [middle(from.x, to.x), middle(from.y, to.y)];
-    let arm = [control.x, control.y].map(Double::of);
+fn columns(ends: [Point; 2], control: Point, weight: f64) -> [Twice; 3] {
+    let ([from, to], arm, w) = (ends.map(decimals), decimals(control), as_decimal(weight));
+    let one = Double::of(1.0);
+    let apart = one.minus(w).times(one.plus(w));
+    let middle = [0, 1].map(|i| from[i].plus(to[i]).scaled(0.5));
     let x = [0, 1].map(|i| {
         let arm = arm[i].plus(middle[i].scaled(-1.0));
         arm.times(w).divided(apart)
@@ -26,7 +26,8 @@ fn columns([from, to]: [Point; 2], control: Point, weight: f64) -> [Twice; 3] {
 
 /// That map, its numbers rounded once.
 pub(crate) fn placement(ends: [Point; 2], control: Point, weight: f64) -> Affine {
-    let [x, y, center] = columns(ends, control, weight).map(|v| v.map(Double::value));
+    let [x, y, center] = columns(ends, control, weight);
+    let [x, y, center] = [x, y, center].map(|v| v.map(Double::value));
     Affine::new([x[0], x[1], y[0], y[1], center[0], center[1]])
 }
 
@@ -47,11 +48,12 @@ impl Frame {
         };
         Exact {
             back: Some(Inverse::new([x[0], x[1], y[0], y[1], center[0], center[1]])),
-            origin: Point::ORIGIN,
+            origin: [Double::of(0.0); 2],
             axis: None,
             radii: None,
             level: DotOffset::Radius(Double::of(-1.0)),
             unit: 1.0,
+            grown: 1.0,
             is_conic: true,
         }
     }

@@ -3,7 +3,7 @@
 use kurbo::Point;
 
 use super::{DotOffset, Exact, cross, differences, dot};
-use crate::numeric::double::Double;
+use crate::numeric::double::{Double, Twice};
 use crate::shape::Given;
 
 impl Exact {
@@ -17,21 +17,29 @@ impl Exact {
 }
 
 /// The cotangent of half the sweep of a circular arc between two ends, where what gives the arc says it by itself.
-pub(in crate::shape) fn cotangent_between([from, to]: [Point; 2], given: Given) -> Option<Double> {
+/// `read` takes the numbers that were given as they are, or as their decimals.
+pub(in crate::shape) fn cotangent_between(
+    ends: [Point; 2],
+    given: Given,
+    read: fn(f64) -> Double,
+) -> Option<Double> {
+    let point = |p: Point| [p.x, p.y].map(read);
+    let [from, to] = ends.map(point);
     Some(match given {
         // tan(sweep/4) is the bulge b, and the cotangent of twice that angle (1 - b²) / (2b).
         Given::Bulge(b) => {
-            let square = Double::of(-b).times(Double::of(b));
-            Double::of(1.0).plus(square).over(2.0 * b)
+            let b = read(b);
+            let square = b.times(b);
+            Double::of(1.0).minus(square).divided(b.scaled(2.0))
         }
         // The inscribed angle is what half the sweep leaves of half a turn.
         Given::Through(on) => {
-            let [cross, dot] = products_about(on, [from, to]);
+            let [cross, dot] = products_about(point(on), [from, to]);
             dot.divided(cross)
         }
         // How far the centre lies beside the chord, over half of its length.
         Given::Center(center) => {
-            let (chord, arm) = (differences(to, from), differences(center, from));
+            let (chord, arm) = (differences(to, from), differences(point(center), from));
             cross(chord, arm).scaled(2.0).divided(dot(chord, chord))
         }
         _ => return None,
@@ -39,14 +47,18 @@ pub(in crate::shape) fn cotangent_between([from, to]: [Point; 2], given: Given) 
 }
 
 /// (from - on) × (to - on) and (from - on)·(to - on) to the last digit: they cancel for points near a line, and on a semicircle.
-pub(in crate::shape) fn products_about(on: Point, [from, to]: [Point; 2]) -> [Double; 2] {
+pub(in crate::shape) fn products_about(on: Twice, [from, to]: [Twice; 2]) -> [Double; 2] {
     let (u, v) = (differences(from, on), differences(to, on));
     [cross(u, v), dot(u, v)]
 }
 
 /// The centre and the radius of the circle through two ends by that cotangent, each rounded once.
 pub(in crate::shape) fn circle_between([from, to]: [Point; 2], cotangent: Double) -> (Point, f64) {
-    let half = differences(to, from).map(|x| x.scaled(0.5));
+    let half = [
+        Double::difference(to.x, from.x),
+        Double::difference(to.y, from.y),
+    ]
+    .map(|x| x.scaled(0.5));
     let beside = [half[1].scaled(-1.0), half[0]].map(|x| x.times(cotangent));
     let [x, y] = [0, 1].map(|i| half[i].plus(beside[i]));
     let center = Point::new(

@@ -4,7 +4,7 @@ use curveto::shape::endpoint::SvgArc;
 
 use super::oracle::ellipse::signed_distance;
 use super::oracle::real::{norm, ratio};
-use super::oracle::{Point, Real, int, radians, real};
+use super::oracle::{Point, Real, decimal, int, radians};
 
 /// An ellipse: centre, radii and the cosine and sine of its rotation.
 pub(crate) struct Exact {
@@ -13,12 +13,13 @@ pub(crate) struct Exact {
     pub(crate) axis: Point,
 }
 
-pub(crate) fn exact_point(p: kurbo::Point) -> Point {
-    [real(p.x), real(p.y)]
+/// The point as its decimals tell it.
+pub(crate) fn decimal_point(p: kurbo::Point) -> Point {
+    [decimal(p.x), decimal(p.y)]
 }
 
 pub(crate) fn direction(degrees: f64) -> Point {
-    let (sine, cosine) = radians(&real(degrees)).sin_cos();
+    let (sine, cosine) = radians(&decimal(degrees)).sin_cos();
     [cosine, sine]
 }
 
@@ -26,9 +27,9 @@ impl Exact {
     /// SVG 2, appendix B.2.4.
     pub(crate) fn of_svg_arc(arc: &SvgArc) -> Self {
         let [c, s] = direction(arc.rotation.degrees());
-        let [a, b] = [exact_point(arc.from), exact_point(arc.to)];
+        let [a, b] = [decimal_point(arc.from), decimal_point(arc.to)];
         let half = [0, 1].map(|i| (&a[i] - &b[i]) * ratio(1, 2));
-        let (mut rx, mut ry) = (real(arc.radii.x.abs()), real(arc.radii.y.abs()));
+        let (mut rx, mut ry) = (decimal(arc.radii.x.abs()), decimal(arc.radii.y.abs()));
         let x = &c * &half[0] + &s * &half[1];
         let y = &c * &half[1] - &s * &half[0];
         let lambda = (&x / &rx) * (&x / &rx) + (&y / &ry) * (&y / &ry);

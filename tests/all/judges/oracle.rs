@@ -19,4 +19,4 @@ pub use bezier::{
 };
 pub use ellipse::ellipse_distance_extremes;
 pub use methods::{IDS, Oracle, method};
-pub use real::{Point, Real, int, parse, pi, radians, real, to_f64};
+pub use real::{Point, Real, decimal, int, parse, pi, radians, real, to_f64};

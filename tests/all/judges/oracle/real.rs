@@ -25,6 +25,11 @@ pub fn real(x: f64) -> Real {
         .value()
 }
 
+/// The shortest decimal that reads as an `f64`: what is printed of it, and what was typed.
+pub fn decimal(x: f64) -> Real {
+    parse(&x.to_string())
+}
+
 /// A whole number.
 pub fn int<N>(n: N) -> Real
 where

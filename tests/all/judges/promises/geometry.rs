@@ -11,7 +11,7 @@ use curveto::{Circle, Curve, Cut, Drawing, Method, Options, Shape, approximate, 
 use kurbo::{Affine, ParamCurve, PathSeg, Point};
 
 use super::{Check, ensure, is_well_formed};
-use crate::judges::exact::Exact;
+use crate::judges::exact::{Exact, decimal_point};
 use crate::judges::oracle::{real, to_f64};
 
 /// What double precision loses of coordinates of this size.
@@ -76,7 +76,7 @@ fn is_bound(drawing: &Drawing, exact: &Exact) -> Check {
 fn exact_point(segment: &PathSeg, t: f64) -> crate::judges::oracle::Point {
     let mut points: Vec<_> = control_points(segment)
         .into_iter()
-        .map(|p| [real(p.x), real(p.y)])
+        .map(decimal_point)
         .collect();
     while points.len() > 1 {
         points = points
