@@ -1,30 +1,29 @@
 //! Contours: lines and Béziers as they were given, and arcs that become Béziers, joined at shared points.
 
 mod closeness;
+mod finish;
 mod pen;
 mod placed;
 mod quadratics;
 
 use core::ops::Range;
 
-use kurbo::{Line, PathSeg, Point, Rect};
+use kurbo::{Line, PathSeg, Point};
 
 use crate::approximate::{self, Sketch, automatic_precision, sketch};
 use crate::course::Course;
-use crate::curve::{Curve, largest_move};
+use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::joints::{Cut, MOST_IN_ALL, MOST_SEGMENTS, Tolerance};
-use crate::measure::radial;
+use crate::measure::hausdorff::Effort;
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::radial_error::{RadialError, within};
 use crate::shape::{Arc, Outline, Shape};
 pub use closeness::{Closeness, Nearness};
+use finish::{Finisher, MOST_STEPS};
 pub(crate) use pen::ContourPen;
 pub(crate) use placed::check_placed;
-use quadratics::{
-    check_contours, count_of_quadratics, distance_from, distance_of_quadratics, quadratics,
-};
 
 /// A chain of steps, each of which starts where the one before it ends.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -111,7 +110,8 @@ pub struct Subpath {
     pub curve: Curve,
     /// The lines and circular arcs that stand in place of the curve, which then has no segments.
     pub course: Option<Course>,
-    /// How far it strays from what was given. Where cubics became quadratics, both sides hold the bound of their distance.
+    /// How far it strays from what was given. Where cubics became quadratics, both sides hold the largest distance of one from its own, both ways
+    /// (Hausdorff), as a bound.
     pub error: RadialError,
     /// How closely its lines and arcs follow what was given, where it was made of these within a tolerance.
     pub closeness: Option<Closeness>,
@@ -208,14 +208,11 @@ pub fn draw(
     options: &approximate::Options,
 ) -> Result<PathDrawing> {
     check_placed(contours, options.transform)?;
-    let mut count = 0;
-    if target == BezierTarget::Quadratics {
-        for contour in contours {
-            check_contours(core::slice::from_ref(contour), options, MOST_SEGMENTS)?;
-        }
-        let given: usize = contours.iter().map(|contour| contour.steps.len()).sum();
-        count = check_contours(contours, options, MOST_IN_ALL.max(given))?;
-    }
+    let counts = match target {
+        BezierTarget::Beziers => vec![Vec::new(); contours.len()],
+        BezierTarget::Quadratics => quadratics::counts(contours, options)?,
+    };
+    let mut count = counts.iter().flatten().map(|&count| count as usize).sum();
     let most = MOST_IN_ALL.max(count);
     let sketches: Vec<Vec<Option<Sketch>>> = contours
         .iter()
@@ -223,19 +220,22 @@ pub fn draw(
         .collect::<Result<_>>()?;
     let precision = options.precision.unwrap_or_else(|| {
         let arcs = sketches.iter().flatten().flatten();
-        let given = contours.iter().flat_map(|contour| &contour.steps);
-        let given = given.filter_map(|step| target.precision(step, options));
+        let given = contours.iter().zip(&counts).flat_map(|(contour, counts)| {
+            let steps = contour.steps.iter().zip(counts);
+            steps.filter_map(|(step, &count)| precision_of_quadratics(step, count, options))
+        });
         finest(arcs.map(|sketch| sketch.precision).chain(given))
     });
     let finish = |precision| {
-        let pairs = contours.iter().zip(&sketches);
-        let subpaths = pairs.map(|(contour, arcs)| {
+        let mut steps = Effort(MOST_STEPS);
+        let all = contours.iter().zip(&sketches).zip(&counts);
+        let subpaths = all.map(|((contour, arcs), counts)| {
             let finisher = Finisher {
-                target,
+                counts,
                 options,
                 precision,
             };
-            finisher.subpath(contour, arcs)
+            finisher.subpath(contour, arcs, &mut steps)
         });
         Ok(PathDrawing {
             subpaths: subpaths.collect::<Result<_>>()?,
@@ -298,95 +298,16 @@ fn finest(precisions: impl Iterator<Item = Precision>) -> Precision {
     precisions.reduce(finer).unwrap_or(Precision::Full)
 }
 
-/// Turns steps into segments that are written alike.
-struct Finisher<'a> {
-    target: BezierTarget,
-    options: &'a approximate::Options,
-    precision: Precision,
-}
-
-impl Finisher<'_> {
-    fn subpath(&self, contour: &Contour, arcs: &[Option<Sketch>]) -> Result<Subpath> {
-        let mut segments = Vec::new();
-        let mut error = RadialError::default();
-        let mut radius = 0.0_f64;
-        let mut truths = Vec::new();
-        for (step, sketch) in contour.steps.iter().zip(arcs) {
-            if let (Step::Arc(arc), Some(sketch)) = (step, sketch) {
-                let kept = sketch.kept.as_ref().map_or(&[][..], |ends| &ends[..]);
-                let curve = sketch.curve.rounded(self.precision, kept);
-                let outline = arc.outline().transformed(self.options.transform)?;
-                error = error.with(radial::error(&curve.segments, &outline.truth));
-                radius = radius.max(outline.truth.larger_radius());
-                let piece = segments.len()..segments.len() + curve.segments.len();
-                truths.push((piece, outline));
-                segments.extend(curve.segments);
-            } else if let Step::Given(segment) = step {
-                let moved = self.given(self.options.transform * *segment, &mut segments)?;
-                error = error.with(RadialError::balanced(moved));
-            }
-        }
-        let curve = Curve {
-            segments,
-            closed: contour.closed,
-        };
-        if radius == 0.0 {
-            let bounds = curve.bounding_box().unwrap_or(Rect::ZERO);
-            radius = bounds.width().max(bounds.height()) / 2.0;
-        }
-        Ok(Subpath {
-            curve,
-            course: None,
-            error,
-            closeness: None,
-            truths,
-            radius,
-        })
-    }
-
-    /// Appends a segment that was given, and tells how far it was moved at most.
-    fn given(&self, segment: PathSeg, segments: &mut Vec<PathSeg>) -> Result<f64> {
-        let before = segments.len();
-        let cubic = match (segment, self.target) {
-            (PathSeg::Cubic(cubic), BezierTarget::Quadratics) => Some(cubic),
-            _ => None,
-        };
-        let kept = if let Some(cubic) = &cubic {
-            let count = count_of_quadratics(cubic, &self.options.cut)?;
-            segments.extend(quadratics(cubic, count).map(PathSeg::Quad));
-            vec![cubic.p0, cubic.p3]
-        } else {
-            segments.push(segment);
-            crate::curve::control_points(&segment)
-        };
-        let curve = Curve {
-            segments: segments.split_off(before),
-            closed: false,
-        };
-        let given = self.options.precision.is_none().then_some(kept);
-        let kept = given.unwrap_or_default();
-        let rounded = curve.rounded(self.precision, &kept);
-        let moved = match &cubic {
-            Some(cubic) => distance_from(cubic, &rounded.segments),
-            // A point of a Bézier moves no farther than its control points do.
-            None => largest_move(&curve, &rounded),
-        };
-        segments.extend(rounded.segments);
-        Ok(moved)
-    }
-}
-
-impl BezierTarget {
-    /// The precision that a given segment asks for, where it is not written as it is.
-    fn precision(self, step: &Step, options: &approximate::Options) -> Option<Precision> {
-        let (Step::Given(segment), Self::Quadratics) = (step, self) else {
-            return None;
-        };
-        let PathSeg::Cubic(cubic) = options.transform * *segment else {
-            return None;
-        };
-        let count = count_of_quadratics(&cubic, &options.cut).ok()?;
-        let distance = distance_of_quadratics(&cubic, count);
-        (distance > 0.0).then(|| automatic_precision(distance, [&PathSeg::Cubic(cubic)]))
-    }
+/// The precision that a given step asks for that becomes so many quadratics.
+fn precision_of_quadratics(
+    step: &Step,
+    count: u32,
+    options: &approximate::Options,
+) -> Option<Precision> {
+    let Step::Given(PathSeg::Cubic(cubic)) = step else {
+        return None;
+    };
+    let cubic = options.transform * *cubic;
+    let distance = quadratics::distance_of_quadratics(&cubic, count as usize);
+    (distance > 0.0).then(|| automatic_precision(distance, [&PathSeg::Cubic(cubic)]))
 }

@@ -1,21 +1,19 @@
 //! Cubics as quadratics.
 
-use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point, QuadBez, Rect};
+mod distance;
+
+use kurbo::{Affine, CubicBez, ParamCurve as _, PathSeg, Point, QuadBez, Rect, Vec2};
 
 use super::{Contour, Step};
 use crate::approximate::{self, ROUNDING_SHARE};
 use crate::curve::check_size;
 use crate::error::{Error, Result};
-use crate::joints::{Cut, MOST_SEGMENTS};
+use crate::joints::{Cut, MOST_IN_ALL, MOST_SEGMENTS};
 use crate::number::rounded_up;
+pub(super) use distance::Replaced;
 
-/// How many quadratics a cubic becomes: the fewest of equal parameter length that stay, with the tenth that rounding may add,
-/// within the tolerance, or within a thousandth of half the larger side of its control points' box.
-pub(super) fn count_of_quadratics(cubic: &CubicBez, cut: &Cut) -> Result<usize> {
-    count_within(cubic, tolerance(cubic, cut)?)
-}
-
-fn tolerance(cubic: &CubicBez, cut: &Cut) -> Result<f64> {
+/// How far quadratics may lie from a cubic: asked for, or a thousandth of half the larger side of its control points' box.
+pub(super) fn tolerance(cubic: &CubicBez, cut: &Cut) -> Result<f64> {
     let size = size(cubic) / 2.0;
     match *cut {
         // A dot has no size that a part could be of; nothing of it strays.
@@ -24,53 +22,92 @@ fn tolerance(cubic: &CubicBez, cut: &Cut) -> Result<f64> {
     }
 }
 
-/// Refuses contours whose cubics under a map become more quadratics together than this many, with a tolerance by which they do not, and
-/// those that are too small; tells how many they become.
-pub(super) fn check_contours(
-    contours: &[Contour],
-    options: &approximate::Options,
-    most: usize,
-) -> Result<usize> {
-    let steps = contours.iter().flat_map(|contour| &contour.steps);
-    let given = steps.filter_map(|step| match step {
-        Step::Given(segment) => Some(options.transform * *segment),
-        Step::Arc(_) => None,
-    });
-    let cubics = given.clone().filter_map(|segment| match segment {
-        PathSeg::Cubic(cubic) => Some(cubic),
+/// The cubics among the steps of a contour under a map.
+fn cubics(contour: &Contour, map: Affine) -> impl Iterator<Item = Option<CubicBez>> + Clone {
+    contour.steps.iter().map(move |step| match step {
+        Step::Given(PathSeg::Cubic(cubic)) => Some(map * *cubic),
         _ => None,
-    });
-    if cubics.clone().next().is_some() {
-        check_size(given)?;
-    }
-    check_count(&cubics, &options.cut, most)
+    })
 }
 
-fn check_count(
-    cubics: &(impl Iterator<Item = CubicBez> + Clone),
+/// How many quadratics each step of contours becomes under a map, 0 for what is no cubic.
+///
+/// Refuses contours whose cubics become more quadratics than a curve may have, or five times as many in all, with a tolerance by which they
+/// do not, and those that are too small.
+pub(super) fn counts(
+    contours: &[Contour],
+    options: &approximate::Options,
+) -> Result<Vec<Vec<u32>>> {
+    let cubics = |contour| cubics(contour, options.transform);
+    let (mut all, mut total) = (Vec::with_capacity(contours.len()), 0);
+    for contour in contours {
+        if cubics(contour).flatten().next().is_some() {
+            let given = contour.steps.iter().filter_map(|step| match step {
+                Step::Given(segment) => Some(options.transform * *segment),
+                Step::Arc(_) => None,
+            });
+            check_size(given)?;
+        }
+        let (counts, count) = counted(&cubics(contour), &options.cut, MOST_SEGMENTS)?;
+        all.push(counts);
+        total += count;
+    }
+    let given: usize = contours.iter().map(|contour| contour.steps.len()).sum();
+    let most = MOST_IN_ALL.max(given);
+    if total > most {
+        return Err(refusal(
+            &contours.iter().flat_map(cubics),
+            &options.cut,
+            most,
+        )?);
+    }
+    Ok(all)
+}
+
+/// How many each becomes, and how many all do.
+fn counted(
+    cubics: &(impl Iterator<Item = Option<CubicBez>> + Clone),
     cut: &Cut,
     most: usize,
-) -> Result<usize> {
-    let (mut total, mut finest) = (0_usize, f64::INFINITY);
+) -> Result<(Vec<u32>, usize)> {
+    let (mut counts, mut total) = (Vec::new(), 0);
     for cubic in cubics.clone() {
-        let tolerance = tolerance(&cubic, cut)?;
-        finest = finest.min(tolerance);
-        total = total.saturating_add(count_within(&cubic, tolerance).unwrap_or(usize::MAX));
+        let count = match &cubic {
+            Some(cubic) => count_within(cubic, tolerance(cubic, cut)?),
+            None => Some(0),
+        };
+        total += count.unwrap_or(most + 1);
+        if total > most {
+            return Err(refusal(cubics, cut, most)?);
+        }
+        counts.push(count.unwrap_or_default() as u32);
     }
-    if total <= most {
-        return Ok(total);
-    }
-    Err(Error::TooManySegments {
-        tolerance: finest,
+    Ok((counts, total))
+}
+
+/// Why cubics become more quadratics together than so many.
+fn refusal(
+    cubics: &(impl Iterator<Item = Option<CubicBez>> + Clone),
+    cut: &Cut,
+    most: usize,
+) -> Result<Error> {
+    let cubics = cubics.clone().flatten();
+    let tolerances = cubics.clone().map(|cubic| tolerance(&cubic, cut));
+    let finest = tolerances.reduce(|a, b| Ok(a?.min(b?))).transpose()?;
+    let tolerance = finest.unwrap_or(f64::INFINITY);
+    Ok(Error::TooManySegments {
+        tolerance,
         most,
-        enough: enough(cubics, finest, most),
+        enough: enough(&cubics, tolerance, most),
     })
 }
 
 /// A tolerance of one digit by which all become few enough; infinite where each of them is too many already.
 fn enough(cubics: &(impl Iterator<Item = CubicBez> + Clone), beyond: f64, most: usize) -> f64 {
     let serves = |tolerance: f64| {
-        let counts = cubics.clone().map(|cubic| count_within(&cubic, tolerance));
+        let counts = cubics
+            .clone()
+            .map(|cubic| count_by_parameter(&cubic, tolerance));
         let total = counts.fold(0_usize, |sum, count| {
             sum.saturating_add(count.unwrap_or(usize::MAX))
         });
@@ -95,61 +132,74 @@ fn enough(cubics: &(impl Iterator<Item = CubicBez> + Clone), beyond: f64, most: 
     rounded_up(high, 1)
 }
 
-fn count_within(cubic: &CubicBez, tolerance: f64) -> Result<usize> {
+/// The fewest of equal parameter length that stay, with the tenth that rounding may add, within a tolerance; beyond [`MOST_TRIED`] a count that
+/// does of which one fewer does not. `None` beyond what a curve may have.
+fn count_within(cubic: &CubicBez, tolerance: f64) -> Option<usize> {
+    let surely = count_by_parameter(cubic, tolerance)?;
+    let limit = room(tolerance);
+    let serves = |count: usize| {
+        count >= surely || {
+            let quadratics: Vec<PathSeg> = quadratics(cubic, count).map(PathSeg::Quad).collect();
+            let quadratics = &quadratics;
+            Replaced { cubic, quadratics }.is_within(limit)
+        }
+    };
+    if surely <= MOST_TRIED {
+        return (1..=surely).find(|&count| serves(count));
+    }
+    if surely > MOST_MEASURED {
+        return Some(surely);
+    }
+    // The distance falls with the third power of the count.
+    let across = distance::across(cubic, MOST_TRIED)[0] * distance_of_third(1.0, 1);
+    let guess = (libm::cbrt(across / limit).ceil() as usize).clamp(1, surely);
+    if serves(guess) {
+        let fewer = (1..guess).rev().take_while(|&count| serves(count)).last();
+        return Some(fewer.unwrap_or(guess));
+    }
+    (guess + 1..=surely).find(|&count| serves(count))
+}
+
+/// What the tenth that rounding may add leaves of a tolerance.
+pub(super) fn room(tolerance: f64) -> f64 {
+    tolerance / (1.0 + ROUNDING_SHARE)
+}
+
+/// The most of which all fewer are tried.
+const MOST_TRIED: usize = 8;
+
+/// The most that are measured to find fewer of them.
+const MOST_MEASURED: usize = 32;
+
+/// The fewest of which no point is farther than a tolerance, with that tenth, from that of the same parameter.
+fn count_by_parameter(cubic: &CubicBez, tolerance: f64) -> Option<usize> {
     let whole = (1.0 + ROUNDING_SHARE) * distance_of_quadratics(cubic, 1);
     if whole == 0.0 {
-        return Ok(1);
+        return Some(1);
     }
     // The distance falls with the third power of the count.
     let count = libm::cbrt(whole / tolerance).ceil().max(1.0);
     if count >= MOST_SEGMENTS as f64 {
-        return Err(Error::TooManySegments {
-            tolerance,
-            most: MOST_SEGMENTS,
-            enough: f64::INFINITY,
-        });
+        return None;
     }
     // The rounding of the root may have cost one.
     let count = count as usize;
     let short = (1.0 + ROUNDING_SHARE) * distance_of_quadratics(cubic, count) > tolerance;
-    Ok(count + usize::from(short))
+    Some(count + usize::from(short))
 }
 
 /// The larger side of the box of the control points.
 fn size(cubic: &CubicBez) -> f64 {
-    let bounds = Rect::from_points(cubic.p0, cubic.p3)
-        .union_pt(cubic.p1)
-        .union_pt(cubic.p2);
+    let bounds = hull(cubic);
     bounds.width().max(bounds.height())
 }
 
-/// A bound of how far quadratics lie from the parts of equal parameter length of the cubic in whose place they stand: that of their difference
-/// at each parameter, a cubic, by its control points after it was cut into [`PARTS`].
-pub(super) fn distance_from(cubic: &CubicBez, quadratics: &[PathSeg]) -> f64 {
-    let count = quadratics.len() as f64;
-    let parts = quadratics.iter().enumerate().map(|(i, quadratic)| {
-        let piece = cubic.subsegment(i as f64 / count..(i + 1) as f64 / count);
-        let raised = quadratic.to_cubic();
-        let control = |p: Point, q: Point| (p - q).to_point();
-        let difference = CubicBez::new(
-            control(piece.p0, raised.p0),
-            control(piece.p1, raised.p1),
-            control(piece.p2, raised.p2),
-            control(piece.p3, raised.p3),
-        );
-        let part = |k: u32| f64::from(k) / f64::from(PARTS);
-        let hulls = (0..PARTS).map(|k| difference.subsegment(part(k)..part(k + 1)));
-        let points = hulls.flat_map(|hull| [hull.p0, hull.p1, hull.p2, hull.p3]);
-        points.map(|p| p.to_vec2().hypot2()).fold(0.0, f64::max)
-    });
-    parts.fold(0.0, f64::max).sqrt() * (1.0 + ROUNDING)
+/// The box of the control points.
+fn hull(cubic: &CubicBez) -> Rect {
+    Rect::from_points(cubic.p0, cubic.p3)
+        .union_pt(cubic.p1)
+        .union_pt(cubic.p2)
 }
-
-/// Cut into so many parts the control points of a cubic lie within about a hundredth of its size from it.
-const PARTS: u32 = 16;
-
-/// What rounding may take from a distance between points of about its size.
-const ROUNDING: f64 = 1e-12;
 
 /// A cubic cut into parts of equal parameter length, each of them as the quadratic that meets its ends and lies nearest to it in
 /// the middle: P1 = (3(p1 + p2) - p0 - p3)/4.
@@ -166,13 +216,20 @@ pub(super) fn quadratics(cubic: &CubicBez, count: usize) -> impl Iterator<Item =
     })
 }
 
-/// How far those quadratics lie from the cubic at most: the difference is |p3 - 3p2 + 3p1 - p0|/n³ times t(1-t)|1-2t|/2, whose
-/// largest value is sqrt(3)/36.
+/// How far those quadratics lie from the points of the cubic of the same parameter.
 pub(super) fn distance_of_quadratics(cubic: &CubicBez, count: usize) -> f64 {
-    let [p0, p1, p2, p3] = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(Point::to_vec2);
-    let third = (p3 - 3.0 * p2 + 3.0 * p1 - p0).length();
+    distance_of_third(third_difference(cubic).length(), count)
+}
+
+/// The difference is |p3 - 3p2 + 3p1 - p0|/n³ times t(1-t)|1-2t|/2, whose largest value is sqrt(3)/36.
+fn distance_of_third(length: f64, count: usize) -> f64 {
     let count = count as f64;
-    3.0_f64.sqrt() / 36.0 * third / (count * count * count)
+    3.0_f64.sqrt() / 36.0 * length / (count * count * count)
+}
+
+fn third_difference(cubic: &CubicBez) -> Vec2 {
+    let [p0, p1, p2, p3] = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(Point::to_vec2);
+    p3 - 3.0 * p2 + 3.0 * p1 - p0
 }
 
 #[cfg(test)]
@@ -189,7 +246,7 @@ mod tests {
             })
             .collect();
         let count = |cubics: &[CubicBez], cut: &Cut| {
-            check_count(&cubics.iter().copied(), cut, MOST_SEGMENTS)
+            counted(&cubics.iter().copied().map(Some), cut, MOST_SEGMENTS)
         };
         let absolute = |tolerance| Cut::Tolerance(Tolerance::Absolute(tolerance));
         for cut in [

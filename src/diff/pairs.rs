@@ -6,7 +6,7 @@ use kurbo::Rect;
 
 use super::{Difference, Distance, FarthestPlace, Pair, Side, Track};
 use crate::error::{Error, Result, UnmeasurableError};
-use crate::measure::hausdorff::{Effort, hausdorff};
+use crate::measure::hausdorff::{Aim, Effort, hausdorff};
 
 /// How far the bound may lie above the distance, as a part of it.
 const GOAL: f64 = 1e-4;
@@ -153,7 +153,8 @@ fn distance(old: &Track, new: &Track, tolerance: f64, steps: &mut Effort) -> Dis
     if are_equal {
         return Distance::default();
     }
-    let apart = hausdorff(steps, [&old.segments, &new.segments], tolerance, GOAL);
+    let aim = Aim::new(tolerance, GOAL);
+    let apart = hausdorff(steps, [&old.segments, &new.segments], aim);
     let Some((point, segment)) = apart.place else {
         return Distance::default();
     };

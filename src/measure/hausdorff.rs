@@ -18,9 +18,9 @@ use kurbo::{CubicBez, ParamCurve as _, PathSeg, Point};
 use super::unit_for;
 use crate::curve::largest_coordinate;
 use crate::numeric::ranked::Ranked;
-pub(crate) use along::product;
+pub(crate) use along::{along, product};
 use chain::{ChainFoot, CubicChain, STEPS_OF_A_CUBIC};
-pub(crate) use chain::{away, distance_slope};
+pub(crate) use chain::{away, distance_slope, nearest_on};
 
 /// How far where the tolerance lies between the distance found and its bound.
 const CLOSE_GOAL: f64 = 1e-9;
@@ -44,14 +44,8 @@ pub(crate) struct Apart {
     pub(crate) on_second: bool,
 }
 
-/// The distance of two chains that have segments, the larger of both ways. The bound lies by `goal` above it at most, as a part of it, but in
-/// hard cases, and decides on a tolerance that lies between. Where the steps do not suffice, it is infinite.
-pub(crate) fn hausdorff(
-    steps: &mut Effort,
-    chains: [&[PathSeg]; 2],
-    tolerance: f64,
-    goal: f64,
-) -> Apart {
+/// The distance of two chains that have segments, the larger of both ways, as is to be known of it. Where the steps do not suffice, it is infinite.
+pub(crate) fn hausdorff(steps: &mut Effort, chains: [&[PathSeg]; 2], aim: Aim) -> Apart {
     if steps.0 == 0 {
         return Apart {
             at_most: f64::INFINITY,
@@ -61,9 +55,9 @@ pub(crate) fn hausdorff(
     }
     let (unit, [a, b]) = in_unit(chains);
     let aim = Aim {
-        tolerance: tolerance / unit,
-        goal,
-        found: 0.0,
+        tolerance: aim.tolerance / unit,
+        found: aim.found / unit,
+        ..aim
     };
     let there = a.farthest_from(&b, aim, steps);
     let found = there.at_least;
@@ -86,11 +80,23 @@ fn in_unit(chains: [&[PathSeg]; 2]) -> (f64, [CubicChain; 2]) {
 
 /// What is to be known of a distance.
 #[derive(Clone, Copy)]
-struct Aim {
-    tolerance: f64,
-    goal: f64,
-    /// A distance that was found the other way: smaller ones do not matter.
-    found: f64,
+pub(crate) struct Aim {
+    /// The bound decides on this one where it lies between.
+    pub(crate) tolerance: f64,
+    /// How far the bound lies above the distance at most, as a part of it, but in hard cases.
+    pub(crate) goal: f64,
+    /// A distance that was found elsewhere: smaller ones do not matter.
+    pub(crate) found: f64,
+}
+
+impl Aim {
+    pub(crate) const fn new(tolerance: f64, goal: f64) -> Self {
+        Self {
+            tolerance,
+            goal,
+            found: 0.0,
+        }
+    }
 }
 
 /// How much may still be done, in boxes that are looked at.
@@ -233,8 +239,7 @@ mod tests {
         hausdorff(
             &mut Effort(u64::MAX),
             [&old.segments, &new.segments],
-            0.0,
-            1e-4,
+            Aim::new(0.0, 1e-4),
         )
         .at_most
     }
@@ -270,7 +275,12 @@ mod tests {
         let whole = CubicBez::new((0.0, 0.0), (30.0, 80.0), (70.0, -40.0), (100.0, 10.0));
         let (a, b) = (whole.subsegment(0.0..0.3), whole.subsegment(0.3..1.0));
         let [whole, a, b] = [whole, a, b].map(PathSeg::Cubic);
-        let found = hausdorff(&mut Effort(u64::MAX), [&[whole], &[a, b]], 0.0, 1e-4).at_most;
+        let found = hausdorff(
+            &mut Effort(u64::MAX),
+            [&[whole], &[a, b]],
+            Aim::new(0.0, 1e-4),
+        )
+        .at_most;
         assert!(found < 1e-11, "{found}");
     }
 
@@ -286,7 +296,7 @@ mod tests {
         let taken = |count| {
             let [a, b] = [1, 2].map(|seed| tangle(count, seed));
             let mut steps = Effort(u64::MAX);
-            let apart = hausdorff(&mut steps, [&a, &b], 0.0, 1e-4);
+            let apart = hausdorff(&mut steps, [&a, &b], Aim::new(0.0, 1e-4));
             assert!(apart.at_most.is_finite());
             (u64::MAX - steps.0) as f64
         };

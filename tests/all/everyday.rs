@@ -575,8 +575,9 @@ fn what_is_stated_holds_where_rounding_moves_lines_and_quadratics() {
         ),
     ] {
         let [stated, found] = stated_and_found(words, truth);
-        assert!(stated >= 0.999_999 * found, "{words:?}: {stated} {found}");
-        assert!(stated <= 3.0 * found, "{words:?}: {stated} {found}");
+        // What diff tells may lie a ten-thousandth above.
+        assert!(stated >= 0.999_9 * found, "{words:?}: {stated} {found}");
+        assert!(stated <= 1.000_001 * found, "{words:?}: {stated} {found}");
     }
 }
 

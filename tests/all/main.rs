@@ -67,6 +67,7 @@ mod peers;
 mod pictures;
 mod pipeline;
 mod promises;
+mod quadratics;
 mod refused_numbers;
 mod renderers;
 mod same_numbers;

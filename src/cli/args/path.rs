@@ -55,7 +55,7 @@ enum PathTargetArg {
     /// Arcs become Béziers, all else stays as it is
     #[default]
     Beziers,
-    /// Arcs and cubics become quadratics, cubics within -t or a thousandth of half the size of their control points' box
+    /// Arcs and cubics become quadratics, a cubic the fewest equal parts of its parameter within -t or a thousandth of half the size of its control points' box
     Quadratics,
     /// All becomes lines within -t, or a thousandth of half the subpath's size
     Lines,

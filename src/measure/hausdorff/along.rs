@@ -2,8 +2,8 @@
 
 use kurbo::{CubicBez, ParamCurve as _, ParamCurveDeriv as _, Point, Vec2};
 
-/// The bound of |a(s) - b(f(s))|.
-pub(super) fn along(a: &CubicBez, b: &CubicBez, [u0, u1]: [f64; 2]) -> f64 {
+/// The bound of |a(s) - b(f(s))|, f from u0 to u1.
+pub(crate) fn along(a: &CubicBez, b: &CubicBez, [u0, u1]: [f64; 2]) -> f64 {
     let (low, high) = (u0.min(u1), u0.max(u1));
     let (velocities, accelerations) = (b.deriv(), b.deriv().deriv());
     let slope = |u: f64, at: Point, velocity: Vec2| {

@@ -127,12 +127,7 @@ impl CubicChain {
                 ..at(0.0)
             };
         }
-        let cubic = &piece.cubic;
-        let arms = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(|q| q - p);
-        let nearer = |a: ChainFoot, b: ChainFoot| if b.distance < a.distance { b } else { a };
-        let ends = nearer(at(0.0), at(1.0));
-        let inner = distance_slope(&arms).sign_changes();
-        inner.iter().map(at).fold(ends, nearer)
+        at(nearest_on(&piece.cubic, p).0)
     }
 
     /// How far a part lies from here at most, by points near its ends.
@@ -203,6 +198,16 @@ pub(super) fn key(segment: &PathSeg) -> Vec<u64> {
     let forward: Vec<u64> = points.iter().flat_map(bits).collect();
     let backward: Vec<u64> = points.iter().rev().flat_map(bits).collect();
     forward.min(backward)
+}
+
+/// The parameter of the nearest point of a cubic, and how far it is: an end, or where (b - p)b' changes its sign.
+pub(crate) fn nearest_on(cubic: &CubicBez, p: Point) -> (f64, f64) {
+    let arms = [cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(|q| q - p);
+    let at = |v: f64| (v, cubic.eval(v).distance(p));
+    let nearer = |a: (f64, f64), b: (f64, f64)| if b.1 < a.1 { b } else { a };
+    let ends = nearer(at(0.0), at(1.0));
+    let inner = distance_slope(&arms).sign_changes();
+    inner.iter().map(at).fold(ends, nearer)
 }
 
 /// How the square of a cubic's distance from a place changes, b·b' but for a factor: its control points are given from there.
