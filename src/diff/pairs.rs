@@ -189,4 +189,15 @@ mod tests {
         assert_eq!(found(100), Err(refusal));
         assert_eq!(found(100_000), Ok(()));
     }
+
+    #[test]
+    fn a_part_that_passes_a_joint_is_not_halved_down_to_it() {
+        let track = |data| Track::new(&contours(data).unwrap()[0], Affine::IDENTITY).unwrap();
+        let old = [track("M5 0A5 5 0 0 1-5 0A5 5 0 0 1 5 0Z")];
+        let new = [track(
+            "M5 0C5 2.76 2.76 5 0 5C-2.76 5-5 2.76-5 0C-5-2.76-2.76-5 0-5C2.76-5 5-2.76 5 0Z",
+        )];
+        let found = find(&old, &new, &mut Difference::default(), MOST_STEPS / 6000);
+        assert_eq!(found, Ok(()));
+    }
 }

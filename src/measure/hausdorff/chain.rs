@@ -3,7 +3,9 @@
 //! Segments are cut into pieces that are small beside the drawing, in the order of a Z curve through their middles, under a tree of
 //! boxes: what lies side by side is found together, however the chain runs.
 
-use kurbo::{Affine, CubicBez, Line, ParamCurve as _, PathSeg, Point, Rect, Vec2};
+use kurbo::{
+    Affine, CubicBez, Line, ParamCurve as _, ParamCurveDeriv as _, PathSeg, Point, Rect, Vec2,
+};
 
 use super::{Effort, along::along};
 use crate::curve::control_points;
@@ -17,6 +19,9 @@ const MOST_IN_ALL: f64 = 1_048_576.0;
 
 /// What the nearest point of a cubic takes, or a bound, in boxes that are looked at.
 pub(super) const STEPS_OF_A_CUBIC: u64 = 32;
+
+/// How often the place is improved where a part passes a joint: any is good for a bound.
+const JOINT_STEPS: usize = 4;
 
 pub(super) struct CubicChain {
     pub(super) cubics: Vec<CubicBez>,
@@ -139,10 +144,44 @@ impl CubicChain {
         };
         let reached = reach(&start, part.p0).min(reach(&end, part.p3));
         if start.segment != end.segment {
-            return reached;
+            return reached.min(self.past_joint(part, [start, end]).unwrap_or(reached));
         }
         reached.min(along(part, &self.cubics[start.segment], [start.u, end.u]))
     }
+
+    /// The same where one of the points lies on the segment after that of the other: the part is cut where the joint of both is near.
+    fn past_joint(&self, part: &CubicBez, [start, end]: [ChainFoot; 2]) -> Option<f64> {
+        let (i, j) = (start.segment, end.segment);
+        let follows = |i: usize, j: usize| {
+            j == (i + 1) % self.cubics.len() && self.cubics[i].p3 == self.cubics[j].p0
+        };
+        let ways = [(follows(i, j), 1.0), (follows(j, i), 0.0)].into_iter();
+        let bounds = ways.filter(|(is_joined, _)| *is_joined).map(|(_, joint)| {
+            let (here, there) = (&self.cubics[i], &self.cubics[j]);
+            let at = passing(part, here, joint);
+            let first = along(&part.subsegment(0.0..at), here, [start.u, joint]);
+            let second = along(&part.subsegment(at..1.0), there, [1.0 - joint, end.u]);
+            first.max(second)
+        });
+        bounds.reduce(f64::min)
+    }
+}
+
+/// About where a part passes the end of a segment: any place is good for a bound.
+fn passing(part: &CubicBez, segment: &CubicBez, end: f64) -> f64 {
+    let (joint, slopes) = (segment.eval(end), part.deriv());
+    let tangent = segment.deriv().eval(end).to_vec2();
+    let step = |at: f64| {
+        let off = (joint - part.eval(at)).dot(tangent);
+        let next = at + off / slopes.eval(at).to_vec2().dot(tangent);
+        // A segment without length has no direction.
+        if next.is_nan() {
+            0.5
+        } else {
+            next.clamp(0.0, 1.0)
+        }
+    };
+    (0..JOINT_STEPS).fold(0.5, |at, _| step(at))
 }
 
 /// The pieces of all segments: of n that fill a square, each is about as large as a cell of a grid of n cells.
