@@ -45,6 +45,9 @@ const SURER: f64 = 1.1;
 /// The tolerance where none is asked for, as a part of half the larger side of the subpath's box: of the radius, on a circle.
 const DEFAULT_PART: f64 = 1e-3;
 
+/// The largest part of that half side that the rounding of coordinates explains.
+const ROUNDED_PART: f64 = 1e-2;
+
 /// The finest tolerance, as a part of the largest coordinate: below it the noise of double precision decides where a piece ends.
 const FINEST: f64 = 64.0 * f64::EPSILON;
 
@@ -56,7 +59,7 @@ const CUT: f64 = 8.0 * f64::EPSILON;
 pub struct Options {
     /// How far they may lie from what was given; a part is one of half the larger side of the subpath's box. Without it, a
     /// thousandth of that and what rounding moves a point: to the precision that is asked for, and of arcs to the decimals of the
-    /// file, where these are fewer.
+    /// file, where these are fewer, but no more than a hundredth of that half side.
     pub tolerance: Option<Tolerance>,
     /// How points are rounded, those that were given too; without it these stay as they are.
     pub precision: Option<Precision>,
@@ -71,7 +74,8 @@ pub struct Options {
 /// Draws contours as lines within a tolerance: each Bézier and each arc as chords that run as far as their distance lets them, never
 /// more of them than by halving the parameter. Lines stay as they are.
 ///
-/// The error is a bound of the distance both ways (Hausdorff), of the points as they are printed.
+/// The error is a bound of the distance both ways (Hausdorff), of the points as they are printed: the largest of all chords, each against the part
+/// that it replaces. That of the whole may be less.
 ///
 /// # Errors
 ///
@@ -98,7 +102,8 @@ pub fn lines(contours: &[Contour], options: &Options) -> Result<PathDrawing> {
 /// lie on them, each as long as the tolerance lets it be. Corners, lines and circular arcs stay as they are.
 ///
 /// The result has courses and no curves. The error is a bound of the distance both ways (Hausdorff), of the numbers as they are
-/// printed.
+/// printed: the largest of all lines and arcs, each against the stretch that it replaces. That of the whole may be less at sharp turns;
+/// [`diff`](crate::diff) tells it.
 ///
 /// # Errors
 ///
@@ -190,22 +195,48 @@ fn advised(
         let subpath = draw(contour, &options).ok()?;
         Some((wide, subpath.count()))
     };
-    let mut found =
-        (1..10).find_map(|exponent| count_within(tolerance * power(1e3, root * exponent)));
-    // Many curves are a segment each at the least, so that far above the law fails.
-    for _ in 0..2 {
-        let nearer = found.and_then(|(wide, _)| count_within((tolerance * wide).sqrt()));
-        found = nearer.or(found);
-    }
+    let (low, found) = serving(count_within, tolerance, root);
     let enough = found.map_or(f64::INFINITY, |(wide, count)| {
         let part = count as f64 / most as f64;
-        rounded_up(SURER * wide * power(part, root), 1).max(tolerance)
+        let least = rounded_up(SURER * wide * power(part, root), 1).max(low);
+        let serves = least >= wide || count_within(least).is_some();
+        if serves { least } else { rounded_up(wide, 1) }
     });
     Err(Error::TooManySegments {
         tolerance,
         most,
         enough,
     })
+}
+
+/// A tolerance that does not serve, and one that does and the count within it, not much larger where there is one.
+fn serving(
+    count_within: impl Fn(f64) -> Option<(f64, usize)>,
+    tolerance: f64,
+    root: i32,
+) -> (f64, Option<(f64, usize)>) {
+    /// How often a tolerance that serves is looked for halfway to one that does not, until it is so many times as large.
+    const MOST_HALVES: usize = 8;
+    const NEAR_TIMES: f64 = 8.0;
+    let mut low = tolerance;
+    let mut found = (1..10).find_map(|exponent| {
+        let wide = tolerance * power(1e3, root * exponent);
+        let found = count_within(wide);
+        low = if found.is_some() { low } else { wide };
+        found
+    });
+    // Many curves are a segment each at the least, so that far above the law fails.
+    for _ in 0..MOST_HALVES {
+        let Some((wide, _)) = found.filter(|(wide, _)| *wide > NEAR_TIMES * low) else {
+            break;
+        };
+        let middle = (low * wide).sqrt();
+        match count_within(middle) {
+            None => low = middle,
+            nearer => found = nearer,
+        }
+    }
+    (low, found)
 }
 
 /// The steps of a contour under a map.
@@ -253,7 +284,7 @@ impl Plan {
             tolerance.checked(whole)?
         } else {
             let asked = options.precision.map_or(0.0, Precision::farthest_moved);
-            DEFAULT_PART * size + explained.max(asked)
+            DEFAULT_PART * size + explained.min(ROUNDED_PART * size).max(asked)
         };
         let automatic = Precision::moving_at_most(ROUNDING_PART * tolerance, largest);
         let precision = options.precision.unwrap_or(automatic);

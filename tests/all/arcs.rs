@@ -734,3 +734,40 @@ fn a_tolerance_finer_than_digits_is_refused_with_one_that_serves() {
     );
     assert!(printed(&[&path[..], &[serves]].concat()).starts_with("M5 0A"));
 }
+
+#[test]
+fn rounding_explains_no_more_than_a_hundredth_of_a_circle() {
+    // A handle of 4 in place of 4.42: 0.22 off.
+    let squircle = "M4 12C4 8 8 4 12 4C16 4 20 8 20 12C20 16 16 20 12 20C8 20 4 16 4 12Z";
+    // 28 in place of 27.6: 0.2 off, of 50.
+    let circle = "M0 50C0 22 22 0 50 0C78 0 100 22 100 50C100 78 78 100 50 100C22 100 0 78 0 50Z";
+    let drawn = |data| {
+        let drawing = arcs(&path::contours(data).unwrap(), &Options::default()).unwrap();
+        (drawing.subpaths[0].count(), drawing.error().peak())
+    };
+    let (count, error) = drawn(squircle);
+    assert!(count > 2 && error < 0.09, "{count} {error}");
+    let (count, error) = drawn(circle);
+    assert!(count == 2 && error < 0.21, "{count} {error}");
+}
+
+#[test]
+fn the_tolerance_that_is_named_for_many_curves_is_no_wider_than_it_has_to_be() {
+    let many = format!("M0 0{}", "a1 1 0 0 1 2 0".repeat(4000));
+    let contours = path::contours(&many).unwrap();
+    let within = |tolerance| {
+        let tolerance = Some(Tolerance::Absolute(tolerance));
+        curveto::arcs::lines(
+            &contours,
+            &Options {
+                tolerance,
+                ..Default::default()
+            },
+        )
+    };
+    let Err(curveto::Error::TooManySegments { enough, .. }) = within(1e-9) else {
+        panic!("not refused");
+    };
+    assert!(within(enough).is_ok(), "{enough}");
+    assert!(within(enough / 4.0).is_err(), "{enough}");
+}

@@ -59,7 +59,7 @@ enum PathTargetArg {
     Quadratics,
     /// All becomes lines within -t, or a thousandth of half the subpath's size
     Lines,
-    /// All becomes lines and circular arcs within -t, or that and the rounding of its points; for path, json, svg, eps, png, pdf, dxf and gcode
+    /// All becomes lines and circular arcs within -t, or that and the rounding of its points, but at most a hundredth of that size; the error is the largest of all, each against what it replaces; for path, json, svg, eps, png, pdf, dxf and gcode
     Arcs,
 }
 
