@@ -4,8 +4,8 @@ use super::POWERS;
 use super::digits::EXACT_POWERS;
 use crate::numeric::double::Double;
 
-/// Where 10^k times a number has 17 digits before the point, or 18, and 10^k fits a word.
-const QUICK: core::ops::Range<f64> = 1e-3..1e15;
+/// Where what is nearest to 10^k times a number, k at most 17, is told by one word.
+const QUICK: core::ops::Range<f64> = 0.004..1e15;
 
 /// Where no power of ten that it takes leaves the range of `f64`.
 const RANGE: core::ops::Range<f64> = 1e-270..1e290;
@@ -21,8 +21,8 @@ pub(crate) fn as_decimal(x: f64) -> Double {
     by_all_digits(x)
 }
 
-/// How far beyond x = m 2^-s that decimal lies: the nearest multiple of 100, of 10 or of 1, the first that reads as x, of the whole part of
-/// m 10^k 2^-s, over 10^k; of two as near the even one. Lengths are in units of 2^-s of it: half a unit in the last place of x is 10^k / 2.
+/// How far beyond x = m 2^-s that decimal lies. Of m 10^k 2^-s, which has 17 digits mostly, it is the nearest multiple of 100, of 10 or of 1,
+/// the first that reads as x, and of two as near the even one. Lengths are in units of 2^-s: half a unit in the last place of x is 10^k / 2.
 #[inline]
 fn beside(x: f64) -> Option<f64> {
     let bits = x.to_bits();
@@ -30,24 +30,32 @@ fn beside(x: f64) -> Option<f64> {
     let (m, s) = ((bits & ((1 << 52) - 1)) | (1 << 52), 1075 - exponent);
     // The logarithm of 2 is 1233 / 4096.
     let digits = ((exponent.cast_signed() - 1023) * 1233) >> 12;
-    let power = *POWERS.get((16 - digits) as usize)?;
+    let power = POWERS[(16 - digits).min(17) as usize];
     let product = u128::from(m) * u128::from(power);
     let whole = (product >> s) as u64;
     let rest = (whole % 1000) as u32;
-    let first = if whole < POWERS[17] { 100 } else { 1000 };
+    // Never so much that it leaves a word times 2^s: numbers whose whole part has 16 digits are below 0.1, and s is 60 at most.
+    let steps: &[u32] = if whole < POWERS[16] {
+        &[10, 1]
+    } else if whole < POWERS[17] {
+        &[100, 10, 1]
+    } else {
+        &[1000, 100, 10]
+    };
     // Below a power of two floats are as near again.
     let half = power / if m == 1 << 52 { 4 } else { 2 };
-    let near = (half >> s.min(63)) as u32 + 1;
-    for step in [first, first / 10, first / 100] {
+    let near = (half >> s) as u32 + 1;
+    let fraction = product as u64 & ((1 << s) - 1);
+    for &step in steps {
         let over = rest % step;
         if over > near && step - over > near {
             continue;
         }
-        let above = (u128::from(over) << s) + (product - (u128::from(whole) << s));
-        let below = (u128::from(step) << s) - above;
+        let above = (u64::from(over) << s) + fraction;
+        let below = (u64::from(step) << s) - above;
         let least = above.min(below);
-        if least < u128::from(half) {
-            let size = least as u64 as f64 / power as f64 * f64::from_bits((1023 - s) << 52);
+        if least < half {
+            let size = least as f64 / power as f64 * f64::from_bits((1023 - s) << 52);
             let is_even = (whole / u64::from(step)).is_multiple_of(2);
             let is_above = above < below || above == below && is_even;
             return Some(if is_above { -size } else { size });
