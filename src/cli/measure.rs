@@ -8,7 +8,7 @@ mod table;
 use std::path::Path;
 use std::process::ExitCode;
 
-use curveto::approximate::Options;
+use curveto::approximate::{Drawing, Options};
 use curveto::curve::Curve;
 use curveto::measure::{Quantity, Reference};
 use curveto::number::Precision;
@@ -82,41 +82,59 @@ pub(super) fn run(args: &MeasureArgs) -> Outcome {
     }
 }
 
-/// Measures a shape as it would be drawn, by each method that was named.
-fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
+/// What is drawn by each method that was named and of each number of segments, which is that of a panel in a plot: refused where all together
+/// have too many. `draw` tells of one how many segments it has.
+fn each_drawing<S: clap::Args, T>(
+    args: &Measured<S>,
+    draw: impl Fn(Options) -> Result<(T, usize), Failure>,
+) -> Result<Vec<(T, usize)>, Failure> {
     let precision = args
         .precision
         .map_or(Some(Precision::Full), super::args::PrecisionWord::precision);
     let (rules, cuts) = (args.approximation.rules()?, args.approximation.cuts());
     check_counts(&rules, &cuts)?;
-    let mut subjects = Vec::new();
-    let mut segments = 0;
+    let (mut all, mut segments) = (Vec::new(), 0);
     for &rule in &rules {
         for (panel, cut) in cuts.iter().enumerate() {
-            let options = Options {
+            let (drawn, count) = draw(Options {
                 rule,
-                cut: draw::started(&args.shape, cut.clone())?,
+                cut: cut.clone(),
                 precision,
                 transform: args.transform.unwrap_or_default(),
-            };
-            let subject = drawn_subject(args, &options, panel, &mut segments)?;
-            subjects.push(subject);
+            })?;
+            segments += count;
+            check_segments(segments)?;
+            all.push((drawn, panel));
         }
     }
+    Ok(all)
+}
+
+/// Measures a shape as it would be drawn, by each method that was named.
+fn drawn<S: ShapeWords + clap::Args>(args: &Measured<S>) -> Outcome {
+    let (default, extremes) = (Direction::default(), args.approximation.extremes);
+    let drawings = each_drawing(args, |options| {
+        let options = Options {
+            cut: draw::started(&args.shape, options.cut)?,
+            ..options
+        };
+        let drawing = draw::drawing(&args.shape, default, &options, extremes)?;
+        let count = drawing.curve.segments.len();
+        Ok((drawing, count))
+    })?;
+    let subjects = drawings
+        .into_iter()
+        .map(|(drawing, panel)| drawn_subject(drawing, args, panel));
+    let subjects: Vec<MeasuredSubject> = subjects.collect::<Result<_, _>>()?;
     tell(&subjects, &args.report, false)
 }
 
-/// Measures a shape as it would be drawn, of which there are so many segments before.
-fn drawn_subject<S: ShapeWords + clap::Args>(
+/// Measures a drawing.
+fn drawn_subject<S: clap::Args>(
+    drawing: Drawing,
     args: &Measured<S>,
-    options: &Options,
     panel: usize,
-    segments: &mut usize,
 ) -> Result<MeasuredSubject, Failure> {
-    let (default, extremes) = (Direction::default(), args.approximation.extremes);
-    let drawing = draw::drawing(&args.shape, default, options, extremes)?;
-    *segments += drawing.curve.segments.len();
-    check_segments(*segments)?;
     let measurement = Measurement::of_drawing(&drawing, args.report.coordinate_tolerance()?)?;
     let (Some(measurement), Some(outline)) = (measurement, &drawing.outline) else {
         return Err(Failure::request(
@@ -124,7 +142,7 @@ fn drawn_subject<S: ShapeWords + clap::Args>(
         ));
     };
     Ok(MeasuredSubject {
-        name: options.rule.id().to_owned(),
+        name: drawing.rule.id().to_owned(),
         reference: Reference::from(outline),
         curve: drawing.curve,
         measurement,

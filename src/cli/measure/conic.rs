@@ -2,21 +2,20 @@
 
 use std::process::ExitCode;
 
-use curveto::approximate::Options;
 use curveto::conic::{Conic, ConicDrawing};
 use curveto::measure::Quantity;
-use curveto::number::{Precision, compact, rounded_up};
+use curveto::number::{compact, rounded_up};
 use curveto::picture::plot::Chart;
 use curveto::write::conic::{ConicMeasurement, conic_csv};
 
+use super::super::args::ConicShape;
 use super::super::args::measure::{Measured, ReportFormat};
-use super::super::args::{ConicShape, PrecisionWord};
 use super::super::conic::drawing;
 use super::super::failure::Failure;
 use super::super::formats::choose;
 use super::super::output::OutputTarget;
 use super::Outcome;
-use super::{check_counts, check_segments, draw_panels, samples, words, written};
+use super::{draw_panels, each_drawing, samples, words, written};
 use crate::cli::table::{close_up, lines, plain};
 
 /// A drawing, and the number of its panel in a plot.
@@ -58,31 +57,17 @@ pub(super) fn run(conic: &Conic, args: &Measured<ConicShape>) -> Outcome {
 
 /// The drawings by each method and of each number of segments.
 fn drawn(conic: &Conic, args: &Measured<ConicShape>) -> Result<Vec<ConicSubject>, Failure> {
-    let precision = args
-        .precision
-        .map_or(Some(Precision::Full), PrecisionWord::precision);
-    let (rules, cuts) = (args.approximation.rules()?, args.approximation.cuts());
-    check_counts(&rules, &cuts)?;
-    let (mut subjects, mut segments) = (Vec::new(), 0);
-    for &rule in &rules {
-        for (panel, cut) in cuts.iter().enumerate() {
-            let options = Options {
-                rule,
-                cut: cut.clone(),
-                precision,
-                transform: args.transform.unwrap_or_default(),
-            };
-            let drawing = drawing(conic, &args.approximation, &options)?;
-            segments += drawing.curve.segments.len();
-            check_segments(segments)?;
-            subjects.push(ConicSubject {
-                title: ConicMeasurement::from(&drawing).title,
-                drawing,
-                panel,
-            });
-        }
-    }
-    Ok(subjects)
+    let drawings = each_drawing(args, |options| {
+        let drawing = drawing(conic, &args.approximation, &options)?;
+        let count = drawing.curve.segments.len();
+        Ok((drawing, count))
+    })?;
+    let subject = |(drawing, panel)| ConicSubject {
+        title: ConicMeasurement::from(&drawing).title,
+        drawing,
+        panel,
+    };
+    Ok(drawings.into_iter().map(subject).collect())
 }
 
 /// The quantity along the drawings of one panel.
