@@ -161,6 +161,7 @@ fn joints_have_the_continuity_that_the_catalogue_states() {
         Affine::scale(1e9),
     ];
     let counts = [3, 4, 5, 8];
+    let mut judged = 0;
     for method in Method::ALL {
         for (count, place) in counts
             .iter()
@@ -178,8 +179,12 @@ fn joints_have_the_continuity_that_the_catalogue_states() {
             let found = measured(&drawing).continuity;
             let stated = method.card().continuity_equal;
             assert_eq!(found.order, Some(stated), "{method} {count} {place:?}");
+            judged += 1;
         }
     }
+    // Some methods do not serve a third of a turn.
+    let all = Method::ALL.len() * counts.len() * places.len();
+    assert!(judged > all / 10 * 9, "{judged} of {all}");
 }
 
 #[test]
