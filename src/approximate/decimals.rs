@@ -66,7 +66,7 @@ impl<C: Cutting> KnownCurve<'_, C> {
         })
     }
 
-    /// Between what the peak error on an ellipse lies by the lobes of the pieces, looked at in this way where they told nothing before.
+    /// A lower and an upper bound of the peak error on an ellipse by the lobes of the pieces, looked at in this way where they told nothing before.
     fn by_lobes(
         &self,
         largest: f64,

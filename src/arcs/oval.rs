@@ -21,7 +21,7 @@ const EXCHANGES: usize = 5;
 /// How many points of a stretch are looked at, at least.
 const POINTS: usize = 16;
 
-/// Between what v lies: beyond, a renderer's centre has too few digits.
+/// The least and the largest v: beyond, a renderer's centre has too few digits.
 const LEAST: f64 = 1e-3;
 const MOST: f64 = 1.0 - 1e-4;
 

@@ -87,7 +87,7 @@ pub(crate) fn is_within<'a>(
     peak_by(known, segments, truth)[1] <= limit
 }
 
-/// Between what the peak lies, to a hundredth or better; beyond a limit, no more than that.
+/// A lower and an upper bound of the peak, apart by a hundredth or better; beyond a limit, no more than that.
 pub(crate) fn peak_nearly<'a>(
     segments: impl IntoIterator<Item = &'a PathSeg>,
     truth: &Truth,
@@ -97,7 +97,7 @@ pub(crate) fn peak_nearly<'a>(
     peak_by(known, segments, truth)
 }
 
-/// Between what the peak of these segments and what was known lies: infinite as soon as it is beyond the limit.
+/// A lower and an upper bound of the peak of these segments and of what was known: infinite as soon as it is beyond the limit.
 fn peak_by<'a>(
     mut known: Known,
     segments: impl IntoIterator<Item = &'a PathSeg>,
@@ -211,7 +211,7 @@ impl Profile {
         excess / (radius + square.sqrt())
     }
 
-    /// Between what the distance from a circle that was found at t lies for certain.
+    /// Bounds of the distance from a circle that was found at t.
     ///
     /// At the ends the excess is one coefficient, with one rounding. Between them de Casteljau's algorithm makes at most three
     /// roundings in each of its steps, six for a cubic, of what the sizes of the coefficients would sum up to.

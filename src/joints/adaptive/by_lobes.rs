@@ -67,7 +67,7 @@ pub(crate) fn roughly(
     Some([low, high])
 }
 
-/// Between what the peak error of pieces of an ellipse of this larger radius lies, the largest coordinate being about as large as the other
+/// A lower and an upper bound of the peak error of pieces of an ellipse of this larger radius, the largest coordinate being about as large as the other
 /// of these sizes. `None` where the lobes do not tell.
 pub(crate) fn nearly(
     rule: Rule,

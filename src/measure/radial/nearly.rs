@@ -53,7 +53,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 const BELOW: f64 = 0.99;
 const ABOVE: f64 = 1.05;
 
-/// Between what the peak distance of these segments from an ellipse lies, where samples tell it.
+/// Bounds of the peak distance of these segments from an ellipse, where samples tell them.
 pub(crate) fn nearly(
     segments: impl IntoIterator<Item = PathSeg>,
     truth: &Truth,
@@ -93,7 +93,7 @@ pub(crate) fn decided<T: PartialEq, S: IntoIterator<Item = PathSeg>>(
         .or_else(|| closely(segments(), truth).and_then(same))
 }
 
-/// Between what the peak distance lies, by the distance of the farthest of many samples and their bound; `None` where rounding counts
+/// Bounds of the peak distance, by the distance of the farthest of many samples and their bound; `None` where rounding counts
 /// beside it, or that of a centre that follows from given ends.
 fn closely(segments: impl IntoIterator<Item = PathSeg>, truth: &Truth) -> Option<[f64; 2]> {
     let mut frame = EllipseFrame::new(truth);

@@ -46,7 +46,7 @@ pub(super) struct Sizes<S> {
     pub(super) place: [S; 2],
     pub(super) velocity: [S; 2],
     pub(super) acceleration: [S; 2],
-    /// Between what F' and F'' lie.
+    /// Bounds of F' and of F''.
     pub(super) rising: [S; 2],
     pub(super) bending: [S; 2],
 }
@@ -61,7 +61,7 @@ impl<S: Number> Motion<S> {
 }
 
 impl<S: Real> CubicPart<S> {
-    /// Between what the coefficients of F lie, rounding included.
+    /// The least and the largest coefficient of F, rounding included.
     #[inline(always)]
     pub(super) fn certain_excess(&self) -> [S; 2] {
         widened(self.excess_range(), self.rounding)
@@ -73,7 +73,7 @@ impl<S: Real> CubicPart<S> {
         self.rounding + self.largest.scaled(9.0 * f64::EPSILON)
     }
 
-    /// Between what the coefficients of F lie.
+    /// The least and the largest coefficient of F.
     #[inline(always)]
     pub(super) fn excess_range(&self) -> [S; 2] {
         range(&self.excess)
@@ -277,7 +277,7 @@ impl CubicPart {
     }
 }
 
-/// Between what these numbers lie.
+/// The least and the largest of these numbers.
 #[inline(always)]
 fn range<const N: usize, S: Real>(numbers: &[S; N]) -> [S; 2] {
     let [mut low, mut high] = [numbers[0]; 2];

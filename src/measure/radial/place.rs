@@ -44,7 +44,7 @@ impl NearestPoint {
         }
     }
 
-    /// Between what the signed distance lies, where it may be so much larger beside the place.
+    /// Bounds of the signed distance, where it may be so much larger beside the place.
     pub(super) fn between(&self, more: f64) -> [f64; 2] {
         let off = self.margin + more;
         [-off, off].map(|off| self.foot.foot.distance + off)

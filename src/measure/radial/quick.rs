@@ -19,7 +19,7 @@ pub(super) struct PartBounds<S> {
 pub(super) struct DistanceRun<S> {
     /// What |N| is at least: where that is positive, the distance rises or falls all along.
     pub(super) steep: S,
-    /// Between what N' lies.
+    /// Bounds of N'.
     pub(super) bend: [S; 2],
 }
 

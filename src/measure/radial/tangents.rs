@@ -63,7 +63,7 @@ impl Tangents {
         [distance - rounding, distance + rounding]
     }
 
-    /// Between what the signed distance of the image of y lies, by the tangent at the point that is nearly the nearest. Inside, the
+    /// Bounds of the signed distance of the image of y, by the tangent at the point that is nearly the nearest. Inside, the
     /// second is what it would be if that was the nearest.
     pub(super) fn distance(&self, tangent: &Tangent, y: Twice) -> [f64; 2] {
         let [low, high] = self.beyond(tangent, y);

@@ -1,4 +1,4 @@
-//! Between what a distance lies that is stated, and where its extremes are looked for.
+//! Bounds of a distance that is stated, and where its extremes are looked for.
 
 use kurbo::{Affine, CubicBez, Line, ParamCurve, PathSeg, Point, QuadBez, Vec2};
 
