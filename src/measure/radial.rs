@@ -49,7 +49,8 @@ const DECIMAL_NOISE: f64 = f64::EPSILON * f64::EPSILON * 64.0;
 /// rounding moves to either side, and three lobes.
 const BESIDE_EXTREMES: [f64; 8] = [-0.125, 0.0, 0.08, 0.34, 0.66, 0.92, 1.0, 1.125];
 
-/// The largest distances of these segments from the true shape, rounded outward: docs/methods.md says how far they can be trusted.
+/// The largest distances of these segments from the true shape, both by the shortest decimals that read as their numbers, rounded outward:
+/// docs/methods.md says how far they can be trusted.
 #[must_use]
 pub fn error<'a>(segments: impl IntoIterator<Item = &'a PathSeg>, truth: &Truth) -> RadialError {
     error_within(segments, truth, f64::INFINITY)
