@@ -291,7 +291,8 @@ impl Profile {
     /// included that were `known` before.
     pub(crate) fn visit_bounds(&self, known: &mut Known, mut visit: impl FnMut(f64, [f64; 2])) {
         let noise = NOISE * self.larger_radius().min(self.reach())
-            + DECIMAL_NOISE * self.largest_coordinate;
+            + DECIMAL_NOISE * self.largest_coordinate
+            + self.exact.unsure * self.larger_radius();
         let mut visit = |t: f64, [low, high]: [f64; 2]| {
             let beyond = |bound: f64| if bound > 0.0 { bound + noise } else { bound };
             visit(t, [-beyond(-low), beyond(high)]);

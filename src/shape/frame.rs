@@ -19,8 +19,9 @@ use inverse::Inverse;
 /// The sweep in degrees up to which a sweep and a chord tell more than the centre: towards a whole turn the chord shrinks to nothing.
 const WIDEST: f64 = 270.0;
 
-/// Up to this 1 - h², h half the chord over the radii, is what rounding leaves of half a turn: decimals seldom come as near to one.
-const HALF_TURN: f64 = 1e-30;
+/// How far 1 - h², h half the chord over the radii, is off at most, times the largest coordinate of the ends over the chord. What is no larger is what
+/// rounding leaves of half a turn: decimals of fewer than 15 digits come no nearer to one.
+const HALF_TURN: f64 = f64::EPSILON * f64::EPSILON * 16.0;
 
 /// What was given of a true shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,6 +149,7 @@ impl Frame {
             level: DotOffset::Radius(Double::of(-1.0)),
             unit: 1.0,
             grown: 1.0,
+            unsure: 0.0,
             is_conic: false,
         };
         if own_radii.is_some() {
@@ -182,16 +184,18 @@ impl Frame {
             return;
         }
         let chord = exact.unmapped(differences(to, from));
-        if let Some(cotangent) = self.cotangent(arc, chord, exact.radii.is_none()) {
+        if let Some((cotangent, unsure)) = self.cotangent(arc, chord, exact.radii.is_none()) {
             exact.origin = from;
             exact.level = DotOffset::Pencil { chord, cotangent };
+            exact.unsure = unsure;
         }
     }
 
-    /// The cotangent of half the sweep; `None` where the centre tells more.
-    fn cotangent(&self, arc: &Inscribed, chord: Twice, is_plain: bool) -> Option<Double> {
+    /// The cotangent of half the sweep, and how far the centre may be off by it, as a part of the radii: next to half a turn digits cancel. `None`
+    /// where the centre tells more.
+    fn cotangent(&self, arc: &Inscribed, chord: Twice, is_plain: bool) -> Option<(Double, f64)> {
         let sweep = arc.sweep.degrees();
-        Some(match arc.given {
+        let cotangent = match arc.given {
             Given::Sweep => {
                 if sweep.abs() > WIDEST {
                     return None;
@@ -202,7 +206,7 @@ impl Frame {
             Given::Conic { .. } => return None,
             Given::Enlarged(_) => Double::of(0.0),
             Given::Bulge(_) | Given::Through(_) | Given::Center(_) => {
-                return cotangent_between(arc.ends, arc.given, as_decimal);
+                cotangent_between(arc.ends, arc.given, as_decimal)?
             }
             Given::Radii { large } => {
                 let mut square = dot(chord, chord).scaled(0.25);
@@ -211,14 +215,21 @@ impl Frame {
                     square = square.divided(radius).divided(radius);
                 }
                 let rest = Double::of(1.0).plus(square.scaled(-1.0));
-                let size = if rest.value() > HALF_TURN {
-                    rest.divided(square).sqrt()
+                let off = HALF_TURN * arc.cancelled();
+                if rest.value() <= off {
+                    return Some((Double::of(0.0), 0.0));
+                }
+                let size = rest.divided(square).sqrt();
+                let unsure = if rest.value() < 0.25 {
+                    off / size.value()
                 } else {
-                    Double::of(0.0)
+                    0.0
                 };
-                size.scaled(if large == (sweep > 0.0) { -1.0 } else { 1.0 })
+                let sign = if large == (sweep > 0.0) { -1.0 } else { 1.0 };
+                return Some((size.scaled(sign), unsure));
             }
-        })
+        };
+        Some((cotangent, 0.0))
     }
 }
 
@@ -262,6 +273,8 @@ pub(crate) struct Exact {
     pub(crate) unit: f64,
     /// How many times the radii that were computed are as large by the decimals of the ends.
     pub(crate) grown: f64,
+    /// How far the centre may be off, as a part of the larger radius.
+    pub(crate) unsure: f64,
     /// Whether it is that of a conic: nothing but the radii, which are rounded, says that this is a circle.
     pub(crate) is_conic: bool,
 }

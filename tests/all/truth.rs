@@ -479,6 +479,13 @@ fn what_is_stated_of_arcs_by_their_ends_is_a_bound() {
             None,
         ),
         (
+            // Half a turn by its decimals, far from the origin.
+            svg("M-23.77296 10.15734A0.0012662 0.0012662 0 0 1 -23.7754924 10.15734"),
+            Method::Goldapp,
+            1,
+            Some(8),
+        ),
+        (
             svg("M-60.22 75.57A10000 10000 0 0 0 71.46 -33.56"),
             Method::Minimax,
             1,

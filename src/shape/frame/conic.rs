@@ -54,6 +54,7 @@ impl Frame {
             level: DotOffset::Radius(Double::of(-1.0)),
             unit: 1.0,
             grown: 1.0,
+            unsure: 0.0,
             is_conic: true,
         }
     }

@@ -2,7 +2,7 @@
 
 use kurbo::Point;
 
-use super::{DotOffset, Exact, cross, differences, dot};
+use super::{DotOffset, Exact, Inscribed, cross, differences, dot};
 use crate::numeric::double::{Double, Twice};
 use crate::shape::Given;
 
@@ -13,6 +13,15 @@ impl Exact {
             DotOffset::Radius(_) => 0.0,
             DotOffset::Pencil { chord, .. } => dot(chord, chord).sqrt().value(),
         }
+    }
+}
+
+impl Inscribed {
+    /// How many times larger than the chord the coordinates of the ends are, and once more.
+    pub(super) fn cancelled(&self) -> f64 {
+        let [from, to] = self.ends;
+        let sizes = [from.x, from.y, to.x, to.y].map(f64::abs);
+        1.0 + sizes.into_iter().fold(0.0, f64::max) / (to - from).hypot()
     }
 }
 
