@@ -414,9 +414,9 @@ fn every_signal_ends_a_run_between_files() {
 fn one_signal_ends_a_run_that_waits_for_a_fifo() {
     for (signal, code) in signals() {
         for (words, writer) in [
-            ("in.svg --in-place", false),
+            ("in.svg --out-dir out", false),
             ("a.svg in.svg b.svg -j 1 --out-dir out", false),
-            ("a.svg in.svg b.svg -j 3 --in-place", true),
+            ("a.svg in.svg b.svg -j 3 --out-dir out", true),
         ] {
             let folder = tempfile::tempdir().unwrap();
             assert!(

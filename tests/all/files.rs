@@ -93,6 +93,13 @@ fn only_plain_files_of_the_folder_are_taken() {
             .unwrap()
             .success()
     );
+    let output = run_in(outer.path(), &["convert", "--in-place", "in/fifo.svg"]);
+    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+    assert!(
+        said(&output).contains("in/fifo.svg is no regular file"),
+        "{}",
+        said(&output)
+    );
     let output = run_in(outer.path(), &["convert", "--in-place", "in"]);
     assert!(output.status.success(), "{}", said(&output));
     for name in ["out.svg", "zero.svg", "fifo.svg"] {

@@ -108,6 +108,9 @@ pub(super) fn jobs(
     without_clashes(jobs)
 }
 
+/// The remedy where an input has no place for its result.
+const ELSEWHERE: &str = "give -o FILE, or take the result from standard output";
+
 fn check(inputs: &[PathBuf], destination: &DestinationArgs) -> Result<(), Failure> {
     let hint = "give --in-place, --out-dir DIR or --check";
     let DestinationArgs {
@@ -147,7 +150,18 @@ fn check(inputs: &[PathBuf], destination: &DestinationArgs) -> Result<(), Failur
     if stdin == 1 && (*in_place || out_dir.is_some()) {
         return Err(Failure::request_with_hint(
             "standard input has no name to be written under",
-            "give -o FILE, or take the result from standard output",
+            ELSEWHERE,
+        ));
+    }
+    let special =
+        |input: &&PathBuf| fs::metadata(input).is_ok_and(|data| !data.is_file() && !data.is_dir());
+    if *in_place && let Some(input) = inputs.iter().find(special) {
+        return Err(Failure::request_with_hint(
+            format!(
+                "{} is no regular file, which --in-place could replace",
+                input.display()
+            ),
+            ELSEWHERE,
         ));
     }
     Ok(())
