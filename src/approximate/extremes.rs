@@ -5,8 +5,9 @@ use kurbo::PathSeg;
 use super::{Drawing, Options, ROUNDING_SHARE, Request, approximate, sketch, straight};
 use crate::angle::Angle;
 use crate::error::{Error, JointsError, Remedy, Result};
-use crate::joints::{Cut, Joints, Tolerance, check_count};
+use crate::joints::{Cut, Joints, Tolerance, adaptive, check_count};
 use crate::measure::radial;
+use crate::method::Rule;
 use crate::number::Precision;
 use crate::shape::Shape;
 
@@ -104,22 +105,60 @@ impl<'a> BetweenExtremes<'a> {
         Ok(self.request.has_joint_beyond(&joints, tolerance))
     }
 
-    /// Which pieces are beyond a tolerance however they are rounded, cut into so many parts.
-    fn beyond(&self, parts: &[usize], tolerance: f64) -> Result<Vec<bool>> {
-        let options = Options {
-            cut: Cut::At(self.joints(parts)),
-            precision: Some(Precision::Full),
-            ..self.request.options.clone()
-        };
-        let bare = sketch(self.request.shape, &options)?.curve;
+    /// Which pieces are beyond a tolerance, cut into so many parts.
+    ///
+    /// First come those that are beyond it however they are rounded. Where there are none, those that are beyond it as they are written.
+    /// `within` holds, for either question, the pieces that an earlier call found within the tolerance; they are not measured again. The caller
+    /// clears it when it changes the parts of such a piece.
+    fn beyond(
+        &self,
+        parts: &[usize],
+        tolerance: f64,
+        within: &mut [Vec<bool>; 2],
+    ) -> Result<Vec<bool>> {
         let asked = self.request.options.precision;
-        // Decimals that were not asked for add a tenth of the error.
+        // Decimals that were not asked for add a tenth of the error, and go by all pieces.
         let limit = asked.map_or(tolerance / (1.0 - ROUNDING_SHARE), |precision| {
             tolerance + precision.farthest_moved()
         });
+        // Where ends lie off the circle each piece goes by all.
+        let rule = self.request.options.rule;
+        if !(adaptive::serves(rule) || matches!(rule, Rule::Handle(_))) {
+            within.fill(vec![false; parts.len()]);
+        }
+        let [bare, written] = within;
+        let beyond = self.beyond_by(parts, limit, Some(Precision::Full), bare)?;
+        if beyond.contains(&true) {
+            return Ok(beyond);
+        }
+        if asked.is_none() {
+            written.fill(false);
+        }
+        self.beyond_by(parts, tolerance, asked, written)
+    }
+
+    /// Which pieces are beyond a limit where they are rounded so; the others are noted in `within`.
+    fn beyond_by(
+        &self,
+        parts: &[usize],
+        limit: f64,
+        precision: Option<Precision>,
+        within: &mut [bool],
+    ) -> Result<Vec<bool>> {
+        let options = Options {
+            cut: Cut::At(self.joints(parts)),
+            precision,
+            ..self.request.options.clone()
+        };
+        let curve = sketch(self.request.shape, &options)?.rounded();
         let truth = &self.request.outline.truth;
-        let is_beyond = |piece: &[PathSeg]| !radial::is_within(piece, truth, OVER * limit);
-        Ok(of_each(parts, &bare.segments).map(is_beyond).collect())
+        let limit = OVER * limit;
+        for (piece, is_within) in of_each(parts, &curve.segments).zip(&mut *within) {
+            *is_within = *is_within
+                || (self.request.by_bounds(piece, limit))
+                    .unwrap_or_else(|| radial::is_within(piece, truth, limit));
+        }
+        Ok(within.iter().map(|is_within| !is_within).collect())
     }
 
     /// From so many parts on, each cut into as few as a tolerance takes.
@@ -130,16 +169,19 @@ impl<'a> BetweenExtremes<'a> {
         if self.has_joint_beyond(&vec![1; parts.len()], tolerance)? {
             return Err(self.request.refusal(tolerance, None));
         }
+        let unknown = vec![false; parts.len()];
+        let mut within = [unknown.clone(), unknown.clone()];
         loop {
             let most = parts.iter().copied().max().unwrap_or(1);
             if most < MOST_PARTS && self.has_joint_beyond(&parts, tolerance)? {
                 for count in &mut parts {
                     *count += 1;
                 }
+                within.fill(unknown.clone());
                 continue;
             }
             if most < MOST_PARTS
-                && let Ok(beyond) = self.beyond(&parts, tolerance)
+                && let Ok(beyond) = self.beyond(&parts, tolerance, &mut within)
                 && beyond.contains(&true)
             {
                 cut_more(&mut parts, &beyond);
@@ -167,6 +209,7 @@ impl<'a> BetweenExtremes<'a> {
                 beyond.fill(true);
             }
             cut_more(&mut parts, &beyond);
+            within.fill(unknown.clone());
         }
     }
 }

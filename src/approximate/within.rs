@@ -48,7 +48,7 @@ impl Request<'_> {
         }
         let curve = sketch.rounded();
         let is_within = self
-            .by_bounds(&curve, tolerance)
+            .by_bounds(&curve.segments, tolerance)
             .unwrap_or_else(|| self.is_within_for_certain(sketch, &curve, tolerance));
         if is_within {
             sketch.written = Some(curve);
@@ -57,14 +57,14 @@ impl Request<'_> {
     }
 
     /// The same by few samples, and then by many, where they tell.
-    pub(super) fn by_bounds(&self, curve: &Curve, tolerance: f64) -> Option<bool> {
+    pub(super) fn by_bounds(&self, curve: &[PathSeg], tolerance: f64) -> Option<bool> {
         let truth = &self.outline.truth;
-        let segments = || curve.segments.iter().copied();
+        let segments = || curve.iter().copied();
         // A centre that follows from given ends is known to half the digits at worst.
         let knows_center = self.outline.ends.is_none() || tolerance > 1e-6 * self.reach();
         if truth.is_circle() {
             return knows_center
-                .then(|| circle_decided(&curve.segments, truth, tolerance))
+                .then(|| circle_decided(curve, truth, tolerance))
                 .flatten();
         }
         let is_certain = |most: f64| knows_center && most <= tolerance;

@@ -331,7 +331,7 @@ fn bounds_decide_where_they_can() {
         let curve = sketch.rounded();
         let peak = radial::error(&curve.segments, &request.outline.truth).peak();
         let certain = request.is_within_for_certain(&mut sketch, &curve, part * peak);
-        (request.by_bounds(&curve, part * peak), certain)
+        (request.by_bounds(&curve.segments, part * peak), certain)
     };
     let shape = ellipse((100.0, 60.0));
     for (part, expected) in [
@@ -376,7 +376,11 @@ fn bounds_know_a_centre_that_follows_from_ends_to_half_the_digits() {
             segments: request.equal(64, None).unwrap().rounded().segments,
             ..curve.clone()
         };
-        assert_eq!(request.by_bounds(&curve, part * reach), expected, "{part}");
+        assert_eq!(
+            request.by_bounds(&curve.segments, part * reach),
+            expected,
+            "{part}"
+        );
     }
 }
 
