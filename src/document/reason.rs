@@ -12,6 +12,8 @@ pub enum Reason {
     ExternalStyle,
     /// A script or an event handler may address it.
     Script,
+    /// The text of an entity is in another file or expands too far, and may be that of a script.
+    UnreadEntity,
     /// An entity in the content may hold markup or style that is not in the text itself.
     EntityContent,
     /// A style rule may select by element name, by type or by a geometry attribute.
@@ -69,7 +71,7 @@ impl Reason {
     pub const fn doubt(&self) -> Option<Doubt> {
         Some(match self {
             Self::ExternalStyle => Doubt::ExternalStyle,
-            Self::Script => Doubt::Script,
+            Self::Script | Self::UnreadEntity => Doubt::Script,
             Self::EntityContent => Doubt::EntityContent,
             Self::SelectedByName(_) => Doubt::StyleSelector,
             Self::StyleGeometry(_) | Self::StyleReads(_) => Doubt::StyleGeometry,
@@ -157,6 +159,9 @@ impl Reason {
                 "an external style sheet may select it by name or set its geometry"
             }
             Self::Script => "a script or an event handler of the document may address it",
+            Self::UnreadEntity => {
+                "an entity in an attribute is in another file or expands too far to be read, and may bring a script"
+            }
             Self::EntityContent => {
                 "an entity in the content may hold styles or elements that change it"
             }

@@ -230,6 +230,20 @@ fn a_length_that_is_infinite_is_left() {
         let notes = converted.notes.iter().map(|note| note.reason.to_string());
         let said: Vec<String> = notes.collect();
         assert!(said.len() == 1, "{said:?}");
-        assert!(said[0].contains("is not a number"), "{said:?}");
+        assert!(said[0].contains("coordinates are too large"), "{said:?}");
     }
+}
+
+#[test]
+fn an_entity_that_expands_too_far_is_called_so() {
+    let doubled = |i: usize| format!("<!ENTITY a{i} '&a{};&a{};'>", i - 1, i - 1);
+    let entities: String = (1..40).map(doubled).collect();
+    let text = format!(
+        "<!DOCTYPE svg [<!ENTITY a0 'a'>{entities}]><svg><circle r='1' class='&a39;'/></svg>"
+    );
+    let converted = convert(&text, &Options::default()).unwrap();
+    assert_eq!(converted.text, text);
+    let said = converted.notes[0].reason.to_string();
+    assert!(said.contains("expands too far to be read"), "{said}");
+    assert_eq!(converted.notes[0].reason.code(), "script");
 }

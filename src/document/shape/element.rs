@@ -27,7 +27,7 @@ pub(in crate::document) fn read<'v>(
         attribute(name).is_some_and(|text| match length::read(&text) {
             LengthAttribute::Length(length) => length.value > 0.0,
             LengthAttribute::Auto => false,
-            LengthAttribute::Unknown => true,
+            LengthAttribute::TooLarge | LengthAttribute::Unknown => true,
         })
     };
     let get = |name: &'static str| -> Result<Option<Length>, Reason> {
@@ -41,6 +41,7 @@ pub(in crate::document) fn read<'v>(
             LengthAttribute::Auto if matches!(name, "width" | "height") => Ok(None),
             LengthAttribute::Auto if name == "rx" && !stands("ry") => Ok(None),
             LengthAttribute::Auto if name == "ry" && !stands("rx") => Ok(None),
+            LengthAttribute::TooLarge => Err(Reason::TooLarge),
             _ => Err(Reason::Length {
                 attribute: name,
                 value: text.chars().take(40).collect(),

@@ -18,6 +18,8 @@ pub(in crate::document) enum LengthAttribute {
     Length(Length),
     /// The keyword `auto`.
     Auto,
+    /// More than a number holds.
+    TooLarge,
     /// A unit that depends on something else, a function, or no length at all.
     Unknown,
 }
@@ -87,11 +89,12 @@ pub(in crate::document) fn read(text: &str) -> LengthAttribute {
     if text == "auto" {
         return LengthAttribute::Auto;
     }
-    let Some((value, end)) =
-        number::read(text.as_bytes(), 0).filter(|(value, _)| value.is_finite())
-    else {
+    let Some((value, end)) = number::read(text.as_bytes(), 0) else {
         return LengthAttribute::Unknown;
     };
+    if !value.is_finite() {
+        return LengthAttribute::TooLarge;
+    }
     let unit = &text[end..];
     if unit.is_empty() || unit.eq_ignore_ascii_case("px") {
         let exact = Decimal::read(&text[..end]).unwrap_or(Length::computed(value).exact);
@@ -149,6 +152,7 @@ mod tests {
             assert_eq!(read(text), LengthAttribute::Unknown, "{text}");
         }
         assert_eq!(read("auto"), LengthAttribute::Auto);
+        assert_eq!(read("-1e400px"), LengthAttribute::TooLarge);
     }
 
     #[test]

@@ -56,7 +56,7 @@ pub(in crate::document) fn is_sign(element: &Element<'_>, scanner: &Scanner<'_>)
     element.android.is_some() && ElementKind::named(element.local).is_none()
         || NAMES.contains(&element.local) && element.namespace != Namespace::Other
         || scanner.attributes.iter().any(motion::moves_along)
-        || script::may_run(element, scanner)
+        || script::may_run(element, scanner).is_some()
 }
 
 impl Facts {
@@ -97,8 +97,8 @@ impl Facts {
 
     /// Notes what an element may change of others in time.
     pub(super) fn changes(&mut self, element: &Element<'_>, scanner: &Scanner<'_>) {
-        if script::may_run(element, scanner) {
-            self.set_everywhere(Reason::Script);
+        if let Some(reason) = script::may_run(element, scanner) {
+            self.set_everywhere(reason);
         }
         self.motion.element(scanner);
         let property = element.android.and_then(|i| scanner.attributes.get(i));

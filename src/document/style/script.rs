@@ -1,5 +1,6 @@
 //! What may run a script, which may then look for any element.
 
+use crate::document::reason::Reason;
 use crate::document::xml::attributes::Attribute;
 use crate::document::xml::doctype::Doctype;
 use crate::document::xml::namespace::Namespace;
@@ -7,8 +8,8 @@ use crate::document::xml::node::Element;
 use crate::document::xml::scan::Scanner;
 use crate::document::xml::value;
 
-/// Whether an element or one of its attributes may.
-pub(super) fn may_run(element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
+/// Why an element or one of its attributes may, if so.
+pub(super) fn may_run(element: &Element<'_>, scanner: &Scanner<'_>) -> Option<Reason> {
     let attributes = &scanner.attributes;
     let itself = match element.local {
         "script" | "handler" => true,
@@ -18,10 +19,17 @@ pub(super) fn may_run(element: &Element<'_>, scanner: &Scanner<'_>) -> bool {
             .any(|attribute| matches!(attribute.name, "src" | "srcdoc" | "data")),
         _ => false,
     };
-    itself && element.namespace != Namespace::Other
-        || attributes
-            .iter()
-            .any(|attribute| is_handler(attribute) || has_script_url(attribute, &scanner.doctype))
+    if itself && element.namespace != Namespace::Other {
+        return Some(Reason::Script);
+    }
+    let found = attributes.iter().filter_map(|attribute| {
+        if is_handler(attribute) {
+            return Some(Reason::Script);
+        }
+        of_url(attribute, &scanner.doctype)
+    });
+    // What is known for certain comes first.
+    found.min_by_key(|reason| *reason != Reason::Script)
 }
 
 /// Event attributes in a namespace (`a:onclick`) are none.
@@ -31,21 +39,22 @@ fn is_handler(attribute: &Attribute<'_>) -> bool {
         && !attribute.value.trim().is_empty()
 }
 
-/// Whether an attribute of any name is a `javascript:` URL, or a list of values for one.
-fn has_script_url(attribute: &Attribute<'_>, doctype: &Doctype) -> bool {
+/// [`Reason::Script`] where an attribute of any name is a `javascript:` URL, or a list of values for one; another where its text cannot be read.
+fn of_url(attribute: &Attribute<'_>, doctype: &Doctype) -> Option<Reason> {
     let is_list = attribute.name == "values";
     let first = attribute.value.bytes().find(|byte| *byte > b' ');
     if !is_list && !matches!(first, Some(b'j' | b'J' | b'&')) {
-        return false;
+        return None;
     }
     let Some(text) = value::text(attribute.value, doctype) else {
-        return true;
+        return Some(Reason::UnreadEntity);
     };
-    if is_list {
+    let is_script = if is_list {
         text.split(';').any(is_script_url)
     } else {
         is_script_url(&text)
-    }
+    };
+    is_script.then_some(Reason::Script)
 }
 
 fn is_script_url(text: &str) -> bool {
