@@ -17,7 +17,7 @@ use core::fmt::Display;
 
 use thiserror::Error;
 
-use plain::{plain, short};
+use plain::{plain, short, told};
 
 pub use picture::PictureError;
 pub use refused::{FormatError, MethodError, ReachError, RuleName};
@@ -34,7 +34,7 @@ pub type Result<T, E = Error> = core::result::Result<T, E>;
 #[non_exhaustive]
 pub enum Error {
     /// A length that has to be positive and finite is not.
-    #[error("the {what} must be a positive, finite number, but it is {value}")]
+    #[error("the {what} must be a positive, finite number, but it is {}", told(*value))]
     NotPositive {
         /// The name of the length.
         what: &'static str,
@@ -42,7 +42,7 @@ pub enum Error {
         value: f64,
     },
     /// A number that has to be finite is not.
-    #[error("the {what} must be a finite number, but it is {value}")]
+    #[error("the {what} must be a finite number, but it is {}", told(*value))]
     NotFinite {
         /// The name of the number.
         what: &'static str,

@@ -43,6 +43,13 @@ pub(crate) fn hint(error: &clap::Error, words: &[String]) -> Option<String> {
         ErrorKind::ArgumentConflict if has(words, "-n") && has(words, "-t") => Some(
             "-n gives the number of segments, -t finds the fewest: take one of them".to_owned(),
         ),
+        ErrorKind::ArgumentConflict if has(words, "-n") && has(words, "--joints") => Some(
+            "-n gives a number of segments, --joints the angles where they meet: take one of them"
+                .to_owned(),
+        ),
+        ErrorKind::ArgumentConflict if has(words, "--sweep") && has(words, "--reverse") => {
+            Some("a negative sweep runs the other way: --sweep=-90".to_owned())
+        }
         ErrorKind::ArgumentConflict if has(words, "--handle") && has(words, "-m") => Some(
             "--handle gives the length of the handles, -m a method that has it: take one of them"
                 .to_owned(),
@@ -285,6 +292,9 @@ fn of_count_or_angle(value: &str, argument: &str) -> Option<&'static str> {
     let has_unit =
         value.starts_with(|c: char| c.is_ascii_digit()) && value.ends_with(char::is_alphabetic);
     let takes = |names: &[&str]| names.iter().any(|name| argument.contains(name));
+    if takes(&["ANGLE"]) && value.contains("degree") {
+        return Some("without a unit it is in degrees: 60, or 60deg");
+    }
     if has_unit && takes(&["ANGLE"]) {
         return Some("angles take the units deg, rad, grad and turn; without one they are degrees");
     }
@@ -292,7 +302,7 @@ fn of_count_or_angle(value: &str, argument: &str) -> Option<&'static str> {
         return Some("numbers of things have no unit");
     }
     let has_decimals =
-        value.parse::<i64>().is_err() && value.replace(',', ".").parse::<f64>().is_ok();
+        value.parse::<i128>().is_err() && value.replace(',', ".").parse::<f64>().is_ok();
     (takes(&["<N>", "<P>"]) && has_decimals).then_some("it is a whole number, without decimals")
 }
 

@@ -2,7 +2,7 @@
 
 use curveto::Error;
 use curveto::error::{JointsError, Remedy, RuleName, ShapeError, UnmeasurableError};
-use curveto::number::text;
+use curveto::number::{rounded_up, text};
 
 use super::args::MOST_DECIMALS;
 
@@ -48,6 +48,16 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
             decimals: MOST_DECIMALS..,
         } => "draw it larger, as with --transform 'scale(1e6)'",
         Error::Collapsed { .. } => "give more decimals",
+        Error::Shape(ShapeError::Sweep(_)) => {
+            "a whole turn is a sweep of 360; 'curveto circle' and 'curveto ellipse' draw it too"
+        }
+        Error::Shape(ShapeError::SmallRadius { distance, .. }) => {
+            let least = rounded_up(distance / 2.0, 6);
+            return Some(format!("the radius is at least {}", text(least)));
+        }
+        Error::Shape(ShapeError::StraightConic) => {
+            "move the control point off the line between the ends, or draw the line: curveto path 'M0 0L5 5'"
+        }
         Error::Unmeasurable(UnmeasurableError::Entangled) => {
             "compare parts of them: every subpath is compared with one other"
         }

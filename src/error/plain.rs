@@ -13,3 +13,12 @@ pub(super) fn plain(value: f64) -> String {
 pub(super) fn short(value: f64) -> f64 {
     format!("{value:.12e}").parse().unwrap_or(value)
 }
+
+/// A number that may not be finite: what is read as infinite may be written with digits.
+pub(super) fn told(value: f64) -> String {
+    if value.is_infinite() {
+        format!("{value}: infinite or too large")
+    } else {
+        value.to_string()
+    }
+}

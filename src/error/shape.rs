@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::plain::plain;
+use super::plain::{plain, short};
 
 /// Why no shape is defined by what was given.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -26,7 +26,7 @@ pub enum ShapeError {
     SameEnds,
     /// The ends of an arc are farther apart than its diameter.
     #[error(
-        "no circle of radius {radius} runs through both ends: they are {distance} apart, more than the diameter"
+        "no circle of radius {radius} runs through both ends: they are {} apart, more than the diameter", short(*distance)
     )]
     SmallRadius {
         /// The radius that was given.
@@ -36,7 +36,7 @@ pub enum ShapeError {
     },
     /// The ends of an arc lie at different distances from its centre.
     #[error(
-        "no circle about the centre runs through both ends: their distances from it are {first} and {last}"
+        "no circle about the centre runs through both ends: their distances from it are {} and {}", short(*first), short(*last)
     )]
     Centre {
         /// The distance of the first end.
@@ -106,7 +106,7 @@ pub enum JointsError {
     #[error("a closed shape needs at least one")]
     None,
     /// One lies outside the sweep of an arc; all in degrees.
-    #[error("{joint} degrees is not inside the sweep from {start} to {end} degrees")]
+    #[error("{} degrees is not inside the sweep from {} to {} degrees", short(*joint), short(*start), short(*end))]
     Outside {
         /// The joint.
         joint: f64,

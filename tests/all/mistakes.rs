@@ -3,7 +3,7 @@
 use crate::judges::program::{self, printed, refused, run, words as program_words};
 
 /// A command, and what its message has to hold.
-const MISTAKES: [(&str, &str); 195] = [
+const MISTAKES: [(&str, &str); 205] = [
     ("50", "curveto circle 50"),
     ("Circle 50", "'circle'"),
     ("list", "'curveto methods'"),
@@ -25,6 +25,43 @@ const MISTAKES: [(&str, &str); 195] = [
     ("circle -5", "must be a positive"),
     ("circle nan", "must be a positive, finite number"),
     ("circle 1e308", "must stay below 1e150"),
+    (
+        "circle 5 -n 99999999999999999999999",
+        "is too large a number",
+    ),
+    (
+        "circle 5 -n 4 --joints 0,90",
+        "--joints the angles where they meet",
+    ),
+    (
+        "arc 5 --sweep 90 --reverse",
+        "a negative sweep runs the other way",
+    ),
+    (
+        "arc 5 --start 0 --end 720",
+        "a whole turn is a sweep of 360",
+    ),
+    (
+        "arc --from 0,0 --to 10,0 --radius 4",
+        "the radius is at least 5\n",
+    ),
+    (
+        "arc --from 0,0 --to 1,1 --radius 0.5",
+        "the radius is at least 0.707107\n",
+    ),
+    (
+        "conic --from 0,0 --control 1,1 --to 2,2 --weight 2",
+        "move the control point off the line",
+    ),
+    (
+        "arc 5 --sweep 60degrees",
+        "without a unit it is in degrees: 60, or 60deg",
+    ),
+    ("circle 1e400", "but it is inf: infinite or too large"),
+    (
+        "arc 5 --sweep 60.00000000000001 --joints 70",
+        "from 0 to 60 degrees",
+    ),
     ("circle 50 60", "curveto ellipse RX RY"),
     ("circle -r 50", "the radius stands alone"),
     ("sphere --radius 5", "sphere 5"),

@@ -1,7 +1,7 @@
 //! Readers of single values, with messages that say what is expected.
 
 use std::ffi::OsStr;
-use std::num::NonZeroUsize;
+use std::num::{IntErrorKind, NonZeroUsize, ParseIntError};
 use std::str::FromStr;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -211,7 +211,10 @@ pub(crate) fn hint_of_number(text: &str) -> Option<String> {
 pub(super) fn count(text: &str) -> Read<usize> {
     text.trim()
         .parse()
-        .map_err(|_| format!("'{text}' is not a whole number, such as 4"))
+        .map_err(|error: ParseIntError| match error.kind() {
+            IntErrorKind::PosOverflow => format!("'{text}' is too large a number"),
+            _ => format!("'{text}' is not a whole number, such as 4"),
+        })
 }
 
 /// A number of things of which there is at least one.
