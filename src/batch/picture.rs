@@ -1,5 +1,7 @@
 //! All lines as one picture.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::io::{self, BufRead as _, BufReader, Read};
 
 use kurbo::Affine;
@@ -11,14 +13,14 @@ use crate::approximate::{self, approximate};
 use crate::arcs;
 use crate::contour::{BezierTarget, Contour, Step, draw};
 use crate::course::Course;
-use crate::error::{Error, FormatError, Remedy, Result};
+use crate::error::{Error, FormatError, PictureError, Remedy, Result};
 use crate::joints::Cut;
 use crate::method::Rule;
 use crate::number::Precision;
 use crate::picture::figure::{Approximated, Figure, Layer};
 use crate::shape::Shape;
 use crate::write::dxf::{self, Trace};
-use crate::write::{self, Format, Writable};
+use crate::write::{self, Format, Image, Writable};
 
 /// The most shapes of one picture.
 pub const MOST_SHAPES: usize = 100_000;
@@ -109,6 +111,7 @@ pub fn figure(
     let mut picture = Picture::default();
     let mut input = BufReader::new(input);
     let (mut line, mut curves, mut segments) = (Vec::new(), 0, 0);
+    let mut ids = HashMap::new();
     loop {
         line.clear();
         let most = LONGEST_LINE as u64 + 1;
@@ -123,7 +126,13 @@ pub fn figure(
             _ => &line,
         };
         picture.summary.lines += 1;
-        match shape(bytes, options, exact) {
+        let found = shape(bytes, options, exact).and_then(|found| {
+            if options.format == Format::Image(Image::Svg) {
+                check_id(&mut ids, found.as_ref(), picture.summary.lines)?;
+            }
+            Ok(found)
+        });
+        match found {
             Ok(Some(found)) => {
                 let drawn = &found.layer.curves;
                 segments += drawn.iter().map(|c| c.segments.len()).sum::<usize>();
@@ -148,6 +157,23 @@ pub fn figure(
     let worst = picture.summary.worst.map_or(0.0, |(_, peak)| peak);
     describe(&mut picture.figure, worst);
     Ok(picture)
+}
+
+/// Refuses the id of an earlier line; `ids` holds these with their lines.
+fn check_id(ids: &mut HashMap<String, u64>, found: Option<&LineDrawing>, line: u64) -> Result<()> {
+    let Some(id) = found.and_then(|found| found.layer.id.clone()) else {
+        return Ok(());
+    };
+    match ids.entry(id) {
+        Entry::Vacant(free) => {
+            free.insert(line);
+            Ok(())
+        }
+        Entry::Occupied(taken) => Err(Error::Picture(PictureError::SameId {
+            id: taken.key().clone(),
+            line: *taken.get(),
+        })),
+    }
 }
 
 fn describe(figure: &mut Figure, worst: f64) {

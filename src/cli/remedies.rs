@@ -1,7 +1,7 @@
 //! What the library refuses, in the words of the command line.
 
 use curveto::Error;
-use curveto::error::{JointsError, Remedy, RuleName, ShapeError, UnmeasurableError};
+use curveto::error::{JointsError, PictureError, Remedy, RuleName, ShapeError, UnmeasurableError};
 use curveto::number::{rounded_up, text};
 
 use super::args::MOST_DECIMALS;
@@ -48,6 +48,9 @@ pub(crate) fn hint(error: &Error) -> Option<String> {
             decimals: MOST_DECIMALS..,
         } => "draw it larger, as with --transform 'scale(1e6)'",
         Error::Collapsed { .. } => "give more decimals",
+        Error::Picture(PictureError::SameId { .. }) => {
+            "give each line an id of its own; -f dxf and eps take one id for several"
+        }
         Error::Shape(ShapeError::Sweep(_)) => {
             "a whole turn is a sweep of 360; 'curveto circle' and 'curveto ellipse' draw it too"
         }

@@ -21,6 +21,14 @@ pub enum PictureError {
         /// What kind of colour it is.
         kind: &'static str,
     },
+    /// An `id` of two shapes of one SVG file.
+    #[error("the id '{id}' is that of line {line} already: ids in an SVG file are unique")]
+    SameId {
+        /// The id.
+        id: String,
+        /// The line that has it first.
+        line: u64,
+    },
     /// A text that is no size.
     #[error("'{0}' is not a width and a height, like 640x480 or 80x60mm")]
     Size(String),
